@@ -1,0 +1,37 @@
+#include "base/error.h"
+
+#include <stdio.h>
+#include <string.h>
+
+hs_status hs_fail(hs_error *err, hs_status status, const char *fmt, ...)
+{
+    if (err->status != HS_OK) return err->status;
+    err->status = status;
+    va_list args;
+    va_start(args, fmt);
+    vsnprintf(err->text, sizeof err->text, fmt, args);
+    va_end(args);
+    return status;
+}
+
+void hs_error_locate(hs_error *err, const char *file, long line)
+{
+    if (err->status == HS_OK || err->file[0] != '\0') return;
+    snprintf(err->file, sizeof err->file, "%s", file);
+    err->line = line;
+}
+
+void hs_error_clear(hs_error *err)
+{
+    memset(err, 0, sizeof *err);
+}
+
+int hs_exit_code(hs_status status)
+{
+    switch (status) {
+    case HS_OK: return 0;
+    case HS_ERROR_INPUT: return 1;
+    case HS_INTERRUPTED: return 3;
+    default: return 2;
+    }
+}

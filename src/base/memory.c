@@ -1,0 +1,65 @@
+#include "base/memory.h"
+
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+/* An array starts at the first 64-byte boundary that leaves room for the pointer calloc gave. calloc (and not
+   aligned_alloc and memset) because it leaves large blocks untouched: pages become resident on the node of the thread
+   that first writes them, and pages that nobody writes cost nothing. */
+hs_status hs_memory_alloc(void **array, size_t n, size_t size, hs_error *err)
+{
+    *array = NULL;
+    const size_t overhead = HS_ALIGNMENT + sizeof(void *);
+    if (n > (SIZE_MAX - overhead) / size)
+        return hs_fail(err, HS_ERROR_MEMORY, "an array of %zu elements of %zu bytes is larger than memory can be", n, size);
+    void *block = calloc(1, n * size + overhead);
+    if (block == NULL)
+        return hs_fail(err, HS_ERROR_MEMORY, "out of memory: %zu bytes more were needed", n * size);
+    uintptr_t start = ((uintptr_t)block + overhead) / HS_ALIGNMENT * HS_ALIGNMENT;
+    ((void **)start)[-1] = block;
+    *array = (void *)start;
+    return HS_OK;
+}
+
+hs_status hs_memory_grow(void **array, size_t n_keep, size_t n_new, size_t size, hs_error *err)
+{
+    void *grown;
+    HS_TRY(hs_memory_alloc(&grown, n_new, size, err));
+    if (*array != NULL && n_keep > 0) memcpy(grown, *array, (n_keep < n_new ? n_keep : n_new) * size);
+    hs_memory_free(*array);
+    *array = grown;
+    return HS_OK;
+}
+
+void hs_memory_free(void *array)
+{
+    if (array != NULL) free(((void **)array)[-1]);
+}
+
+hs_status hs_memory_strdup(char **copy, const char *text, hs_error *err)
+{
+    HS_TRY(hs_memory_alloc((void **)copy, strlen(text) + 1, 1, err));
+    memcpy(*copy, text, strlen(text) + 1);
+    return HS_OK;
+}
+
+size_t hs_memory_resident(void)
+{
+    unsigned long pages_total, pages_resident = 0;
+    FILE *statm = fopen("/proc/self/statm", "r");
+    if (statm == NULL) return 0;
+    if (fscanf(statm, "%lu %lu", &pages_total, &pages_resident) != 2) pages_resident = 0;
+    fclose(statm);
+    return pages_resident * (size_t)sysconf(_SC_PAGESIZE);
+}
+
+size_t hs_memory_resident_peak(void)
+{
+    struct rusage usage;
+    if (getrusage(RUSAGE_SELF, &usage) != 0) return 0;
+    return (size_t)usage.ru_maxrss * 1024;
+}

@@ -1,0 +1,132 @@
+#include "base/text.h"
+
+#include <ctype.h>
+#include <errno.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/memory.h"
+
+static hs_status reserve(hs_text *text, size_t n_more, hs_error *err)
+{
+    size_t needed = text->length + n_more + 1;
+    if (needed <= text->capacity) return HS_OK;
+    size_t capacity = needed < 64 ? 64 : needed * 2;
+    HS_TRY(HS_GROW(text->data, text->length, capacity, err));
+    text->capacity = capacity;
+    return HS_OK;
+}
+
+hs_status hs_text_append(hs_text *text, const char *bytes, size_t n, hs_error *err)
+{
+    HS_TRY(reserve(text, n, err));
+    memcpy(text->data + text->length, bytes, n);
+    text->length += n;
+    text->data[text->length] = '\0';
+    return HS_OK;
+}
+
+hs_status hs_text_printf(hs_text *text, hs_error *err, const char *fmt, ...)
+{
+    va_list args, again;
+    va_start(args, fmt);
+    va_copy(again, args);
+    int n = vsnprintf(NULL, 0, fmt, args);
+    va_end(args);
+    hs_status status = n < 0 ? hs_fail(err, HS_ERROR_RUN, "text could not be formatted with '%s'", fmt)
+                             : reserve(text, (size_t)n, err);
+    if (status == HS_OK) {
+        vsnprintf(text->data + text->length, (size_t)n + 1, fmt, again);
+        text->length += (size_t)n;
+    }
+    va_end(again);
+    return status;
+}
+
+void hs_text_clear(hs_text *text)
+{
+    text->length = 0;
+    if (text->data != NULL) text->data[0] = '\0';
+}
+
+void hs_text_fini(hs_text *text)
+{
+    HS_FREE(text->data);
+    text->length = text->capacity = 0;
+}
+
+const char *hs_text_get(const hs_text *text)
+{
+    return text->data != NULL ? text->data : "";
+}
+
+bool hs_text_to_double(const char *word, double *value)
+{
+    /* strtod also takes "nan", "inf" and hexadecimal: only digits, signs, a point and an exponent are let through. */
+    if (word[0] == '\0' || strspn(word, "+-.0123456789eE") != strlen(word)) return false;
+    char *end;
+    errno = 0;
+    *value = strtod(word, &end);
+    if (end == word || *end != '\0') return false;
+    return isfinite(*value);
+}
+
+bool hs_text_to_int64(const char *word, int64_t *value)
+{
+    if (word[0] == '\0' || isspace((unsigned char)word[0])) return false;
+    char *end;
+    errno = 0;
+    long long number = strtoll(word, &end, 10);
+    if (end == word || *end != '\0' || errno == ERANGE) return false;
+    *value = number;
+    return true;
+}
+
+/** Edit distance of two words, at most @p limit; words longer than 63 bytes count as far away. */
+static int edit_distance(const char *a, const char *b, int limit)
+{
+    enum { MAX = 64 };
+    size_t n_a = strlen(a), n_b = strlen(b);
+    if (n_a >= MAX || n_b >= MAX) return limit;
+    int row[MAX];
+    for (size_t j = 0; j <= n_b; ++j) row[j] = (int)j;
+    for (size_t i = 1; i <= n_a; ++i) {
+        int diagonal = row[0];
+        row[0] = (int)i;
+        for (size_t j = 1; j <= n_b; ++j) {
+            int replace = diagonal + (tolower((unsigned char)a[i - 1]) != tolower((unsigned char)b[j - 1]));
+            diagonal = row[j];
+            int insert_or_delete = (row[j] < row[j - 1] ? row[j] : row[j - 1]) + 1;
+            row[j] = replace < insert_or_delete ? replace : insert_or_delete;
+        }
+    }
+    return row[n_b] < limit ? row[n_b] : limit;
+}
+
+const char *hs_text_nearest(const char *word, const char *const *words, size_t n)
+{
+    int limit = (int)strlen(word) / 3 + 2;
+    int best = limit;
+    const char *nearest = NULL;
+    for (size_t i = 0; i < n; ++i) {
+        int distance = edit_distance(word, words[i], limit);
+        if (distance < best) best = distance, nearest = words[i];
+    }
+    return nearest;
+}
+
+bool hs_text_glob(const char *pattern, const char *word)
+{
+    for (; *pattern != '\0'; ++pattern, ++word) {
+        if (*pattern == '*') {
+            do {
+                if (hs_text_glob(pattern + 1, word)) return true;
+            } while (*word++ != '\0');
+            return false;
+        }
+        if (*word == '\0' || (*pattern != '?' && *pattern != *word)) return false;
+    }
+    return *word == '\0';
+}

@@ -1,0 +1,198 @@
+#include "core/atoms.h"
+
+#include <string.h>
+
+#include "base/memory.h"
+
+/** Elements of every array, also of those that have no halo part, so that the sort can let them rotate through one
+ *  spare array. What is never written never becomes resident, so the unused part costs no memory. */
+static size_t room(int capacity_local, int capacity_halo)
+{
+    return (size_t)capacity_local + (size_t)capacity_halo + HS_ATOMS_PAD;
+}
+
+static hs_status add_field(hs_atoms *atoms, const char *name, void **array, size_t size, bool has_halo, bool is_force,
+                           hs_error *err)
+{
+    if (atoms->n_fields == atoms->capacity_fields) {
+        int capacity = atoms->capacity_fields + 16;
+        HS_TRY(HS_GROW(atoms->field, (size_t)atoms->n_fields, (size_t)capacity, err));
+        atoms->capacity_fields = capacity;
+    }
+    HS_TRY(hs_memory_alloc(array, room(atoms->capacity_local, atoms->capacity_halo), size, err));
+    atoms->field[atoms->n_fields++] =
+        (hs_atom_field){.name = name, .array = array, .size = size, .has_halo = has_halo, .is_force = is_force};
+    return HS_OK;
+}
+
+hs_status hs_atoms_init(hs_atoms *atoms, hs_error *err)
+{
+    static const char *const x_name[3] = {"x", "y", "z"}, *const v_name[3] = {"vx", "vy", "vz"},
+                      *const f_name[3] = {"fx", "fy", "fz"}, *const image_name[3] = {"ix", "iy", "iz"};
+    memset(atoms, 0, sizeof *atoms);
+    atoms->generation = 1;
+    for (int axis = 0; axis < 3; ++axis) {
+        HS_TRY(add_field(atoms, x_name[axis], (void **)&atoms->x[axis], sizeof(double), true, false, err));
+        HS_TRY(add_field(atoms, v_name[axis], (void **)&atoms->v[axis], sizeof(double), false, false, err));
+        HS_TRY(add_field(atoms, f_name[axis], (void **)&atoms->f[axis], sizeof(double), true, true, err));
+        HS_TRY(add_field(atoms, image_name[axis], (void **)&atoms->image[axis], sizeof(int32_t), false, false, err));
+    }
+    HS_TRY(add_field(atoms, "id", (void **)&atoms->id, sizeof(int64_t), false, false, err));
+    HS_TRY(add_field(atoms, "type", (void **)&atoms->type, sizeof(int32_t), true, false, err));
+    return add_field(atoms, "mask", (void **)&atoms->mask, sizeof(uint32_t), false, false, err);
+}
+
+void hs_atoms_fini(hs_atoms *atoms)
+{
+    for (int k = 0; k < atoms->n_fields; ++k) HS_FREE(*atoms->field[k].array);
+    HS_FREE(atoms->field);
+    HS_FREE(atoms->mass);
+    HS_FREE(atoms->spare8);
+    HS_FREE(atoms->spare4);
+    memset(atoms, 0, sizeof *atoms);
+}
+
+hs_status hs_atoms_set_types(hs_atoms *atoms, int n_types, hs_error *err)
+{
+    HS_TRY(HS_GROW(atoms->mass, 0, (size_t)n_types + 1, err));
+    atoms->n_types = n_types;
+    return HS_OK;
+}
+
+/** Move every array into room for the given capacities; local and halo atoms stay where their indices say. */
+static hs_status resize(hs_atoms *atoms, int capacity_local, int capacity_halo, hs_error *err)
+{
+    size_t n_used = (size_t)atoms->n_local + (size_t)atoms->n_halo;
+    for (int k = 0; k < atoms->n_fields; ++k) {
+        hs_atom_field *field = &atoms->field[k];
+        size_t n_keep = field->has_halo ? n_used : (size_t)atoms->n_local;
+        HS_TRY(hs_memory_grow(field->array, n_keep, room(capacity_local, capacity_halo), field->size, err));
+    }
+    HS_FREE(atoms->spare8);
+    HS_FREE(atoms->spare4);
+    atoms->capacity_local = capacity_local;
+    atoms->capacity_halo = capacity_halo;
+    return HS_OK;
+}
+
+hs_status hs_atoms_reserve(hs_atoms *atoms, int64_t n_local, int64_t n_halo, hs_error *err)
+{
+    if (n_local <= atoms->capacity_local && n_halo <= atoms->capacity_halo) return HS_OK;
+    const int64_t limit = INT32_C(1) << 30;
+    if (n_local > limit || n_halo > limit)
+        return hs_fail(err, HS_ERROR_RUN, "%lld atoms on one rank are more than the %lld it can hold; use more ranks",
+                       (long long)(n_local > n_halo ? n_local : n_halo), (long long)limit);
+    if (n_local < atoms->capacity_local) n_local = atoms->capacity_local;
+    if (n_halo < atoms->capacity_halo) n_halo = atoms->capacity_halo;
+    return resize(atoms, (int)n_local, (int)n_halo, err);
+}
+
+hs_status hs_atoms_add(hs_atoms *atoms, int64_t id, int type, const double x[3], hs_error *err)
+{
+    if (atoms->n_local == atoms->capacity_local)
+        HS_TRY(hs_atoms_reserve(atoms, (int64_t)atoms->capacity_local * 3 / 2 + 64, 0, err));
+    const int i = atoms->n_local;
+    for (int k = 0; k < atoms->n_fields; ++k)
+        memset((char *)*atoms->field[k].array + (size_t)i * atoms->field[k].size, 0, atoms->field[k].size);
+    for (int axis = 0; axis < 3; ++axis) atoms->x[axis][i] = x[axis];
+    atoms->id[i] = id;
+    atoms->type[i] = type;
+    atoms->mask[i] = 1;
+    atoms->n_local = i + 1;
+    atoms->n_halo = 0;
+    ++atoms->generation;
+    return HS_OK;
+}
+
+void hs_atoms_remove(hs_atoms *atoms, const unsigned char *drop)
+{
+    for (int k = 0; k < atoms->n_fields; ++k) {
+        char *array = *atoms->field[k].array;
+        const size_t size = atoms->field[k].size;
+        int n_kept = 0;
+        for (int i = 0; i < atoms->n_local; ++i)
+            if (!drop[i]) memmove(array + size * (size_t)n_kept++, array + size * (size_t)i, size);
+    }
+    int n_kept = 0;
+    for (int i = 0; i < atoms->n_local; ++i) n_kept += !drop[i];
+    atoms->n_local = n_kept;
+    atoms->n_halo = 0;
+    ++atoms->generation;
+}
+
+static void gather8(uint64_t *restrict to, const uint64_t *restrict from, const int32_t *restrict order, int n)
+{
+#pragma omp parallel for schedule(static)
+    for (int k = 0; k < n; ++k) to[k] = from[order[k]];
+}
+
+static void gather4(uint32_t *restrict to, const uint32_t *restrict from, const int32_t *restrict order, int n)
+{
+#pragma omp parallel for schedule(static)
+    for (int k = 0; k < n; ++k) to[k] = from[order[k]];
+}
+
+static void gather_wide(char *restrict to, const char *restrict from, const int32_t *restrict order, int n, size_t size)
+{
+#pragma omp parallel for schedule(static)
+    for (int k = 0; k < n; ++k) memcpy(to + size * (size_t)k, from + size * (size_t)order[k], size);
+}
+
+/** Reorder one field. Arrays of 4 and 8 bytes an atom rotate through a spare array of the same size, so nothing is
+ *  copied back; wider ones (of styles) are rare and pay for a copy. */
+static hs_status permute_field(hs_atoms *atoms, hs_atom_field *field, const int32_t *order, hs_error *err)
+{
+    const int n = atoms->n_local;
+    if (field->size == 8 || field->size == 4) {
+        void **spare = field->size == 8 ? &atoms->spare8 : &atoms->spare4;
+        if (*spare == NULL)
+            HS_TRY(hs_memory_alloc(spare, room(atoms->capacity_local, atoms->capacity_halo), field->size, err));
+        if (field->size == 8)
+            gather8(*spare, *field->array, order, n);
+        else
+            gather4(*spare, *field->array, order, n);
+        void *sorted = *spare;
+        *spare = *field->array;
+        *field->array = sorted;
+        return HS_OK;
+    }
+    char *sorted;
+    HS_TRY(HS_ALLOC(sorted, (size_t)n * field->size, err));
+    gather_wide(sorted, *field->array, order, n, field->size);
+    memcpy(*field->array, sorted, (size_t)n * field->size);
+    HS_FREE(sorted);
+    return HS_OK;
+}
+
+hs_status hs_atoms_permute(hs_atoms *atoms, const int32_t *order, bool with_forces, hs_error *err)
+{
+    for (int k = 0; k < atoms->n_fields; ++k)
+        if (with_forces || !atoms->field[k].is_force) HS_TRY(permute_field(atoms, &atoms->field[k], order, err));
+    atoms->n_halo = 0;
+    ++atoms->generation;
+    return HS_OK;
+}
+
+hs_status hs_atoms_add_field(hs_atoms *atoms, const char *name, void **array, size_t size, bool has_halo, hs_error *err)
+{
+    return add_field(atoms, name, array, size, has_halo, false, err);
+}
+
+void hs_atoms_remove_field(hs_atoms *atoms, void **array)
+{
+    for (int k = 0; k < atoms->n_fields; ++k) {
+        if (atoms->field[k].array != array) continue;
+        HS_FREE(*array);
+        memmove(&atoms->field[k], &atoms->field[k + 1], sizeof atoms->field[0] * (size_t)(atoms->n_fields - k - 1));
+        --atoms->n_fields;
+        return;
+    }
+}
+
+int64_t hs_atoms_max_id(const hs_atoms *atoms)
+{
+    int64_t max = 0;
+    for (int i = 0; i < atoms->n_local; ++i)
+        if (atoms->id[i] > max) max = atoms->id[i];
+    return max;
+}

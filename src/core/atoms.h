@@ -1,0 +1,70 @@
+/** Particle arrays of one rank: structure of arrays, local atoms first, then halo atoms.
+ *
+ *  Only hs_atoms_permute (the sort), the migration and creation or deletion reorder or resize the arrays; each raises
+ *  `generation`. Lists and views remember the generation they were made for and are void when it changed. */
+#ifndef HS_CORE_ATOMS_H
+#define HS_CORE_ATOMS_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "base/error.h"
+
+/** Elements that every array has beyond its capacity, so that full-width vector loads at its end stay inside. */
+enum { HS_ATOMS_PAD = 16 };
+
+/** An array that belongs to atoms and travels with them: sorted, migrated, grown with them. */
+typedef struct hs_atom_field {
+    const char *name;    /**< borrowed: a literal, or owned by the style that added the field */
+    void **array;        /**< where the owner keeps the pointer; hs_atoms updates it when the array moves */
+    size_t size;         /**< bytes per atom */
+    bool has_halo;       /**< also has room for halo atoms */
+    bool is_force;       /**< recomputed every step: not carried along by the sort */
+} hs_atom_field;
+
+typedef struct hs_atoms {
+    int64_t n_all;            /**< atoms on all ranks */
+    int n_local;              /**< atoms owned by this rank: indices [0, n_local) */
+    int n_halo;               /**< copies of others' atoms and periodic images: [n_local, n_local + n_halo) */
+    int n_types;
+    double *mass;             /**< [n_types + 1], by type from 1; 0 = not set; mass units */
+    double *x[3];             /**< positions, distance; local and halo */
+    double *v[3];             /**< velocities, distance/time; local */
+    double *f[3];             /**< forces, energy/distance; local and halo */
+    int64_t *id;              /**< 1 .. ; unique over ranks; local */
+    int32_t *type;            /**< 1 .. n_types; local and halo */
+    uint32_t *mask;           /**< group bits; local */
+    int32_t *image[3];        /**< box lengths to add for the unwrapped position; local */
+    uint64_t generation;
+
+    /* owned by hs_atoms.c */
+    hs_atom_field *field;
+    int n_fields, capacity_fields;
+    int capacity_local, capacity_halo;   /**< room for atoms, without padding */
+    void *spare8, *spare4;               /**< room for one array each, used by the sort */
+} hs_atoms;
+
+HS_MUST_USE hs_status hs_atoms_init(hs_atoms *atoms, hs_error *err);
+void hs_atoms_fini(hs_atoms *atoms);
+/** Number of types and the mass table; called once, when the box is made. */
+HS_MUST_USE hs_status hs_atoms_set_types(hs_atoms *atoms, int n_types, hs_error *err);
+/** Make room for at least that many local and halo atoms in all; keeps what is there. */
+HS_MUST_USE hs_status hs_atoms_reserve(hs_atoms *atoms, int64_t n_local, int64_t n_halo, hs_error *err);
+/** Append a local atom at rest, in group all, image 0, all extra fields zero. Room grows by itself. */
+HS_MUST_USE hs_status hs_atoms_add(hs_atoms *atoms, int64_t id, int type, const double x[3], hs_error *err);
+/** Remove local atoms whose flag is nonzero (drop[n_local]), keeping the order of the rest; halo atoms are forgotten.
+ *  Not collective: the caller brings n_all up to date. */
+void hs_atoms_remove(hs_atoms *atoms, const unsigned char *drop);
+/** Reorder the local atoms: new atom k is old atom order[k]. Threaded; halo atoms are forgotten. Forces are not
+ *  carried along (they are recomputed) unless @p with_forces. */
+HS_MUST_USE hs_status hs_atoms_permute(hs_atoms *atoms, const int32_t *order, bool with_forces, hs_error *err);
+/** Register an array that travels with the atoms. *array is allocated zeroed at the present capacity. The caller
+ *  owns the pointer variable, which must stay in place until hs_atoms_remove_field, which frees the array.
+ *  @p size must be 4 or a multiple of 8 bytes. */
+HS_MUST_USE hs_status hs_atoms_add_field(hs_atoms *atoms, const char *name, void **array, size_t size, bool has_halo,
+                                         hs_error *err);
+void hs_atoms_remove_field(hs_atoms *atoms, void **array);
+/** Largest id on this rank, 0 without atoms. */
+int64_t hs_atoms_max_id(const hs_atoms *atoms);
+
+#endif

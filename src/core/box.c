@@ -1,0 +1,40 @@
+#include "core/box.h"
+
+#include <string.h>
+
+void hs_box_init(hs_box *box)
+{
+    memset(box, 0, sizeof *box);
+    box->dimension = 3;
+    for (int axis = 0; axis < 3; ++axis) {
+        box->periodic[axis] = true;
+        box->boundary[axis][0] = box->boundary[axis][1] = HS_BOUNDARY_PERIODIC;
+    }
+}
+
+double hs_box_length(const hs_box *box, int axis) { return box->hi[axis] - box->lo[axis]; }
+
+double hs_box_volume(const hs_box *box)
+{
+    double area = hs_box_length(box, 0) * hs_box_length(box, 1);
+    return box->dimension == 2 ? area : area * hs_box_length(box, 2);
+}
+
+void hs_box_wrap(const hs_box *box, double x[3], int32_t image[3])
+{
+    for (int axis = 0; axis < 3; ++axis) {
+        if (!box->periodic[axis]) continue;
+        const double lo = box->lo[axis], hi = box->hi[axis], length = hi - lo;
+        if (x[axis] < lo) {
+            x[axis] += length;
+            --image[axis];
+            /* rounding may have put an atom a hair below lo exactly onto hi, which belongs to the next image */
+            if (x[axis] >= hi && x[axis] - length < lo) x[axis] = lo > x[axis] - length ? lo : x[axis] - length;
+        }
+        if (x[axis] >= hi) {
+            x[axis] -= length;
+            ++image[axis];
+            if (x[axis] < lo) x[axis] = lo;
+        }
+    }
+}

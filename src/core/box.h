@@ -1,0 +1,33 @@
+/** The simulation box: extent, boundary conditions, periodic images. */
+#ifndef HS_CORE_BOX_H
+#define HS_CORE_BOX_H
+
+#include <stdint.h>
+
+#include "base/error.h"
+
+typedef enum {
+    HS_BOUNDARY_PERIODIC = 'p',
+    HS_BOUNDARY_FIXED = 'f',       /**< atoms that leave are lost */
+    HS_BOUNDARY_SHRINK = 's',      /**< the face follows the outermost atom, at each rebuild */
+    HS_BOUNDARY_SHRINK_MIN = 'm'   /**< the same, but never inside its starting place */
+} hs_boundary;
+
+typedef struct hs_box {
+    int dimension;               /**< 2 or 3; in 2D z is periodic and atoms stay at z = 0 unless a fix moves them */
+    bool exists;                 /**< create_box or read_data has been */
+    double lo[3], hi[3];         /**< distance units */
+    hs_boundary boundary[3][2];  /**< [axis][lo, hi] */
+    bool periodic[3];
+    double shrink_limit[3][2];   /**< for 'm' faces: the place they may not move inside of */
+} hs_box;
+
+/** 3D, periodic, nothing created. */
+void hs_box_init(hs_box *box);
+double hs_box_length(const hs_box *box, int axis);
+/** Volume, or area in 2D (LAMMPS counts the z extent out of 2D volumes). */
+double hs_box_volume(const hs_box *box);
+/** Bring x into the box along periodic axes and count the crossings in image. Exact when x is inside already. */
+void hs_box_wrap(const hs_box *box, double x[3], int32_t image[3]);
+
+#endif

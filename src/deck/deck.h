@@ -1,0 +1,40 @@
+/** A deck being read: its files, variables, and the simulation it drives. */
+#ifndef HS_DECK_DECK_H
+#define HS_DECK_DECK_H
+
+#include "base/message.h"
+#include "base/text.h"
+#include "sim/sim.h"
+
+struct hs_variables;
+struct hs_source;
+
+typedef struct hs_deck {
+    hs_sim *sim;                       /**< owned; made anew by `clear` */
+    hs_sink *out;                      /**< borrowed */
+    hs_options options;                /**< command-line settings, kept over `clear` */
+    struct hs_variables *variables;    /**< owned; kept over `clear` */
+    struct hs_source *source;          /**< owned stack of files being read; deck/interpreter.c */
+    bool echo_screen, echo_log;
+    FILE *log_opened;                  /**< log file opened by -log or the command `log`; owned; NULL: out->log is not ours */
+    const char *label_wanted;          /**< skipping to this label (jump) */
+    bool quit;                         /**< the command quit was met */
+    int exit_code;
+} hs_deck;
+
+/** New deck interpreter with an empty simulation. @p out is borrowed. */
+HS_MUST_USE hs_status hs_deck_create(hs_deck **deck, const hs_options *options, hs_sink *out, hs_error *err);
+void hs_deck_destroy(hs_deck **deck);
+
+/** Set an index variable from the command line (-var NAME VALUE...); wins over `variable NAME index`. */
+HS_MUST_USE hs_status hs_deck_set_variable(hs_deck *deck, const char *name, int n, const char *const *values, hs_error *err);
+
+/** First pass: read the whole deck, includes and both branches of `if` too, and refuse what can never be right. Runs
+ *  nothing. "-" or NULL reads standard input (kept in memory for the second pass). */
+HS_MUST_USE hs_status hs_deck_check(hs_deck *deck, const char *file, hs_error *err);
+/** Second pass: run the deck. hs_deck_check must have passed. */
+HS_MUST_USE hs_status hs_deck_run(hs_deck *deck, const char *file, hs_error *err);
+/** Run one command line given as text (public API, `if`, `run every`): substitution, echo, the command. */
+HS_MUST_USE hs_status hs_deck_command(hs_deck *deck, const char *line, hs_error *err);
+
+#endif

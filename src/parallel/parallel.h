@@ -1,0 +1,46 @@
+/** Ranks and threads: the only interface to MPI (with comm/) and to the number of OpenMP threads.
+ *
+ *  Functions marked "collective" must be called by all ranks in the same order. A build without MPI has one rank. */
+#ifndef HS_PARALLEL_PARALLEL_H
+#define HS_PARALLEL_PARALLEL_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "base/error.h"
+
+/** The ranks of one run. Zero-initialised it is one rank of one. */
+typedef struct hs_parallel {
+    int rank;
+    int n_ranks;
+} hs_parallel;
+
+/** Start MPI, if the program was launched with it (collective). A program started without mpirun stays without. */
+HS_MUST_USE hs_status hs_parallel_init(hs_parallel *parallel, hs_error *err);
+/** Collective. */
+void hs_parallel_fini(hs_parallel *parallel);
+/** Stop all ranks at once. Does not return when there is more than one rank. */
+void hs_parallel_abort(const hs_parallel *parallel, int exit_code);
+
+/** Agree on an error: when any rank holds one, every rank ends up with that of the lowest such rank (collective). */
+HS_MUST_USE hs_status hs_parallel_agree(const hs_parallel *parallel, hs_error *err);
+
+/** Sums, maxima, minima over ranks, in place (collective). */
+void hs_parallel_sum_double(const hs_parallel *parallel, double *values, int n);
+void hs_parallel_sum_int64(const hs_parallel *parallel, int64_t *values, int n);
+void hs_parallel_max_double(const hs_parallel *parallel, double *values, int n);
+void hs_parallel_min_double(const hs_parallel *parallel, double *values, int n);
+void hs_parallel_max_int64(const hs_parallel *parallel, int64_t *values, int n);
+
+/** Threads of this rank's parallel regions. 0 asks for the default: OMP_NUM_THREADS if set, else 1 as LAMMPS does. */
+void hs_threads_set(int n_threads);
+int hs_threads_get(void);
+/** Cores this process may run on. */
+int hs_threads_available(void);
+/** Number of the calling thread in its parallel region, and the region's threads. */
+int hs_thread_number(void);
+int hs_thread_count(void);
+/** Contiguous share [*begin, *end) of n items for thread t of n_threads; multiples of @p chunk except the last. */
+void hs_thread_range(int64_t n, int chunk, int thread, int n_threads, int64_t *begin, int64_t *end);
+
+#endif

@@ -1,0 +1,102 @@
+/** The simulation object: owns everything of one run. Any number can live in one process; nothing here is global. */
+#ifndef HS_SIM_SIM_H
+#define HS_SIM_SIM_H
+
+#include <signal.h>
+
+#include "base/timer.h"
+#include "comm/halo.h"
+#include "core/lattice.h"
+#include "neighbor/neighbor.h"
+#include "style/compute.h"
+#include "style/dump.h"
+#include "style/env.h"
+#include "style/fix.h"
+#include "style/pair.h"
+#include "style/region.h"
+
+struct hs_thermo;
+
+/** Settings of the command line and of commands that can be given before there is a box. */
+typedef struct hs_options {
+    int n_threads;            /**< 0: OMP_NUM_THREADS, else 1 */
+    char neighbor_method[32]; /**< -neigh; "" = the deck's or the default */
+} hs_options;
+
+typedef struct hs_sim {
+    hs_env env;               /**< what styles see; env.atoms etc. point to the members below */
+    hs_options options;
+    hs_parallel parallel;
+    hs_box box;
+    hs_atoms atoms;
+    hs_groups groups;
+    hs_lattice lattice;
+
+    hs_pair *pair;            /**< owned; NULL until pair_style */
+    hs_region **region;       /**< owned [n_regions] */
+    int n_regions;
+    hs_fix **fix;             /**< owned [n_fixes], in the deck's order */
+    int n_fixes;
+    hs_compute **compute;     /**< owned [n_computes]; the first three are thermo_temp, thermo_press, thermo_pe */
+    int n_computes;
+    hs_dump **dump;           /**< owned [n_dumps] */
+    int n_dumps;
+    struct hs_thermo *thermo; /**< owned; sim/thermo.h */
+
+    hs_neighbor neighbor;     /**< settings, cells, lists */
+    hs_halo halo;
+    hs_timer timer;
+
+    bool is_initialized;      /**< a run has been set up since the last change of the system (run pre no is allowed) */
+    int n_integrate_warned;
+    volatile sig_atomic_t *stop_requested;   /**< borrowed: set by a signal handler; NULL without one */
+} hs_sim;
+
+/** New, empty simulation. @p out is borrowed for its life. The caller destroys it. */
+HS_MUST_USE hs_status hs_sim_create(hs_sim **sim, const hs_options *options, hs_sink *out, hs_error *err);
+/** Free everything; clears the pointer; NULL is fine. */
+void hs_sim_destroy(hs_sim **sim);
+
+/* Making and removing styles. `args` are the words after the style's name. IDs must be unique (a fix of the same ID and
+ * style is replaced in place, as in LAMMPS). */
+HS_MUST_USE hs_status hs_sim_set_pair(hs_sim *sim, const char *style, const hs_args *args, hs_error *err);
+HS_MUST_USE hs_status hs_sim_pair_coeff(hs_sim *sim, const hs_args *args, hs_error *err);   /**< I J words... */
+HS_MUST_USE hs_status hs_sim_add_fix(hs_sim *sim, const char *id, const char *group, const char *style, const hs_args *args, hs_error *err);
+HS_MUST_USE hs_status hs_sim_remove_fix(hs_sim *sim, const char *id, hs_error *err);
+HS_MUST_USE hs_status hs_sim_add_compute(hs_sim *sim, const char *id, const char *group, const char *style, const hs_args *args, hs_error *err);
+HS_MUST_USE hs_status hs_sim_remove_compute(hs_sim *sim, const char *id, hs_error *err);
+HS_MUST_USE hs_status hs_sim_add_region(hs_sim *sim, const char *id, const char *style, const hs_args *args, hs_error *err);
+HS_MUST_USE hs_status hs_sim_remove_region(hs_sim *sim, const char *id, hs_error *err);
+HS_MUST_USE hs_status hs_sim_add_dump(hs_sim *sim, const char *id, const char *group, const char *style, int64_t every, const char *file, const hs_args *args, hs_error *err);
+HS_MUST_USE hs_status hs_sim_remove_dump(hs_sim *sim, const char *id, hs_error *err);
+/** Look-ups; NULL when there is none. */
+hs_fix *hs_sim_find_fix(hs_sim *sim, const char *id);
+hs_compute *hs_sim_find_compute(hs_sim *sim, const char *id);
+hs_region *hs_sim_find_region(hs_sim *sim, const char *id);
+hs_dump *hs_sim_find_dump(hs_sim *sim, const char *id);
+
+/** Fail unless the box exists ("<command>: the box must exist first: ...") */
+HS_MUST_USE hs_status hs_sim_need_box(const hs_sim *sim, const char *command, hs_error *err);
+/** Fail unless every type has a mass. */
+HS_MUST_USE hs_status hs_sim_need_masses(const hs_sim *sim, const char *command, hs_error *err);
+/** Atoms were added, removed, moved or changed outside a run: count them (collective), forget halo, lists, and
+ *  remembered compute values. Every command that touches atoms calls this last. */
+void hs_sim_atoms_changed(hs_sim *sim);
+
+/** Words of the command `run`. */
+typedef struct hs_run_plan {
+    int64_t n_steps;
+    bool pre, post;             /**< full set-up before; timing table after */
+    int64_t start, stop;        /**< steps that ramps in fixes and thermo's time left refer to */
+    bool is_quiet;              /**< used by nested runs: no thermo header */
+    int64_t every;              /**< > 0: call at_every after each so many steps */
+    hs_status (*at_every)(void *context, hs_error *err);
+    void *context;
+} hs_run_plan;
+
+/** Run the simulation (collective): set-up, steps, output, timing table.  sim/run.c. */
+HS_MUST_USE hs_status hs_sim_run(hs_sim *sim, const hs_run_plan *plan, hs_error *err);
+/** Set-up only, with forces, energy and virial of the present positions (no step).  Used by run, by the API and by tests. */
+HS_MUST_USE hs_status hs_sim_setup(hs_sim *sim, hs_error *err);
+
+#endif

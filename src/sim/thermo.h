@@ -1,0 +1,37 @@
+/** Thermodynamic output: the table of the log, its keywords and formats. */
+#ifndef HS_SIM_THERMO_H
+#define HS_SIM_THERMO_H
+
+#include "sim/sim.h"
+
+typedef struct hs_thermo hs_thermo;
+
+HS_MUST_USE hs_status hs_thermo_create(hs_thermo **thermo, hs_sim *sim, hs_error *err);
+void hs_thermo_destroy(hs_thermo **thermo);
+
+/** `thermo N`, or by a variable name `thermo v_name` (every = 0 and variable set). */
+void hs_thermo_set_every(hs_thermo *thermo, int64_t every);
+int64_t hs_thermo_every(const hs_thermo *thermo);
+/** `thermo_style style args`; resets thermo_modify as LAMMPS does. */
+HS_MUST_USE hs_status hs_thermo_set_style(hs_thermo *thermo, const char *style, const hs_args *args, hs_error *err);
+HS_MUST_USE hs_status hs_thermo_modify(hs_thermo *thermo, const hs_args *args, hs_error *err);
+/** Before a run: resolve computes, fixes and variables; an unknown one is an error. */
+HS_MUST_USE hs_status hs_thermo_init(hs_thermo *thermo, hs_error *err);
+/** Whether the table has a row at this step (first and last step of a run always). */
+bool hs_thermo_is_due(const hs_thermo *thermo, int64_t step);
+/** Whether the row of this step needs pair energy or virial: the step then computes them. */
+bool hs_thermo_needs_energy(const hs_thermo *thermo);
+void hs_thermo_header(hs_thermo *thermo);
+/** Write the row of the present step (collective); also the check for lost atoms (thermo_modify lost). */
+HS_MUST_USE hs_status hs_thermo_row(hs_thermo *thermo, hs_error *err);
+/** Value of a keyword (`temp`, `pe`, `lx`, ...) as formulas and the API see it (collective). *found = false, and HS_OK,
+ *  when there is no such keyword. */
+HS_MUST_USE hs_status hs_thermo_keyword(hs_thermo *thermo, const char *keyword, double *value, bool *found, hs_error *err);
+/** All keywords with one line of help each: pairs (keyword, help), ended by NULL. */
+extern const char *const hs_thermo_keywords[];
+/** First-pass check of the words of thermo_style custom: NULL when the word may be a column, else the nearest keyword or "". */
+const char *hs_thermo_check_word(const char *word);
+/** Units of a keyword's column for plots: "time", "energy", "pressure", ... or NULL. */
+const char *hs_thermo_quantity(const char *keyword);
+
+#endif

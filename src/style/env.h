@@ -1,0 +1,50 @@
+/** What a style may see of the simulation it belongs to. Styles never include sim/: this is their view of it. */
+#ifndef HS_STYLE_ENV_H
+#define HS_STYLE_ENV_H
+
+#include "base/message.h"
+#include "core/atoms.h"
+#include "core/box.h"
+#include "core/group.h"
+#include "core/units.h"
+#include "parallel/parallel.h"
+
+struct hs_compute;
+struct hs_fix;
+struct hs_region;
+struct hs_lattice;
+
+/** Owned by hs_sim, one per simulation; everything in it is borrowed by styles for as long as they live. */
+typedef struct hs_env {
+    const hs_parallel *parallel;
+    hs_sink *out;
+    const hs_units *units;
+    hs_box *box;
+    hs_atoms *atoms;
+    hs_groups *groups;
+    struct hs_lattice *lattice;   /**< never NULL; `none` until the deck sets one */
+
+    int64_t step;          /**< number of the present timestep */
+    int64_t first_step;    /**< step at which the present (or next) run began */
+    int64_t last_step;     /**< step at which it ends */
+    double dt;             /**< timestep, time */
+
+    /* Results of the latest force evaluation, summed over threads and ranks */
+    double pair_energy;      /**< energy of all pairs, valid when energy_step == step */
+    double pair_virial[6];   /**< sum over pairs of r_a F_b: xx yy zz xy xz yz; energy */
+    int64_t energy_step;     /**< step for which energy and virial were last computed, -1 for never */
+    double tail_energy;      /**< long-range corrections of pair_modify tail: energy, to be divided by nothing */
+    double tail_pressure;    /**< and pressure (already in pressure units); both 0 without tail */
+
+    /* Look-ups; NULL when there is none of that ID */
+    struct hs_compute *(*find_compute)(struct hs_env *env, const char *id);
+    struct hs_fix *(*find_fix)(struct hs_env *env, const char *id);
+    struct hs_region *(*find_region)(struct hs_env *env, const char *id);
+    /** Value of an equal-style (or other number-like) variable; set by the deck, NULL without one. */
+    hs_status (*variable_value)(void *deck, const char *name, double *value, hs_error *err);
+    /** Values of an atom-style variable for the local atoms: values[n_local]. */
+    hs_status (*variable_atoms)(void *deck, const char *name, double *values, hs_error *err);
+    void *deck;
+} hs_env;
+
+#endif

@@ -1,0 +1,57 @@
+/** Interface of pair styles: which potential acts between which types. One pair style is one file in src/pair/, which
+ *  also holds its evaluator: the potential as a function of r^2, compiled by the build for every instruction set and
+ *  precision (kernel/evaluator.h). */
+#ifndef HS_STYLE_PAIR_H
+#define HS_STYLE_PAIR_H
+
+#include "base/text.h"
+#include "kernel/kernel.h"
+#include "style/args.h"
+#include "style/env.h"
+
+struct hs_pair;
+
+typedef struct hs_pair_style {
+    hs_description about;    /**< words after pair_style */
+    hs_syntax coeff_syntax;  /**< words of pair_coeff after the two types */
+    size_t state_size;
+    HS_MUST_USE hs_status (*settings)(struct hs_pair *pair, const hs_args *args, hs_error *err);
+    void (*destroy)(struct hs_pair *pair);
+    /** Coefficients of one type pair, i <= j, from the words after the types. */
+    HS_MUST_USE hs_status (*coeff)(struct hs_pair *pair, int i, int j, const hs_args *args, hs_error *err);
+    /** Coefficients of (i, j) from those of (i, i) and (j, j); NULL: all pairs must be given. */
+    HS_MUST_USE hs_status (*mix)(struct hs_pair *pair, int i, int j, hs_error *err);
+    /** Cutoff (0: the pair does not interact) and the evaluator's parameters of a type pair, i <= j. */
+    void (*params)(const struct hs_pair *pair, int i, int j, double *cutoff, double *params);
+    /** Long-range integrals for one pair of types per unit of n_i n_j / volume: see pair_modify tail. NULL: none. */
+    void (*tail)(const struct hs_pair *pair, int i, int j, double *energy, double *virial);
+    /** Words for a data file's "PairIJ Coeffs" line of (i, j), appended to @p words. NULL: not written. */
+    HS_MUST_USE hs_status (*write_coeff)(const struct hs_pair *pair, int i, int j, hs_text *words, hs_error *err);
+    const hs_evaluator *evaluator;   /**< NULL: no forces (none, zero) */
+    bool allows_none;                /**< works without any coefficients */
+} hs_pair_style;
+
+typedef enum { HS_MIX_GEOMETRIC, HS_MIX_ARITHMETIC, HS_MIX_SIXTHPOWER } hs_mix_rule;
+
+/** The pair style of a simulation. Type tables are [(n_types + 1) * (n_types + 1)], indexed with hs_pair_index. */
+typedef struct hs_pair {
+    const hs_pair_style *style;
+    hs_env *env;
+    void *state;                  /**< style's own, sized state_size */
+    int n_types;
+    unsigned char *is_set;        /**< by pair_coeff; owned */
+    double *cutoff;               /**< distance; filled by hs_pair_init; owned */
+    double cutoff_max;
+    bool shift, tail;             /**< pair_modify */
+    hs_mix_rule mix;
+} hs_pair;
+
+static inline int hs_pair_index(const hs_pair *pair, int i, int j) { return i * (pair->n_types + 1) + j; }
+
+/** epsilon and sigma by the chosen rule (same formulas as LAMMPS's pair_modify mix). */
+double hs_pair_mix_energy(hs_mix_rule rule, double eps_i, double eps_j, double sigma_i, double sigma_j);
+double hs_pair_mix_distance(hs_mix_rule rule, double sigma_i, double sigma_j);
+
+extern const hs_pair_style *const hs_pair_styles[];
+
+#endif
