@@ -10,8 +10,8 @@ struct hs_region;
 typedef struct hs_region_style {
     hs_description about;   /**< syntax of the style's own words; side, units, ... are common to all (style/region.c) */
     size_t state_size;
-    /** args: the style's own words, lengths still in the deck's units; hs_region_scale() converts them. Sets
-     *  region->extent and has_extent. */
+    /** args: the style's own words (common keywords taken off), lengths still in the deck's units: multiply them with
+     *  region->scale. Sets region->extent and has_extent of the shape itself. */
     HS_MUST_USE hs_status (*create)(struct hs_region *region, const hs_args *args, hs_error *err);
     void (*destroy)(struct hs_region *region);
     /** Whether x is inside the shape, its surface included (side is applied by hs_region_contains). */
@@ -25,12 +25,36 @@ typedef struct hs_region {
     void *state;
     bool is_outside;      /**< side out: the complement */
     double scale[3];      /**< units lattice: spacings; units box: 1 */
-    bool has_extent;      /**< bounded: extent holds it */
+    bool has_extent;      /**< bounded (never with side out): extent holds it */
     double extent[3][2];  /**< bounding box [axis][lo, hi], distance */
 } hs_region;
 
 /** Whether the region holds x, with side in or out. */
 bool hs_region_contains(const hs_region *region, const double x[3]);
+
+/** A new region from the words after `region ID style`: the style's own, then the common keywords. Not yet in any list:
+ *  the caller keeps it and gives it to hs_region_destroy. The ID is copied. Not collective (same result on all ranks). */
+HS_MUST_USE hs_status hs_region_create(hs_region **region, hs_env *env, const char *id, const char *style,
+                                       const hs_args *args, hs_error *err);
+/** Free a region and clear the pointer; NULL is fine. */
+void hs_region_destroy(hs_region **region);
+/** First-pass check of `style words... keywords...`: style name, counts, keywords. */
+HS_MUST_USE hs_status hs_region_check(const hs_args *args, bool has_variables, hs_error *err);
+/** The region style of that name, or NULL. */
+const hs_region_style *hs_region_style_find(const char *name);
+
+/** Length in the units of an axis; a variable (`v_name`) is refused by name. */
+HS_MUST_USE hs_status hs_region_length(const hs_region *region, const hs_args *args, int i, int axis, double *value,
+                                       hs_error *err);
+/** Lower (end 0) or upper (end 1) bound of an axis: a length, INF (the far distance), or EDGE (the box's face). */
+HS_MUST_USE hs_status hs_region_bound(const hs_region *region, const hs_args *args, int i, int axis, int end,
+                                      double *value, hs_error *err);
+
+/** What INF stands for: farther than any atom, distance. */
+#define HS_REGION_FAR 1.0e20
+
+/** Keywords common to all region styles, ended by a NULL name. */
+extern const hs_keyword hs_region_keywords[];
 
 extern const hs_region_style *const hs_region_styles[];
 

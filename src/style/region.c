@@ -1,0 +1,182 @@
+#include "style/region.h"
+
+#include <string.h>
+
+#include "base/memory.h"
+#include "base/text.h"
+#include "core/lattice.h"
+
+const hs_keyword hs_region_keywords[] = {
+    {"side", 1, "in|out", "the region is the inside of the shape (default) or everything outside of it"},
+    {"units", 1, "lattice|box", "lengths are in lattice spacings (default) or in the distance units of the run"},
+    {NULL, 0, NULL, NULL},
+};
+
+bool hs_region_contains(const hs_region *region, const double x[3])
+{
+    return region->style->inside(region, x) != region->is_outside;
+}
+
+const hs_region_style *hs_region_style_find(const char *name)
+{
+    for (int k = 0; hs_region_styles[k] != NULL; ++k)
+        if (strcmp(hs_region_styles[k]->about.name, name) == 0) return hs_region_styles[k];
+    return NULL;
+}
+
+/** Refuse an unknown style, with a reason for those that LAMMPS has. */
+static hs_status refuse_style(const char *command, const char *style, hs_error *err)
+{
+    if (strcmp(style, "cone") == 0)
+        return hs_fail(err, HS_ERROR_INPUT, "%s: the style 'cone' is not supported; block, cylinder, plane, prism, sphere, "
+                       "union and intersect are", command);
+    const char *names[64];
+    size_t n = 0;
+    for (int k = 0; hs_region_styles[k] != NULL && n < 64; ++k) names[n++] = hs_region_styles[k]->about.name;
+    const char *nearest = hs_text_nearest(style, names, n);
+    if (nearest != NULL)
+        return hs_fail(err, HS_ERROR_INPUT, "%s: unknown region style '%s'; did you mean '%s'?", command, style, nearest);
+    return hs_fail(err, HS_ERROR_INPUT, "%s: unknown region style '%s'; expected block, cylinder, plane, prism, sphere, "
+                   "union or intersect", command, style);
+}
+
+static bool is_common_keyword(const char *word)
+{
+    for (const hs_keyword *keyword = hs_region_keywords; keyword->name != NULL; ++keyword)
+        if (strcmp(keyword->name, word) == 0) return true;
+    return false;
+}
+
+/** Number of the style's own words: fixed, or up to the first common keyword. */
+static int count_own(const hs_region_style *style, const hs_args *args)
+{
+    const hs_syntax *syntax = &style->about.syntax;
+    int n = syntax->n_min;
+    if (syntax->n_max != syntax->n_min)
+        while (n < args->n && !is_common_keyword(args->word[n])) ++n;
+    return n < args->n ? n : args->n;
+}
+
+/** Check the common keywords in args (nothing else may be there). */
+static hs_status check_keywords(const hs_args *args, bool has_variables, hs_error *err)
+{
+    static const char *const refused[] = {"move", "rotate", "open", NULL};
+    for (int i = 0; i < args->n; ++i)
+        for (int k = 0; refused[k] != NULL; ++k)
+            if (strcmp(args->word[i], refused[k]) == 0)
+                return hs_fail(err, HS_ERROR_INPUT, "%s: the keyword '%s' is not supported: regions keep their place and "
+                               "have no open faces; the keywords are side and units", args->command, refused[k]);
+    const hs_syntax syntax = {"[side in|out] [units lattice|box]", 0, 0, hs_region_keywords};
+    return hs_syntax_check(&syntax, args, has_variables, err);
+}
+
+/** Check the words after the style's name. */
+static hs_status check_words(const hs_region_style *style, const hs_args *args, bool has_variables, hs_error *err)
+{
+    const int n_own = count_own(style, args);
+    const hs_args own = {.command = args->command, .n = n_own, .word = args->word};
+    HS_TRY(hs_syntax_check(&style->about.syntax, &own, has_variables, err));
+    const hs_args rest = hs_args_from(args, n_own, NULL);
+    return check_keywords(&rest, has_variables, err);
+}
+
+static bool has_dollar(const hs_args *args)
+{
+    for (int i = 0; i < args->n; ++i)
+        if (strchr(args->word[i], '$') != NULL) return true;
+    return false;
+}
+
+hs_status hs_region_check(const hs_args *args, bool has_variables, hs_error *err)
+{
+    HS_TRY(hs_arg_need(args, 0, "the region style", err));
+    if (strchr(args->word[0], '$') != NULL) return HS_OK;
+    const hs_region_style *style = hs_region_style_find(args->word[0]);
+    if (style == NULL) return refuse_style(args->command, args->word[0], err);
+    const hs_args words = hs_args_from(args, 1, NULL);
+    /* a variable may stand for several words: then counts mean nothing */
+    if (has_variables && has_dollar(&words)) return HS_OK;
+    return check_words(style, &words, has_variables, err);
+}
+
+/** Read the common keywords. They were checked. */
+static void apply_keywords(hs_region *region, const hs_args *args)
+{
+    bool is_lattice = true;
+    for (int i = 0; i + 1 < args->n; i += 2)
+        if (strcmp(args->word[i], "side") == 0)
+            region->is_outside = strcmp(args->word[i + 1], "out") == 0;
+        else
+            is_lattice = strcmp(args->word[i + 1], "lattice") == 0;
+    for (int axis = 0; axis < 3; ++axis) region->scale[axis] = is_lattice ? region->env->lattice->spacing[axis] : 1.0;
+}
+
+static hs_status build(hs_region *region, const hs_args *args, hs_error *err)
+{
+    const hs_region_style *style = region->style;
+    HS_TRY(check_words(style, args, false, err));
+    const int n_own = count_own(style, args);
+    const hs_args own = {.command = args->command, .n = n_own, .word = args->word};
+    const hs_args rest = hs_args_from(args, n_own, NULL);
+    apply_keywords(region, &rest);
+    HS_TRY(hs_memory_alloc(&region->state, 1, style->state_size, err));
+    HS_TRY(style->create(region, &own, err));
+    if (region->is_outside) region->has_extent = false;
+    return HS_OK;
+}
+
+hs_status hs_region_create(hs_region **region, hs_env *env, const char *id, const char *style_name, const hs_args *args,
+                           hs_error *err)
+{
+    *region = NULL;
+    const hs_region_style *style = hs_region_style_find(style_name);
+    if (style == NULL) return refuse_style(args->command, style_name, err);
+    hs_region *made = NULL;
+    HS_TRY(HS_ALLOC(made, 1, err));
+    made->style = style;
+    made->env = env;
+    hs_status status = hs_memory_strdup(&made->id, id, err);
+    if (status == HS_OK) status = build(made, args, err);
+    if (status == HS_OK)
+        *region = made;
+    else
+        hs_region_destroy(&made);
+    return status;
+}
+
+void hs_region_destroy(hs_region **region)
+{
+    if (*region == NULL) return;
+    if ((*region)->state != NULL && (*region)->style->destroy != NULL) (*region)->style->destroy(*region);
+    HS_FREE((*region)->state);
+    HS_FREE((*region)->id);
+    HS_FREE(*region);
+}
+
+hs_status hs_region_length(const hs_region *region, const hs_args *args, int i, int axis, double *value, hs_error *err)
+{
+    HS_TRY(hs_arg_need(args, i, "a length", err));
+    if (strncmp(args->word[i], "v_", 2) == 0)
+        return hs_fail(err, HS_ERROR_INPUT, "%s: '%s': a size that follows a variable during the run is not supported; "
+                       "${%s} takes the variable's present value", args->command, args->word[i], args->word[i] + 2);
+    HS_TRY(hs_arg_double(args, i, value, err));
+    *value = region->scale[axis] * *value;
+    return HS_OK;
+}
+
+hs_status hs_region_bound(const hs_region *region, const hs_args *args, int i, int axis, int end, double *value,
+                          hs_error *err)
+{
+    HS_TRY(hs_arg_need(args, i, "a bound", err));
+    const bool is_inf = strcmp(args->word[i], "INF") == 0, is_edge = strcmp(args->word[i], "EDGE") == 0;
+    if (!is_inf && !is_edge) return hs_region_length(region, args, i, axis, value, err);
+    const hs_box *box = region->env->box;
+    if (!box->exists)
+        return hs_fail(err, HS_ERROR_INPUT, "%s: %s can only be used once the box exists (create_box, read_data)",
+                       args->command, args->word[i]);
+    if (is_inf)
+        *value = end == 0 ? -HS_REGION_FAR : HS_REGION_FAR;
+    else
+        *value = end == 0 ? box->lo[axis] : box->hi[axis];
+    return HS_OK;
+}
