@@ -19,6 +19,7 @@ typedef struct hs_compute_style {
     HS_MUST_USE hs_status (*vector)(struct hs_compute *compute, hs_error *err);
     bool needs_energy;      /**< the pair energy or virial must have been computed on the step it is asked for */
     bool is_extensive;      /**< scalar grows with the number of atoms: divided by N under thermo_modify norm yes */
+    bool is_vector_extensive;   /**< the same for the elements of the vector */
     bool is_temperature, is_pressure;   /**< may serve fix_modify temp / press */
 } hs_compute_style;
 

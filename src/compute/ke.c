@@ -1,0 +1,40 @@
+/* Kinetic energy of a group: sum(m v^2) / 2. */
+#include "style/atom_sum.h"
+#include "style/compute.h"
+
+static hs_status create(hs_compute *compute, const hs_args *args, hs_error *err)
+{
+    return hs_syntax_check(&compute->style->about.syntax, args, false, err);
+}
+
+static void add_mv2(const hs_atoms *atoms, const void *context, int begin, int end, double *sums)
+{
+    const uint32_t mask = *(const uint32_t *)context;
+    double sum = 0.0;
+    for (int i = begin; i < end; ++i) {
+        if (!(atoms->mask[i] & mask)) continue;
+        const double vx = atoms->v[0][i], vy = atoms->v[1][i], vz = atoms->v[2][i];
+        sum += (vx * vx + vy * vy + vz * vz) * atoms->mass[atoms->type[i]];
+    }
+    sums[0] += sum;
+}
+
+static hs_status scalar(hs_compute *compute, double *value, hs_error *err)
+{
+    const hs_env *env = compute->env;
+    HS_TRY(hs_atom_sum(env->atoms, env->parallel, add_mv2, &compute->mask, 1, value, err));
+    *value *= 0.5 * env->units->mvv2e;
+    return HS_OK;
+}
+
+const hs_compute_style hs_compute_style_ke = {
+    .about = {.name = "ke",
+              .syntax = {.usage = "", .n_min = 0, .n_max = 0},
+              .summary = "kinetic energy of a group",
+              .details = "The scalar `c_ID` is sum(m v^2) / 2 of the group's atoms (energy units). It grows with the number "
+                         "of atoms: under `thermo_modify norm yes` thermo output divides it by the number of all atoms.",
+              .example = "compute k all ke"},
+    .create = create,
+    .scalar = scalar,
+    .is_extensive = true,
+};
