@@ -1,0 +1,61 @@
+#include <math.h>
+
+#include "style/region.h"
+
+typedef struct cylinder {
+    int axis, across[2];   /**< along, and the two axes across in the order of their names */
+    double center[2];      /**< distance, along across[] */
+    double radius;         /**< distance */
+    double lo, hi;         /**< distance, along the axis */
+} cylinder;
+
+static hs_status create(hs_region *region, const hs_args *args, hs_error *err)
+{
+    static const char *const axes[] = {"x", "y", "z", NULL};
+    static const int across[3][2] = {{1, 2}, {0, 2}, {0, 1}};
+    cylinder *c = region->state;
+    HS_TRY(hs_arg_choice(args, 0, axes, &c->axis, err));
+    for (int k = 0; k < 2; ++k) {
+        c->across[k] = across[c->axis][k];
+        HS_TRY(hs_region_length(region, args, 1 + k, c->across[k], &c->center[k], err));
+    }
+    HS_TRY(hs_region_length(region, args, 3, c->across[0], &c->radius, err));
+    if (!(c->radius > 0.0)) return hs_arg_refuse(args, 3, "a radius greater than 0", NULL, err);
+    HS_TRY(hs_region_bound(region, args, 4, c->axis, 0, &c->lo, err));
+    HS_TRY(hs_region_bound(region, args, 5, c->axis, 1, &c->hi, err));
+    if (c->lo > c->hi)
+        return hs_fail(err, HS_ERROR_INPUT, "%s: the lower end %s is above the upper end %s", args->command, args->word[4],
+                       args->word[5]);
+    region->extent[c->axis][0] = c->lo;
+    region->extent[c->axis][1] = c->hi;
+    for (int k = 0; k < 2; ++k) {
+        region->extent[c->across[k]][0] = c->center[k] - c->radius;
+        region->extent[c->across[k]][1] = c->center[k] + c->radius;
+    }
+    region->has_extent = true;
+    return HS_OK;
+}
+
+static bool inside(const hs_region *region, const double x[3])
+{
+    const cylinder *c = region->state;
+    const double d1 = x[c->across[0]] - c->center[0], d2 = x[c->across[1]] - c->center[1];
+    return sqrt(d1 * d1 + d2 * d2) <= c->radius && x[c->axis] >= c->lo && x[c->axis] <= c->hi;
+}
+
+const hs_region_style hs_region_style_cylinder = {
+    .about = {
+        .name = "cylinder",
+        .syntax = {"x|y|z <c1> <c2> <radius> <lo> <hi> [side in|out] [units lattice|box]", 6, 6, NULL},
+        .summary = "Circular cylinder along x, y or z, with flat ends",
+        .details =
+            "`x|y|z` is the axis; `c1 c2` its place in the other two coordinates (y z, x z or x y); `radius` is greater than 0;\n"
+            "`lo hi` are the ends: lengths, `INF` (1e20) or `EDGE` (the face of the simulation box at the time of the command).\n"
+            "Lengths are in lattice spacings of their axis (the radius: of y for an axis along x, else of x), or in distance\n"
+            "units after `units box`. The surface belongs to the cylinder. A radius that follows a variable is refused.\n",
+        .example = "region pore cylinder z 10 10 4 INF INF\nregion rod cylinder x 0 0 2.5 -5 5 units box",
+    },
+    .state_size = sizeof(cylinder),
+    .create = create,
+    .inside = inside,
+};

@@ -1,0 +1,44 @@
+#include <math.h>
+
+#include "style/region.h"
+
+typedef struct sphere {
+    double center[3], radius;   /**< distance */
+} sphere;
+
+static hs_status create(hs_region *region, const hs_args *args, hs_error *err)
+{
+    sphere *s = region->state;
+    for (int axis = 0; axis < 3; ++axis) HS_TRY(hs_region_length(region, args, axis, axis, &s->center[axis], err));
+    HS_TRY(hs_region_length(region, args, 3, 0, &s->radius, err));
+    if (s->radius < 0.0) return hs_arg_refuse(args, 3, "a radius of 0 or more", NULL, err);
+    for (int axis = 0; axis < 3; ++axis) {
+        region->extent[axis][0] = s->center[axis] - s->radius;
+        region->extent[axis][1] = s->center[axis] + s->radius;
+    }
+    region->has_extent = true;
+    return HS_OK;
+}
+
+static bool inside(const hs_region *region, const double x[3])
+{
+    const sphere *s = region->state;
+    const double dx = x[0] - s->center[0], dy = x[1] - s->center[1], dz = x[2] - s->center[2];
+    return sqrt(dx * dx + dy * dy + dz * dz) <= s->radius;
+}
+
+const hs_region_style hs_region_style_sphere = {
+    .about = {
+        .name = "sphere",
+        .syntax = {"<x> <y> <z> <radius> [side in|out] [units lattice|box]", 4, 4, NULL},
+        .summary = "Ball",
+        .details =
+            "`x y z` is the center and `radius` the radius, 0 or more. Lengths are in lattice spacings (the radius in that of\n"
+            "x), or in distance units after `units box`. The surface belongs to the ball. A radius that follows a variable\n"
+            "(`v_name`) is refused.\n",
+        .example = "region drop sphere 10 10 10 4.5\nregion hole sphere 0 0 0 2 side out units box",
+    },
+    .state_size = sizeof(sphere),
+    .create = create,
+    .inside = inside,
+};
