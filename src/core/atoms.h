@@ -6,6 +6,7 @@
 #define HS_CORE_ATOMS_H
 
 #include <stdbool.h>
+#include <stddef.h>
 #include <stdint.h>
 
 #include "base/error.h"

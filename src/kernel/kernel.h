@@ -1,14 +1,65 @@
-/** Pair kernels and how they are chosen. */
+/** Pair kernels: what they read and write, and how one is chosen for the machine. */
 #ifndef HS_KERNEL_KERNEL_H
 #define HS_KERNEL_KERNEL_H
 
 #include "base/error.h"
+#include "neighbor/clusters.h"
 
-/** A potential compiled for every instruction set; made by kernel/evaluator.h from the file of a pair style. */
+/** Instruction sets kernels are compiled for, from plain to wide. */
+typedef enum { HS_ISA_PORTABLE, HS_ISA_SSE2, HS_ISA_AVX2, HS_ISA_AVX512, HS_N_ISAS } hs_isa;
+
+extern const char *const hs_isa_names[];   /**< ended by NULL */
+/** Widest instruction set of this machine that kernels exist for. */
+hs_isa hs_isa_best(void);
+/** By name ("avx2"); an error when there is none of that name or the machine lacks it. "auto" or "" is the best. */
+HS_MUST_USE hs_status hs_isa_get(const char *name, hs_isa *isa, hs_error *err);
+
+/** Parameters of all type pairs as kernels read them. Row (i, j), both from 0 (0 is unused by types from 1 on), starts
+ *  at values[(i * n_types + j) * stride]: first the squared cutoff (0 or less: no interaction), then the evaluator's. */
+typedef struct hs_pair_table {
+    int n_types;      /**< kernel types: atom types times exclusion classes, plus 1 */
+    int stride;       /**< 1 + n_params */
+    double *values;   /**< owned */
+    bool is_uniform;  /**< all rows that can occur are the same, namely row (1, 1) */
+} hs_pair_table;
+
+/** What all kernels of one force evaluation read. Everything is borrowed and const. */
+typedef struct hs_kernel_input {
+    const double *x[3];          /**< positions, local and halo, in cluster order */
+    const double *x_listed[3];   /**< positions when LAMMPS would have built its list; NULL unless `listed_only` */
+    double listed_r2;            /**< only pairs whose distance^2 was at most this then */
+    bool listed_only;
+    const int32_t *type;         /**< kernel types, local and halo */
+    const hs_pair_table *table;
+} hs_kernel_input;
+
+/** What a kernel adds to; private to one thread. */
+typedef struct hs_kernel_output {
+    double *f[3];      /**< forces on local and halo atoms */
+    double energy;
+    double virial[6];  /**< sum of r_a F_b over pairs: xx yy zz xy xz yz */
+} hs_kernel_output;
+
+/** Forces (and energy and virial) between the atoms of one i-cluster and the entries of its list. */
+typedef void (*hs_cluster_kernel)(const hs_kernel_input *in, hs_kernel_output *out, int first, const hs_cluster_entry *entry,
+                                  int n_entries);
+
+/** The kernels of one evaluator for one instruction set. Indices: [with energy and virial][by type][listed pairs only].
+ *  Lists must be padded to a multiple of `group` entries, with masks 0. */
+typedef struct hs_kernel_set {
+    int group;
+    hs_cluster_kernel cluster[2][2][2];
+} hs_kernel_set;
+
+/** A potential compiled for every instruction set; made by kernel/instantiate.h from the file of a pair style. */
 typedef struct hs_evaluator {
     int n_params;   /**< doubles per type pair */
     /** The potential of one pair: force/r and energy from r^2 and the pair's parameters. The oracle of all kernels. */
     void (*single)(const double *params, double r2, double *force_over_r, double *energy);
+    const hs_kernel_set *set[HS_N_ISAS];   /**< NULL where not compiled */
 } hs_evaluator;
+
+/** Fill hs_pair_table.is_uniform: whether every pair of the given kernel types (1 ..) has the same row. */
+bool hs_pair_table_is_uniform(const hs_pair_table *table);
 
 #endif

@@ -1,7 +1,6 @@
 #include "parallel/parallel.h"
 
 #include <omp.h>
-#include <sched.h>
 #include <stdlib.h>
 
 void hs_threads_set(int n_threads)
@@ -12,11 +11,7 @@ void hs_threads_set(int n_threads)
 
 int hs_threads_get(void) { return omp_get_max_threads(); }
 
-int hs_threads_available(void)
-{
-    cpu_set_t set;
-    return sched_getaffinity(0, sizeof set, &set) == 0 ? CPU_COUNT(&set) : omp_get_num_procs();
-}
+int hs_threads_available(void) { return omp_get_num_procs(); }
 
 int hs_thread_number(void) { return omp_get_thread_num(); }
 

@@ -33,7 +33,7 @@ int hs_syntax_first_keyword(const hs_syntax *syntax, const hs_args *args)
 
 static hs_status refuse_keyword(const hs_syntax *syntax, const hs_args *args, int i, hs_error *err)
 {
-    const char *names[64];
+    const char *names[64] = {NULL};
     size_t n = 0;
     for (const hs_keyword *keyword = syntax->keywords; keyword != NULL && keyword->name != NULL && n < 64; ++keyword)
         names[n++] = keyword->name;

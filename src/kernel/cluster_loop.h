@@ -1,0 +1,97 @@
+/** The one loop of all fast kernels: four i-atoms against the j-clusters of a list.
+ *
+ *  Included by kernel/instantiate.h after the file of a pair style has defined evaluate() and N_PARAMS. The three bools
+ *  are constants where it is called, so the compiler makes a kernel of its own for each combination. */
+
+#define HS_INLINE static inline __attribute__((always_inline))
+
+/** Bits of row i (the i-atom's pairs) for the lanes of one vector. */
+HS_INLINE uint32_t row_bits(const hs_cluster_entry *entry, int row, int sub)
+{
+    if (HS_SUBS > 1) return entry->mask >> (4 * row + HS_LANES * sub);
+    uint32_t bits = 0;
+    for (int k = 0; k < HS_GROUP; ++k) bits |= (entry[k].mask >> 4 * row & 0xfu) << HS_CLUSTER * k;
+    return bits;
+}
+
+/** Sums of the pairs seen by one i-cluster, and the energy and virial, in vectors. */
+typedef struct cluster_sums {
+    hs_vec f[HS_CLUSTER][3];
+    hs_vec energy, virial[6];
+} cluster_sums;
+
+/** One row of one vector: i-atom `row` against the j-atoms at x_j; adds to sums and to the j-atoms' reaction. */
+HS_INLINE void row_pairs(const hs_kernel_input *in, int i, int row, const hs_vec x_j[3], const hs_vec *params, hs_msk listed,
+                         const hs_cluster_entry *entry, int sub, cluster_sums *sums, hs_vec reaction[3], bool with_energy,
+                         bool listed_only)
+{
+    const hs_vec dx = hs_set1(in->x[0][i]) - x_j[0], dy = hs_set1(in->x[1][i]) - x_j[1], dz = hs_set1(in->x[2][i]) - x_j[2];
+    const hs_vec r2 = hs_fma(dz, dz, hs_fma(dy, dy, dx * dx));
+    hs_msk mask = hs_mask_and(listed, hs_less(r2, params[0]));
+    if (listed_only) {
+        const hs_vec lx = hs_set1(in->x_listed[0][i]) - hs_load_clusters(in->x_listed[0], entry, sub);
+        const hs_vec ly = hs_set1(in->x_listed[1][i]) - hs_load_clusters(in->x_listed[1], entry, sub);
+        const hs_vec lz = hs_set1(in->x_listed[2][i]) - hs_load_clusters(in->x_listed[2], entry, sub);
+        const hs_vec listed_r2 = lx * lx + ly * ly + lz * lz;
+        /* "at most": one unit in the last place above the limit is the first value that fails */
+        mask = hs_mask_and(mask, hs_less(listed_r2, hs_set1(in->listed_r2 * (1.0 + 0x1p-52))));
+    }
+    hs_vec force_over_r, energy = hs_set1(0.0);
+    evaluate(params + 1, r2, &force_over_r, &energy, with_energy);
+    force_over_r = hs_keep(mask, force_over_r);
+    const hs_vec fx = force_over_r * dx, fy = force_over_r * dy, fz = force_over_r * dz;
+    sums->f[row][0] += fx;
+    sums->f[row][1] += fy;
+    sums->f[row][2] += fz;
+    reaction[0] += fx;
+    reaction[1] += fy;
+    reaction[2] += fz;
+    if (with_energy) {
+        sums->energy += hs_keep(mask, energy);
+        sums->virial[0] = hs_fma(dx, fx, sums->virial[0]);
+        sums->virial[1] = hs_fma(dy, fy, sums->virial[1]);
+        sums->virial[2] = hs_fma(dz, fz, sums->virial[2]);
+        sums->virial[3] = hs_fma(dx, fy, sums->virial[3]);
+        sums->virial[4] = hs_fma(dx, fz, sums->virial[4]);
+        sums->virial[5] = hs_fma(dy, fz, sums->virial[5]);
+    }
+}
+
+HS_INLINE void cluster_loop(const hs_kernel_input *in, hs_kernel_output *out, int first, const hs_cluster_entry *entry,
+                            int n_entries, const bool with_energy, const bool by_type, const bool listed_only)
+{
+    const hs_pair_table *table = in->table;
+    const int stride = 1 + N_PARAMS;
+    cluster_sums sums = {0};
+    hs_vec params[1 + N_PARAMS];
+    const double *row_table[HS_CLUSTER] = {NULL};
+    if (by_type) {
+        for (int row = 0; row < HS_CLUSTER; ++row)
+            row_table[row] = table->values + (size_t)in->type[first + row] * (size_t)(table->n_types * stride);
+    } else {
+        const double *values = table->values + (size_t)(table->n_types + 1) * (size_t)stride;
+        for (int k = 0; k < stride; ++k) params[k] = hs_set1(values[k]);
+    }
+    for (int e = 0; e < n_entries; e += HS_GROUP) {
+        for (int sub = 0; sub < HS_SUBS; ++sub) {
+            const hs_vec x_j[3] = {hs_load_clusters(in->x[0], entry + e, sub), hs_load_clusters(in->x[1], entry + e, sub),
+                                   hs_load_clusters(in->x[2], entry + e, sub)};
+            hs_vec reaction[3] = {hs_set1(0.0), hs_set1(0.0), hs_set1(0.0)};
+#pragma GCC unroll 4
+            for (int row = 0; row < HS_CLUSTER; ++row) {
+                if (by_type)
+                    for (int k = 0; k < stride; ++k)
+                        params[k] = hs_lookup(row_table[row] + k, in->type, stride, entry + e, sub);
+                row_pairs(in, first + row, row, x_j, params, hs_mask_bits(row_bits(entry + e, row, sub)), entry + e, sub,
+                          &sums, reaction, with_energy, listed_only);
+            }
+            for (int axis = 0; axis < 3; ++axis) hs_subtract_clusters(out->f[axis], entry + e, sub, reaction[axis]);
+        }
+    }
+    for (int row = 0; row < HS_CLUSTER; ++row)
+        for (int axis = 0; axis < 3; ++axis) out->f[axis][first + row] += hs_sum(sums.f[row][axis]);
+    if (with_energy) {
+        out->energy += hs_sum(sums.energy);
+        for (int k = 0; k < 6; ++k) out->virial[k] += hs_sum(sums.virial[k]);
+    }
+}

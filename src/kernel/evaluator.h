@@ -1,0 +1,25 @@
+/** What the file of a pair style includes before its evaluator.
+ *
+ *  The file is compiled once plainly, for its descriptor and the scalar potential, and once for every instruction set
+ *  with HS_KERNEL_ISA and HS_SIMD_... defined, for the kernels. It looks like this:
+ *
+ *      #include "kernel/evaluator.h"
+ *      enum { A, B, N_PARAMS };                        // parameters of a type pair, as pair style ->params() writes them
+ *      HS_EVALUATE(const hs_vec *p, hs_vec r2, hs_vec *force_over_r, hs_vec *energy, bool with_energy)
+ *      { ... p[A] ... }                                // -(dU/dr)/r and U; energy only when with_energy
+ *      #define HS_EVALUATOR name
+ *      #include "kernel/instantiate.h"
+ *      #ifndef HS_KERNEL_ISA
+ *      ... descriptor, with .evaluator = &hs_evaluator_name ...
+ *      #endif
+ *
+ *  Where r is beyond the cutoff the results are not used, so r2 may be anything; no branches, no libm calls on vectors. */
+#ifndef HS_KERNEL_EVALUATOR_H
+#define HS_KERNEL_EVALUATOR_H
+
+#include "kernel/kernel.h"
+#include "kernel/simd.h"
+
+#define HS_EVALUATE(...) static inline __attribute__((always_inline)) void evaluate(__VA_ARGS__)
+
+#endif

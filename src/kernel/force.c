@@ -1,0 +1,203 @@
+#include "kernel/force.h"
+
+#include <string.h>
+
+#include "base/memory.h"
+#include "parallel/parallel.h"
+
+static int64_t n_blocks(int64_t n_atoms) { return (n_atoms + HS_FORCE_BLOCK - 1) >> HS_FORCE_BLOCK_BITS; }
+
+static void fini_buffer(hs_force_buffer *buffer, bool owns_forces)
+{
+    for (int axis = 0; axis < 3 && owns_forces; ++axis) HS_FREE(buffer->f[axis]);
+    HS_FREE(buffer->touched);
+    HS_FREE(buffer->entries.entry);
+}
+
+void hs_force_space_fini(hs_force_space *space)
+{
+    for (int t = 0; t < space->n_threads; ++t) fini_buffer(&space->buffer[t], t > 0);
+    HS_FREE(space->buffer);
+    memset(space, 0, sizeof *space);
+}
+
+/** Room for n_atoms on every thread; nothing is touched yet. */
+static hs_status reserve(hs_force_space *space, const hs_atoms *atoms, hs_error *err)
+{
+    const int n_threads = hs_threads_get();
+    const int64_t n_atoms = (int64_t)atoms->n_local + atoms->n_halo + HS_ATOMS_PAD;
+    if (n_threads != space->n_threads || n_atoms > space->capacity_atoms) {
+        hs_force_space_fini(space);
+        HS_TRY(HS_ALLOC(space->buffer, (size_t)n_threads, err));
+        space->n_threads = n_threads;
+        space->capacity_atoms = n_atoms + n_atoms / 8;
+        const size_t room = (size_t)n_blocks(space->capacity_atoms) * HS_FORCE_BLOCK + HS_ATOMS_PAD;
+        for (int t = 0; t < n_threads; ++t) {
+            for (int axis = 0; axis < 3 && t > 0; ++axis) HS_TRY(HS_ALLOC(space->buffer[t].f[axis], room, err));
+            HS_TRY(HS_ALLOC(space->buffer[t].touched, (size_t)n_blocks(space->capacity_atoms) + 1, err));
+        }
+    }
+    for (int axis = 0; axis < 3; ++axis) space->buffer[0].f[axis] = atoms->f[axis];
+    return HS_OK;
+}
+
+static void begin_thread(hs_force_buffer *buffer, int64_t n_atoms)
+{
+    memset(buffer->touched, 0, (size_t)n_blocks(n_atoms) + 1);
+    memset(&buffer->error, 0, sizeof buffer->error);
+    buffer->entries.n = 0;
+    buffer->energy = 0.0;
+    memset(buffer->virial, 0, sizeof buffer->virial);
+}
+
+/** Make the block of atom i ready to be added to. The last block may reach into the arrays' padding. */
+static inline void touch(hs_force_buffer *buffer, int64_t i, int64_t n_room)
+{
+    const int64_t block = i >> HS_FORCE_BLOCK_BITS;
+    if (buffer->touched[block]) return;
+    buffer->touched[block] = 1;
+    const int64_t begin = block << HS_FORCE_BLOCK_BITS;
+    const int64_t end = begin + HS_FORCE_BLOCK < n_room ? begin + HS_FORCE_BLOCK : n_room;
+    for (int axis = 0; axis < 3; ++axis) memset(buffer->f[axis] + begin, 0, (size_t)(end - begin) * sizeof(double));
+}
+
+/** Add what the other threads wrote in one block to thread 0's (the atoms') forces. */
+static void reduce_block(hs_force_space *space, int64_t block, int64_t n_room)
+{
+    const int64_t begin = block << HS_FORCE_BLOCK_BITS;
+    const int64_t end = begin + HS_FORCE_BLOCK < n_room ? begin + HS_FORCE_BLOCK : n_room;
+    for (int axis = 0; axis < 3; ++axis) {
+        double *restrict f = space->buffer[0].f[axis];
+        if (!space->buffer[0].touched[block]) memset(f + begin, 0, (size_t)(end - begin) * sizeof(double));
+        for (int t = 1; t < space->n_threads; ++t) {
+            if (!space->buffer[t].touched[block]) continue;
+            const double *restrict f_thread = space->buffer[t].f[axis];
+            for (int64_t i = begin; i < end; ++i) f[i] += f_thread[i];
+        }
+    }
+}
+
+/** Work of one thread: fill its buffer. */
+typedef hs_status (*thread_work)(hs_force_buffer *buffer, const hs_force_job *job, int thread, int n_threads);
+
+static hs_status run_threads(hs_force_space *space, const hs_force_job *job, thread_work work, hs_force_result *result,
+                             hs_error *err)
+{
+    const hs_atoms *atoms = job->atoms;
+    HS_TRY(reserve(space, atoms, err));
+    const int64_t n_atoms = (int64_t)atoms->n_local + atoms->n_halo, n_room = n_atoms + HS_ATOMS_PAD;
+#pragma omp parallel num_threads(space->n_threads)
+    {
+        hs_force_buffer *buffer = &space->buffer[hs_thread_number()];
+        begin_thread(buffer, n_room);
+        (void)work(buffer, job, hs_thread_number(), space->n_threads);
+#pragma omp barrier
+#pragma omp for schedule(static)
+        for (int64_t block = 0; block < n_blocks(n_room); ++block) reduce_block(space, block, n_room);
+    }
+    memset(result, 0, sizeof *result);
+    for (int t = 0; t < space->n_threads; ++t) {
+        const hs_force_buffer *buffer = &space->buffer[t];
+        if (buffer->error.status != HS_OK && err->status == HS_OK) *err = buffer->error;
+        result->energy += buffer->energy;
+        for (int k = 0; k < 6; ++k) result->virial[k] += buffer->virial[k];
+    }
+    return err->status;
+}
+
+static hs_cluster_kernel choose_kernel(const hs_force_job *job, int *group)
+{
+    const hs_kernel_set *set = job->evaluator->set[job->isa];
+    *group = set->group;
+    return set->cluster[job->with_energy][!job->input.table->is_uniform][job->input.listed_only];
+}
+
+static void add_output(hs_force_buffer *buffer, const hs_kernel_output *out)
+{
+    buffer->energy += out->energy;
+    for (int k = 0; k < 6; ++k) buffer->virial[k] += out->virial[k];
+}
+
+static hs_status work_cell(hs_force_buffer *buffer, const hs_force_job *job, int thread, int n_threads)
+{
+    const hs_cluster_part *local = &job->clusters->local;
+    const int64_t n_room = (int64_t)job->atoms->n_local + job->atoms->n_halo + HS_ATOMS_PAD;
+    int group;
+    const hs_cluster_kernel kernel = choose_kernel(job, &group);
+    hs_kernel_output out = {.f = {buffer->f[0], buffer->f[1], buffer->f[2]}};
+    int64_t begin, end;
+    hs_thread_range(local->n, 1, thread, n_threads, &begin, &end);
+    int column = begin < end ? hs_clusters_column(job->clusters, job->cells, (int)begin) : 0;
+    hs_entry_list *entries = &buffer->entries;
+    for (int ci = (int)begin; ci < end; ++ci) {
+        while (local->column_begin[column + 1] <= ci) ++column;
+        entries->n = 0;
+        HS_TRY(hs_clusters_find(job->clusters, job->cells, ci, column, job->cutoff_max, entries, &buffer->error));
+        if (entries->n == 0) continue;
+        const int first = local->first[ci];
+        HS_TRY(hs_entry_list_pad(entries, 0, group, first, &buffer->error));
+        touch(buffer, first, n_room);
+        touch(buffer, first + HS_CLUSTER - 1, n_room);
+        for (int e = 0; e < entries->n; ++e) {
+            touch(buffer, entries->entry[e].first, n_room);
+            touch(buffer, entries->entry[e].first + HS_CLUSTER - 1, n_room);
+        }
+        kernel(&job->input, &out, first, entries->entry, entries->n);
+    }
+    add_output(buffer, &out);
+    return HS_OK;
+}
+
+hs_status hs_force_cell(hs_force_space *space, const hs_force_job *job, hs_force_result *result, hs_error *err)
+{
+    return run_threads(space, job, work_cell, result, err);
+}
+
+/** One pair of the double loop. */
+static inline void nsq_pair(hs_force_buffer *buffer, const hs_force_job *job, int i, int j)
+{
+    const hs_kernel_input *in = &job->input;
+    const hs_pair_table *table = in->table;
+    const double *row = table->values + (size_t)(in->type[i] * table->n_types + in->type[j]) * (size_t)table->stride;
+    double d[3], r2 = 0.0, listed_r2 = 0.0;
+    for (int axis = 0; axis < 3; ++axis) {
+        d[axis] = in->x[axis][i] - in->x[axis][j];
+        r2 += d[axis] * d[axis];
+    }
+    if (!(r2 < row[0])) return;
+    if (in->listed_only) {
+        for (int axis = 0; axis < 3; ++axis) {
+            const double listed = in->x_listed[axis][i] - in->x_listed[axis][j];
+            listed_r2 += listed * listed;
+        }
+        if (listed_r2 > in->listed_r2) return;
+    }
+    double force_over_r, energy, f[3];
+    job->evaluator->single(row + 1, r2, &force_over_r, &energy);
+    for (int axis = 0; axis < 3; ++axis) {
+        f[axis] = force_over_r * d[axis];
+        buffer->f[axis][i] += f[axis];
+        buffer->f[axis][j] -= f[axis];
+    }
+    buffer->energy += energy;
+    buffer->virial[0] += d[0] * f[0];
+    buffer->virial[1] += d[1] * f[1];
+    buffer->virial[2] += d[2] * f[2];
+    buffer->virial[3] += d[0] * f[1];
+    buffer->virial[4] += d[0] * f[2];
+    buffer->virial[5] += d[1] * f[2];
+}
+
+static hs_status work_nsq(hs_force_buffer *buffer, const hs_force_job *job, int thread, int n_threads)
+{
+    const int n_local = job->atoms->n_local, n_all = n_local + job->atoms->n_halo;
+    for (int64_t i = 0; i < n_all; i += HS_FORCE_BLOCK) touch(buffer, i, n_all + HS_ATOMS_PAD);
+    for (int i = thread; i < n_local; i += n_threads)
+        for (int j = i + 1; j < n_all; ++j) nsq_pair(buffer, job, i, j);
+    return HS_OK;
+}
+
+hs_status hs_force_nsq(hs_force_space *space, const hs_force_job *job, hs_force_result *result, hs_error *err)
+{
+    return run_threads(space, job, work_nsq, result, err);
+}

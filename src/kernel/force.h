@@ -1,0 +1,51 @@
+/** Pair forces of all atoms: kernels over threads into private buffers, and their reduction. */
+#ifndef HS_KERNEL_FORCE_H
+#define HS_KERNEL_FORCE_H
+
+#include "core/atoms.h"
+#include "kernel/kernel.h"
+#include "neighbor/clusters.h"
+
+/** Buffers of one thread. Thread 0 adds to the atoms' own force arrays. */
+typedef struct hs_force_buffer {
+    double *f[3];              /**< owned (borrowed from atoms for thread 0): [n_local + n_halo + pad] */
+    unsigned char *touched;    /**< owned: block b of HS_FORCE_BLOCK atoms was written to (and cleared before) */
+    hs_entry_list entries;     /**< owned: list of the i-cluster at hand (method cell), or all of the thread's (cluster) */
+    hs_error error;            /**< what went wrong on this thread */
+    double energy, virial[6];
+} hs_force_buffer;
+
+enum { HS_FORCE_BLOCK_BITS = 8, HS_FORCE_BLOCK = 1 << HS_FORCE_BLOCK_BITS };
+
+/** Work space of force evaluations; one per simulation. Zero it before use. */
+typedef struct hs_force_space {
+    hs_force_buffer *buffer;   /**< owned [n_threads] */
+    int n_threads;
+    int64_t capacity_atoms;    /**< room of each buffer */
+} hs_force_space;
+
+/** What to compute with. */
+typedef struct hs_force_job {
+    hs_atoms *atoms;
+    const hs_cells *cells;
+    const hs_clusters *clusters;
+    const hs_evaluator *evaluator;
+    hs_isa isa;
+    hs_kernel_input input;     /**< x, type and table must be set; see hs_kernel_input */
+    double cutoff_max;
+    bool with_energy;
+} hs_force_job;
+
+typedef struct hs_force_result {
+    double energy;      /**< of this rank's pairs */
+    double virial[6];
+} hs_force_result;
+
+/** Method `nsq`: every local atom against every later local atom and every halo atom, with the scalar potential. The
+ *  oracle: slow, and right at a glance. Overwrites forces of local and halo atoms; needs hs_halo_reverse after. */
+HS_MUST_USE hs_status hs_force_nsq(hs_force_space *space, const hs_force_job *job, hs_force_result *result, hs_error *err);
+/** Method `cell`: searches the cells around each cluster and applies the kernel at once; no list is kept. */
+HS_MUST_USE hs_status hs_force_cell(hs_force_space *space, const hs_force_job *job, hs_force_result *result, hs_error *err);
+void hs_force_space_fini(hs_force_space *space);
+
+#endif

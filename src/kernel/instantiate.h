@@ -1,0 +1,61 @@
+/** Makes, from evaluate() of the including pair style, the kernels of one instruction set (HS_KERNEL_ISA defined) or the
+ *  hs_evaluator that collects them (plain compilation). See kernel/evaluator.h. */
+
+#define HS_PASTE3_(a, b, c) a##b##_##c
+#define HS_PASTE3(a, b, c) HS_PASTE3_(a, b, c)
+#define HS_PASTE2_(a, b) a##b
+#define HS_PASTE2(a, b) HS_PASTE2_(a, b)
+
+#ifdef HS_KERNEL_ISA
+
+#include "kernel/cluster_loop.h"
+
+#define HS_CLUSTER_KERNEL(name, with_energy, by_type, listed_only)                                                   \
+    static void name(const hs_kernel_input *in, hs_kernel_output *out, int first, const hs_cluster_entry *entry,     \
+                     int n_entries)                                                                                  \
+    {                                                                                                                \
+        cluster_loop(in, out, first, entry, n_entries, with_energy, by_type, listed_only);                           \
+    }
+HS_CLUSTER_KERNEL(force, false, false, false)
+HS_CLUSTER_KERNEL(force_listed, false, false, true)
+HS_CLUSTER_KERNEL(force_by_type, false, true, false)
+HS_CLUSTER_KERNEL(force_by_type_listed, false, true, true)
+HS_CLUSTER_KERNEL(energy_, true, false, false)
+HS_CLUSTER_KERNEL(energy_listed, true, false, true)
+HS_CLUSTER_KERNEL(energy_by_type, true, true, false)
+HS_CLUSTER_KERNEL(energy_by_type_listed, true, true, true)
+
+extern const hs_kernel_set HS_PASTE3(hs_kernels_, HS_EVALUATOR, HS_KERNEL_ISA);
+const hs_kernel_set HS_PASTE3(hs_kernels_, HS_EVALUATOR, HS_KERNEL_ISA) = {
+    .group = HS_GROUP,
+    .cluster = {{{force, force_listed}, {force_by_type, force_by_type_listed}},
+                {{energy_, energy_listed}, {energy_by_type, energy_by_type_listed}}},
+};
+
+#else
+
+static void single(const double *params, double r2, double *force_over_r, double *energy)
+{
+    evaluate(params, r2, force_over_r, energy, true);
+}
+
+extern const hs_kernel_set HS_PASTE3(hs_kernels_, HS_EVALUATOR, portable);
+#if defined(__x86_64__)
+extern const hs_kernel_set HS_PASTE3(hs_kernels_, HS_EVALUATOR, sse2);
+extern const hs_kernel_set HS_PASTE3(hs_kernels_, HS_EVALUATOR, avx2);
+extern const hs_kernel_set HS_PASTE3(hs_kernels_, HS_EVALUATOR, avx512);
+#endif
+extern const hs_evaluator HS_PASTE2(hs_evaluator_, HS_EVALUATOR);
+const hs_evaluator HS_PASTE2(hs_evaluator_, HS_EVALUATOR) = {
+    .n_params = N_PARAMS,
+    .single = single,
+    .set = {[HS_ISA_PORTABLE] = &HS_PASTE3(hs_kernels_, HS_EVALUATOR, portable),
+#if defined(__x86_64__)
+            [HS_ISA_SSE2] = &HS_PASTE3(hs_kernels_, HS_EVALUATOR, sse2),
+            [HS_ISA_AVX2] = &HS_PASTE3(hs_kernels_, HS_EVALUATOR, avx2),
+            [HS_ISA_AVX512] = &HS_PASTE3(hs_kernels_, HS_EVALUATOR, avx512),
+#endif
+    },
+};
+
+#endif

@@ -1,0 +1,56 @@
+#include "kernel/kernel.h"
+
+#include <string.h>
+
+#include "base/text.h"
+
+const char *const hs_isa_names[] = {"portable", "sse2", "avx2", "avx512", NULL};
+
+static bool has_isa(hs_isa isa)
+{
+#if defined(__x86_64__)
+    switch (isa) {
+    case HS_ISA_AVX512: return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+                               __builtin_cpu_supports("avx512vl");
+    case HS_ISA_AVX2: return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+    default: return true;
+    }
+#else
+    return isa == HS_ISA_PORTABLE;
+#endif
+}
+
+hs_isa hs_isa_best(void)
+{
+    int isa = HS_N_ISAS - 1;
+    while (!has_isa((hs_isa)isa)) --isa;
+    return (hs_isa)isa;
+}
+
+hs_status hs_isa_get(const char *name, hs_isa *isa, hs_error *err)
+{
+    *isa = hs_isa_best();
+    if (name[0] == '\0' || strcmp(name, "auto") == 0) return HS_OK;
+    for (int i = 0; i < HS_N_ISAS; ++i) {
+        if (strcmp(name, hs_isa_names[i]) != 0) continue;
+        *isa = (hs_isa)i;
+        if (has_isa(*isa)) return HS_OK;
+        return hs_fail(err, HS_ERROR_INPUT, "the instruction set '%s' is not one of this machine; the best it has is '%s'",
+                       name, hs_isa_names[hs_isa_best()]);
+    }
+    const char *nearest = hs_text_nearest(name, hs_isa_names, HS_N_ISAS);
+    return hs_fail(err, HS_ERROR_INPUT, "there is no instruction set '%s'; %s'%s'", name,
+                   nearest != NULL ? "did you mean " : "expected auto, portable, sse2, avx2 or avx512, for instance ",
+                   nearest != NULL ? nearest : "auto");
+}
+
+bool hs_pair_table_is_uniform(const hs_pair_table *table)
+{
+    const size_t row_size = (size_t)table->stride * sizeof(double);
+    for (int i = 1; i < table->n_types; ++i)
+        for (int j = 1; j < table->n_types; ++j)
+            if (memcmp(table->values + (size_t)(i * table->n_types + j) * (size_t)table->stride,
+                       table->values + (size_t)(table->n_types + 1) * (size_t)table->stride, row_size) != 0)
+                return false;
+    return true;
+}

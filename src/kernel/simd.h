@@ -1,0 +1,45 @@
+/** The SIMD contract: what a pair kernel may ask of an instruction set.
+ *
+ *  A kernel handles rows of one i-atom against a vector of j-atoms that comes from one or more clusters of four. Every
+ *  instruction set defines, in kernel/simd_NAME.h, for its vector of HS_LANES doubles:
+ *
+ *      hs_vec, hs_msk                     a vector and a mask of its lanes (+ - * / work on vectors)
+ *      HS_LANES                           lanes of a vector
+ *      hs_set1(a)                         a in all lanes
+ *      hs_fma(a, b, c)                    a * b + c, fused where the machine can
+ *      hs_sqrt(a)
+ *      hs_mask_bits(bits)                 mask from bits, lane 0 lowest
+ *      hs_mask_and(m, n), hs_mask_any(m)
+ *      hs_less(a, b)                      mask of a < b
+ *      hs_keep(m, a)                      a where m is set, else 0 (also where a is not a number)
+ *      hs_sum(a)                          sum of the lanes
+ *      hs_load_clusters(x, entry, sub)    x of the j-atoms of this vector
+ *      hs_subtract_clusters(f, entry, sub, a)   f of the j-atoms -= a
+ *      hs_lookup(table, type, stride, entry, sub)   table[stride * type of the j-atom]
+ *
+ *  A vector covers HS_GROUP entries of a cluster list (vectors of 4 and more lanes), or HS_SUBS vectors cover one entry
+ *  (narrower ones); `sub` numbers the latter. Everything is static inline, so that code for a wide instruction set cannot
+ *  leak into objects of another. */
+#ifndef HS_KERNEL_SIMD_H
+#define HS_KERNEL_SIMD_H
+
+#include <math.h>
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "neighbor/clusters.h"
+
+#if defined(HS_SIMD_AVX512)
+#include "kernel/simd_avx512.h"
+#elif defined(HS_SIMD_AVX2)
+#include "kernel/simd_avx2.h"
+#elif defined(HS_SIMD_SSE2)
+#include "kernel/simd_sse2.h"
+#else
+#include "kernel/simd_portable.h"
+#endif
+
+#define HS_GROUP (HS_LANES >= HS_CLUSTER ? HS_LANES / HS_CLUSTER : 1)
+#define HS_SUBS (HS_LANES >= HS_CLUSTER ? 1 : HS_CLUSTER / HS_LANES)
+
+#endif

@@ -1,0 +1,47 @@
+/* Vectors of 4 doubles: AVX2 and FMA. One cluster fills one vector. */
+#include <immintrin.h>
+
+typedef __m256d hs_vec;
+typedef __m256d hs_msk;
+#define HS_LANES 4
+
+static inline hs_vec hs_set1(double a) { return _mm256_set1_pd(a); }
+static inline hs_vec hs_fma(hs_vec a, hs_vec b, hs_vec c) { return _mm256_fmadd_pd(a, b, c); }
+static inline hs_vec hs_sqrt(hs_vec a) { return _mm256_sqrt_pd(a); }
+
+static inline hs_msk hs_mask_bits(uint32_t bits)
+{
+    const __m256i lane = _mm256_set_epi64x(8, 4, 2, 1);
+    return _mm256_castsi256_pd(_mm256_cmpeq_epi64(_mm256_and_si256(_mm256_set1_epi64x(bits), lane), lane));
+}
+
+static inline hs_msk hs_mask_and(hs_msk m, hs_msk n) { return _mm256_and_pd(m, n); }
+static inline bool hs_mask_any(hs_msk m) { return _mm256_movemask_pd(m) != 0; }
+static inline hs_msk hs_less(hs_vec a, hs_vec b) { return _mm256_cmp_pd(a, b, _CMP_LT_OQ); }
+static inline hs_vec hs_keep(hs_msk m, hs_vec a) { return _mm256_and_pd(m, a); }
+
+static inline double hs_sum(hs_vec a)
+{
+    const __m128d pair = _mm_add_pd(_mm256_castpd256_pd128(a), _mm256_extractf128_pd(a, 1));
+    return _mm_cvtsd_f64(_mm_add_sd(pair, _mm_unpackhi_pd(pair, pair)));
+}
+
+static inline hs_vec hs_load_clusters(const double *x, const hs_cluster_entry *entry, int sub)
+{
+    (void)sub;
+    return _mm256_loadu_pd(x + entry->first);
+}
+
+static inline void hs_subtract_clusters(double *f, const hs_cluster_entry *entry, int sub, hs_vec a)
+{
+    (void)sub;
+    double *at = f + entry->first;
+    _mm256_storeu_pd(at, _mm256_sub_pd(_mm256_loadu_pd(at), a));
+}
+
+static inline hs_vec hs_lookup(const double *table, const int32_t *type, int stride, const hs_cluster_entry *entry, int sub)
+{
+    (void)sub;
+    const __m128i types = _mm_loadu_si128((const __m128i *)(type + entry->first));
+    return _mm256_i32gather_pd(table, _mm_mullo_epi32(types, _mm_set1_epi32(stride)), 8);
+}

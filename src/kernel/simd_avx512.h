@@ -1,0 +1,40 @@
+/* Vectors of 8 doubles: AVX-512 F and DQ. Two clusters fill one vector. */
+#include <immintrin.h>
+
+typedef __m512d hs_vec;
+typedef __mmask8 hs_msk;
+#define HS_LANES 8
+
+static inline hs_vec hs_set1(double a) { return _mm512_set1_pd(a); }
+static inline hs_vec hs_fma(hs_vec a, hs_vec b, hs_vec c) { return _mm512_fmadd_pd(a, b, c); }
+static inline hs_vec hs_sqrt(hs_vec a) { return _mm512_sqrt_pd(a); }
+static inline hs_msk hs_mask_bits(uint32_t bits) { return (hs_msk)bits; }
+static inline hs_msk hs_mask_and(hs_msk m, hs_msk n) { return m & n; }
+static inline bool hs_mask_any(hs_msk m) { return m != 0; }
+static inline hs_msk hs_less(hs_vec a, hs_vec b) { return _mm512_cmp_pd_mask(a, b, _CMP_LT_OQ); }
+static inline hs_vec hs_keep(hs_msk m, hs_vec a) { return _mm512_maskz_mov_pd(m, a); }
+static inline double hs_sum(hs_vec a) { return _mm512_reduce_add_pd(a); }
+
+static inline hs_vec hs_load_clusters(const double *x, const hs_cluster_entry *entry, int sub)
+{
+    (void)sub;
+    const __m512d low = _mm512_castpd256_pd512(_mm256_loadu_pd(x + entry[0].first));
+    return _mm512_insertf64x4(low, _mm256_loadu_pd(x + entry[1].first), 1);
+}
+
+static inline void hs_subtract_clusters(double *f, const hs_cluster_entry *entry, int sub, hs_vec a)
+{
+    (void)sub;
+    double *f0 = f + entry[0].first, *f1 = f + entry[1].first;
+    _mm256_storeu_pd(f0, _mm256_sub_pd(_mm256_loadu_pd(f0), _mm512_castpd512_pd256(a)));
+    _mm256_storeu_pd(f1, _mm256_sub_pd(_mm256_loadu_pd(f1), _mm512_extractf64x4_pd(a, 1)));
+}
+
+static inline hs_vec hs_lookup(const double *table, const int32_t *type, int stride, const hs_cluster_entry *entry, int sub)
+{
+    (void)sub;
+    const __m128i low = _mm_loadu_si128((const __m128i *)(type + entry[0].first));
+    const __m128i high = _mm_loadu_si128((const __m128i *)(type + entry[1].first));
+    const __m256i types = _mm256_inserti128_si256(_mm256_castsi128_si256(low), high, 1);
+    return _mm512_i32gather_pd(_mm256_mullo_epi32(types, _mm256_set1_epi32(stride)), table, 8);
+}

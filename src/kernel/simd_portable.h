@@ -1,0 +1,26 @@
+/* One double: any machine with a C compiler. Four "vectors" cover one cluster. */
+typedef double hs_vec;
+typedef bool hs_msk;
+#define HS_LANES 1
+
+static inline hs_vec hs_set1(double a) { return a; }
+static inline hs_vec hs_fma(hs_vec a, hs_vec b, hs_vec c) { return a * b + c; }
+static inline hs_vec hs_sqrt(hs_vec a) { return sqrt(a); }
+static inline hs_msk hs_mask_bits(uint32_t bits) { return (bits & 1u) != 0; }
+static inline hs_msk hs_mask_and(hs_msk m, hs_msk n) { return m && n; }
+static inline bool hs_mask_any(hs_msk m) { return m; }
+static inline hs_msk hs_less(hs_vec a, hs_vec b) { return a < b; }
+static inline hs_vec hs_keep(hs_msk m, hs_vec a) { return m ? a : 0.0; }
+static inline double hs_sum(hs_vec a) { return a; }
+
+static inline hs_vec hs_load_clusters(const double *x, const hs_cluster_entry *entry, int sub) { return x[entry->first + sub]; }
+
+static inline void hs_subtract_clusters(double *f, const hs_cluster_entry *entry, int sub, hs_vec a)
+{
+    f[entry->first + sub] -= a;
+}
+
+static inline hs_vec hs_lookup(const double *table, const int32_t *type, int stride, const hs_cluster_entry *entry, int sub)
+{
+    return table[stride * type[entry->first + sub]];
+}

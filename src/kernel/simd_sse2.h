@@ -1,0 +1,38 @@
+/* Vectors of 2 doubles: the baseline of x86-64. Two vectors cover one cluster. */
+#include <emmintrin.h>
+
+typedef __m128d hs_vec;
+typedef __m128d hs_msk;
+#define HS_LANES 2
+
+static inline hs_vec hs_set1(double a) { return _mm_set1_pd(a); }
+static inline hs_vec hs_fma(hs_vec a, hs_vec b, hs_vec c) { return _mm_add_pd(_mm_mul_pd(a, b), c); }
+static inline hs_vec hs_sqrt(hs_vec a) { return _mm_sqrt_pd(a); }
+
+static inline hs_msk hs_mask_bits(uint32_t bits)
+{
+    return _mm_castsi128_pd(_mm_set_epi64x(-(int64_t)(bits >> 1 & 1u), -(int64_t)(bits & 1u)));
+}
+
+static inline hs_msk hs_mask_and(hs_msk m, hs_msk n) { return _mm_and_pd(m, n); }
+static inline bool hs_mask_any(hs_msk m) { return _mm_movemask_pd(m) != 0; }
+static inline hs_msk hs_less(hs_vec a, hs_vec b) { return _mm_cmplt_pd(a, b); }
+static inline hs_vec hs_keep(hs_msk m, hs_vec a) { return _mm_and_pd(m, a); }
+static inline double hs_sum(hs_vec a) { return _mm_cvtsd_f64(_mm_add_sd(a, _mm_unpackhi_pd(a, a))); }
+
+static inline hs_vec hs_load_clusters(const double *x, const hs_cluster_entry *entry, int sub)
+{
+    return _mm_loadu_pd(x + entry->first + 2 * sub);
+}
+
+static inline void hs_subtract_clusters(double *f, const hs_cluster_entry *entry, int sub, hs_vec a)
+{
+    double *at = f + entry->first + 2 * sub;
+    _mm_storeu_pd(at, _mm_sub_pd(_mm_loadu_pd(at), a));
+}
+
+static inline hs_vec hs_lookup(const double *table, const int32_t *type, int stride, const hs_cluster_entry *entry, int sub)
+{
+    const int32_t *at = type + entry->first + 2 * sub;
+    return _mm_set_pd(table[stride * at[1]], table[stride * at[0]]);
+}

@@ -1,0 +1,61 @@
+/** Clusters: up to four atoms that stand one after the other in a column of cells, and the search for cluster pairs.
+ *
+ *  Atoms are in the order of hs_cells, so a cluster is four consecutive indices; only the last cluster of a column may be
+ *  shorter. Clusters are the unit of the fast force loops: four atoms against four gives vector loads without gathers
+ *  (S. Pall, B. Hess, Comput. Phys. Commun. 184, 2641 (2013), doi:10.1016/j.cpc.2013.06.003). */
+#ifndef HS_NEIGHBOR_CLUSTERS_H
+#define HS_NEIGHBOR_CLUSTERS_H
+
+#include "neighbor/cells.h"
+
+enum { HS_CLUSTER = 4 };
+
+/** One entry of an i-cluster's list: a j-cluster and which of the 16 pairs count, bit 4 * i + j. */
+typedef struct hs_cluster_entry {
+    int32_t first;   /**< index of the j-cluster's first atom */
+    uint32_t mask;
+} hs_cluster_entry;
+
+/** A list of entries that grows. Zero it before use; free entry with HS_FREE. */
+typedef struct hs_entry_list {
+    hs_cluster_entry *entry;   /**< owned */
+    int n, capacity;
+} hs_entry_list;
+
+/** The clusters of one part (local or halo atoms). */
+typedef struct hs_cluster_part {
+    int n;                   /**< clusters */
+    int first_atom;          /**< index of the part's first atom */
+    int32_t *first;          /**< owned [n]: index of each cluster's first atom */
+    unsigned char *size;     /**< owned [n]: 1 .. 4 */
+    float *box[6];           /**< owned [n + padding]: bounding box lo, hi along the grid axes, relative to the grid */
+    int32_t *column_begin;   /**< owned [n_columns + 1]: first cluster of each column (by rank) */
+    int64_t capacity, capacity_columns;
+} hs_cluster_part;
+
+typedef struct hs_clusters {
+    hs_cluster_part local, halo;
+    int32_t *column_at;         /**< owned [n_columns]: grid column c0 * n[1] + c1 at each rank */
+    int64_t capacity_columns;
+    uint64_t generation;        /**< of the atoms these clusters belong to */
+} hs_clusters;
+
+/** Cut sorted atoms into clusters and bound them. */
+HS_MUST_USE hs_status hs_clusters_build(hs_clusters *clusters, const hs_cells *cells, const hs_atoms *atoms, hs_error *err);
+void hs_clusters_fini(hs_clusters *clusters);
+
+/** Width of columns that makes clusters of atoms at this number density roughly cubic, at most `reach`. */
+double hs_clusters_width(int dimension, double density, double reach);
+
+/** Find the j-clusters with an atom possibly within `reach` of an atom of local cluster ci: local clusters of the upper
+ *  half (each pair of clusters is found once, from one side) and halo clusters all around. Masks leave out pairs of an
+ *  atom with itself, pairs met twice within a cluster, and lanes beyond a ragged end. Appends to *entries, growing it.
+ *  @p column is the rank of the cluster's column. Not collective; thread-safe for separate lists. */
+HS_MUST_USE hs_status hs_clusters_find(const hs_clusters *clusters, const hs_cells *cells, int ci, int column, double reach,
+                                       hs_entry_list *entries, hs_error *err);
+/** Fill the list from place @p begin on up to a multiple of @p group with entries that do nothing (mask 0). */
+HS_MUST_USE hs_status hs_entry_list_pad(hs_entry_list *entries, int begin, int group, int first, hs_error *err);
+/** Rank of the column that local cluster ci belongs to. */
+int hs_clusters_column(const hs_clusters *clusters, const hs_cells *cells, int ci);
+
+#endif

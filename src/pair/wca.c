@@ -1,0 +1,65 @@
+/* Weeks-Chandler-Andersen: the repulsive part of Lennard-Jones, cut and shifted at its minimum 2^(1/6) sigma.
+ * Source: J. D. Weeks, D. Chandler, H. C. Andersen, J. Chem. Phys. 54, 5237 (1971), doi:10.1063/1.1674820. */
+#include "pair/lj_state.h"
+
+extern const hs_evaluator hs_evaluator_lj_cut;
+
+static const double minimum = 1.122462048309373;   /* 2^(1/6), in units of sigma */
+
+static hs_status settings(hs_pair *pair, const hs_args *args, hs_error *err)
+{
+    (void)args;
+    return ((lj_state *)pair->state)->coeff != NULL ? HS_OK : hs_lj_allocate(pair, err);
+}
+
+static hs_status coeff(hs_pair *pair, int i, int j, const hs_args *args, hs_error *err)
+{
+    lj_coeff c;
+    HS_TRY(hs_arg_not_negative(args, 0, &c.epsilon, err));
+    HS_TRY(hs_arg_positive(args, 1, &c.sigma, err));
+    c.cutoff = minimum * c.sigma;
+    ((lj_state *)pair->state)->coeff[hs_pair_index(pair, i, j)] = c;
+    return HS_OK;
+}
+
+static hs_status mix(hs_pair *pair, int i, int j, hs_error *err)
+{
+    (void)err;
+    hs_lj_mix(pair, i, j);
+    lj_coeff *c = &((lj_state *)pair->state)->coeff[hs_pair_index(pair, i, j)];
+    c->cutoff = minimum * c->sigma;
+    return HS_OK;
+}
+
+static void params(const hs_pair *pair, int i, int j, double *cutoff, double *p)
+{
+    const lj_coeff c = ((lj_state *)pair->state)->coeff[hs_pair_index(pair, i, j)];
+    *cutoff = c.cutoff;
+    hs_lj_params(c, true, p);
+}
+
+static hs_status write_coeff(const hs_pair *pair, int i, int j, hs_text *words, hs_error *err)
+{
+    const lj_coeff c = ((lj_state *)pair->state)->coeff[hs_pair_index(pair, i, j)];
+    return hs_text_printf(words, err, "%.15g %.15g", c.epsilon, c.sigma);
+}
+
+const hs_pair_style hs_pair_style_wca = {
+    .about = {.name = "wca",
+              .syntax = {.usage = "", .n_min = 0, .n_max = 0},
+              .summary = "Weeks-Chandler-Andersen potential: purely repulsive Lennard-Jones",
+              .details = "U(r) = 4 epsilon [(sigma/r)^12 - (sigma/r)^6] + epsilon for r < 2^(1/6) sigma, 0 beyond.\n\n"
+                         "`pair_coeff I J <epsilon> <sigma>`. In LAMMPS the same is written `pair_style lj/cut 1.122462` with "
+                         "`pair_modify shift yes`.",
+              .reference = "J. D. Weeks, D. Chandler, H. C. Andersen, J. Chem. Phys. 54, 5237 (1971), doi:10.1063/1.1674820",
+              .example = "pair_style wca\npair_coeff * * 1.0 1.0"},
+    .coeff_syntax = {.usage = "<epsilon> <sigma>", .n_min = 2, .n_max = 2},
+    .state_size = sizeof(lj_state),
+    .settings = settings,
+    .destroy = hs_lj_destroy,
+    .coeff = coeff,
+    .mix = mix,
+    .params = params,
+    .write_coeff = write_coeff,
+    .evaluator = &hs_evaluator_lj_cut,
+};
