@@ -39,8 +39,10 @@ const hs_region_style hs_region_style_plane = {
         .syntax = {"<px> <py> <pz> <nx> <ny> <nz> [side in|out] [units lattice|box]", 6, 6, NULL},
         .summary = "Half space on one side of a plane",
         .details =
-            "`px py pz` is a point of the plane and `nx ny nz` a normal, of any length but 0, that points into the region. Both are\n"
-            "in lattice spacings, axis by axis, or in distance units after `units box`. The plane belongs to the region, which\n"
+            "`px py pz` is a point of the plane and `nx ny nz` a normal, of any length but 0, that points into the "
+            "region. Both are\n"
+            "in lattice spacings, axis by axis, or in distance units after `units box`. The plane belongs to the "
+            "region, which\n"
             "has no bounds: it cannot make a box.\n",
         .example = "region upper plane 0 0 5 0 0 1",
     },

@@ -77,9 +77,12 @@ const hs_region_style hs_region_style_prism = {
         .syntax = {"<xlo> <xhi> <ylo> <yhi> <zlo> <zhi> <xy> <xz> <yz> [side in|out] [units lattice|box]", 9, 9, NULL},
         .summary = "Parallelepiped: a block with tilted edges",
         .details =
-            "A block with the bounds `xlo ... zhi` (lengths, `INF` or `EDGE`), whose second edge is tilted by `xy` along x, and\n"
-            "whose third edge is tilted by `xz` along x and `yz` along y. Bounds are in lattice spacings of their axis, `xy`\n"
-            "and `xz` in that of x, `yz` in that of y; all in distance units after `units box`. An axis that takes part in a\n"
+            "A block with the bounds `xlo ... zhi` (lengths, `INF` or `EDGE`), whose second edge is tilted by `xy` "
+            "along x, and\n"
+            "whose third edge is tilted by `xz` along x and `yz` along y. Bounds are in lattice spacings of their "
+            "axis, `xy`\n"
+            "and `xz` in that of x, `yz` in that of y; all in distance units after `units box`. An axis that takes "
+            "part in a\n"
             "tilt cannot be bounded by `INF`. A prism selects atoms; a box made of one (triclinic) is not supported.\n",
         .example = "region slab prism 0 10 0 10 0 10 2 0 0",
     },

@@ -17,6 +17,11 @@ bool hs_region_contains(const hs_region *region, const double x[3])
     return region->style->inside(region, x) != region->is_outside;
 }
 
+bool hs_region_uses(const hs_region *region, const hs_region *other)
+{
+    return region->style->uses != NULL && region->style->uses(region, other);
+}
+
 const hs_region_style *hs_region_style_find(const char *name)
 {
     for (int k = 0; hs_region_styles[k] != NULL; ++k)
@@ -28,15 +33,18 @@ const hs_region_style *hs_region_style_find(const char *name)
 static hs_status refuse_style(const char *command, const char *style, hs_error *err)
 {
     if (strcmp(style, "cone") == 0)
-        return hs_fail(err, HS_ERROR_INPUT, "%s: the style 'cone' is not supported; block, cylinder, plane, prism, sphere, "
+        return hs_fail(err, HS_ERROR_INPUT, "%s: the style 'cone' is not supported; block, cylinder, plane, prism, "
+                       "sphere, "
                        "union and intersect are", command);
     const char *names[64];
     size_t n = 0;
     for (int k = 0; hs_region_styles[k] != NULL && n < 64; ++k) names[n++] = hs_region_styles[k]->about.name;
     const char *nearest = hs_text_nearest(style, names, n);
     if (nearest != NULL)
-        return hs_fail(err, HS_ERROR_INPUT, "%s: unknown region style '%s'; did you mean '%s'?", command, style, nearest);
-    return hs_fail(err, HS_ERROR_INPUT, "%s: unknown region style '%s'; expected block, cylinder, plane, prism, sphere, "
+        return hs_fail(err, HS_ERROR_INPUT, "%s: unknown region style '%s'; did you mean '%s'?", command, style,
+                       nearest);
+    return hs_fail(err, HS_ERROR_INPUT, "%s: unknown region style '%s'; expected block, cylinder, plane, prism, "
+                   "sphere, "
                    "union or intersect", command, style);
 }
 
@@ -64,7 +72,8 @@ static hs_status check_keywords(const hs_args *args, bool has_variables, hs_erro
     for (int i = 0; i < args->n; ++i)
         for (int k = 0; refused[k] != NULL; ++k)
             if (strcmp(args->word[i], refused[k]) == 0)
-                return hs_fail(err, HS_ERROR_INPUT, "%s: the keyword '%s' is not supported: regions keep their place and "
+                return hs_fail(err, HS_ERROR_INPUT, "%s: the keyword '%s' is not supported: regions keep their place "
+                               "and "
                                "have no open faces; the keywords are side and units", args->command, refused[k]);
     const hs_syntax syntax = {"[side in|out] [units lattice|box]", 0, 0, hs_region_keywords};
     return hs_syntax_check(&syntax, args, has_variables, err);

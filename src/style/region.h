@@ -16,6 +16,8 @@ typedef struct hs_region_style {
     void (*destroy)(struct hs_region *region);
     /** Whether x is inside the shape, its surface included (side is applied by hs_region_contains). */
     bool (*inside)(const struct hs_region *region, const double x[3]);
+    /** Whether this region is made of that one; NULL: of none. */
+    bool (*uses)(const struct hs_region *region, const struct hs_region *other);
 } hs_region_style;
 
 typedef struct hs_region {
@@ -31,6 +33,9 @@ typedef struct hs_region {
 
 /** Whether the region holds x, with side in or out. */
 bool hs_region_contains(const hs_region *region, const double x[3]);
+
+/** Whether @p region refers to @p other, which must then outlive it. */
+bool hs_region_uses(const hs_region *region, const hs_region *other);
 
 /** A new region from the words after `region ID style`: the style's own, then the common keywords. Not yet in any list:
  *  the caller keeps it and gives it to hs_region_destroy. The ID is copied. Not collective (same result on all ranks). */
