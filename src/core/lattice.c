@@ -115,7 +115,8 @@ static hs_status check_2d(const hs_lattice *lattice, hs_error *err)
     if (lattice->origin[2] != 0.0)
         return hs_fail(err, HS_ERROR_INPUT, "lattice: the origin's z must be 0 in two dimensions");
     if (lattice->orient[0][2] != 0 || lattice->orient[1][2] != 0 || lattice->orient[2][0] != 0 || lattice->orient[2][1] != 0)
-        return hs_fail(err, HS_ERROR_INPUT, "lattice: in two dimensions x and y must be oriented within the plane, z along z");
+        return hs_fail(err, HS_ERROR_INPUT, "lattice: in two dimensions x and y must be oriented within the plane, z "
+                       "along z");
     if (lattice->a[0][2] != 0.0 || lattice->a[1][2] != 0.0 || lattice->a[2][0] != 0.0 || lattice->a[2][1] != 0.0)
         return hs_fail(err, HS_ERROR_INPUT, "lattice: in two dimensions a1 and a2 must lie in the plane, a3 along z");
     return HS_OK;
@@ -156,21 +157,23 @@ static hs_status check_cell(const hs_lattice *lattice, const hs_lattice_size *si
         return hs_fail(err, HS_ERROR_INPUT, "lattice: a custom lattice needs at least one 'basis x y z'");
     for (int axis = 0; axis < 3; ++axis)
         if (!(lattice->origin[axis] >= 0.0 && lattice->origin[axis] < 1.0))
-            return hs_fail(err, HS_ERROR_INPUT, "lattice: the origin's %c, %g, must be from 0 to less than 1", "xyz"[axis],
+            return hs_fail(err, HS_ERROR_INPUT, "lattice: the origin's %c, %g, must be from 0 to less than 1",
+                           "xyz"[axis],
                            lattice->origin[axis]);
     HS_TRY(check_orient(lattice, err));
     if (size->dimension == 2) HS_TRY(check_2d(lattice, err));
     const double volume = cell_volume(lattice);
     if (!(volume > 0.0) || !isfinite(volume))
-        return hs_fail(err, HS_ERROR_INPUT, "lattice: a1, a2, a3 span the volume %g; it must be greater than 0 (a right-handed "
-                       "set, not in one plane)", volume);
+        return hs_fail(err, HS_ERROR_INPUT, "lattice: a1, a2, a3 span the volume %g; it must be greater than 0 (a "
+                       "right-handed set, not in one plane)", volume);
     return HS_OK;
 }
 
 hs_status hs_lattice_finish(hs_lattice *lattice, const hs_lattice_size *size, hs_error *err)
 {
     if (!(size->value > 0.0))
-        return hs_fail(err, HS_ERROR_INPUT, "lattice: the %s %g must be greater than 0", size->is_density ? "density" : "scale",
+        return hs_fail(err, HS_ERROR_INPUT, "lattice: the %s %g must be greater than 0",
+                       size->is_density ? "density" : "scale",
                        size->value);
     if (!lattice->is_set) {
         lattice->scale = size->value;
@@ -192,7 +195,8 @@ hs_status hs_lattice_finish(hs_lattice *lattice, const hs_lattice_size *size, hs
         set_spacing(lattice);
     for (int axis = 0; axis < 3; ++axis)
         if (!isfinite(lattice->spacing[axis]) || !(lattice->spacing[axis] > 0.0))
-            return hs_fail(err, HS_ERROR_INPUT, "lattice: the spacing along %c would be %g; the scale or density is out of range",
+            return hs_fail(err, HS_ERROR_INPUT, "lattice: the spacing along %c would be %g; the scale or density is "
+                           "out of range",
                            "xyz"[axis], lattice->spacing[axis]);
     return HS_OK;
 }
@@ -221,7 +225,8 @@ static void to_lattice(const hs_lattice *lattice, const double x[3], double u[3]
     }
 }
 
-hs_status hs_lattice_range(const hs_lattice *lattice, const double box_lo[3], const double box_hi[3], int lo[3], int hi[3],
+hs_status hs_lattice_range(const hs_lattice *lattice, const double box_lo[3], const double box_hi[3], int lo[3],
+                           int hi[3],
                            hs_error *err)
 {
     double least[3] = {DBL_MAX, DBL_MAX, DBL_MAX}, most[3] = {-DBL_MAX, -DBL_MAX, -DBL_MAX};
@@ -237,7 +242,8 @@ hs_status hs_lattice_range(const hs_lattice *lattice, const double box_lo[3], co
     for (int axis = 0; axis < 3; ++axis) {
         const double limit = 1.0e9;
         if (!(least[axis] > -limit && most[axis] < limit))
-            return hs_fail(err, HS_ERROR_INPUT, "the box spans more than %g cells of the lattice; is it in the right units?", limit);
+            return hs_fail(err, HS_ERROR_INPUT, "the box spans more than %g cells of the lattice; is it in the right "
+                           "units?", limit);
         /* basis atoms lie up to one cell above their cell's corner; one more for rounding */
         lo[axis] = (int)floor(least[axis]) - 2;
         hi[axis] = (int)ceil(most[axis]) + 1;

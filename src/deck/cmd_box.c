@@ -200,8 +200,7 @@ static hs_status check_box_region(hs_sim *sim, const hs_args *args, const hs_reg
                        args->word[1]);
     if (strcmp((*region)->style->about.name, "prism") == 0)
         return hs_fail(err, HS_ERROR_INPUT, "create_box: the region '%s' is a prism: triclinic boxes are not "
-                       "supported; a block "
-                       "makes an orthogonal one", args->word[1]);
+                       "supported; a block makes an orthogonal one", args->word[1]);
     if (!(*region)->has_extent)
         return hs_fail(err, HS_ERROR_INPUT, "create_box: the region '%s' has no bounds (a plane, or side out); use a "
                        "block",

@@ -105,8 +105,8 @@ static hs_status atom_style_check(const hs_args *args, bool has_variables, hs_er
     for (int k = 0; others[k] != NULL; ++k)
         if (strcmp(args->word[0], others[k]) == 0)
             return hs_fail(err, HS_ERROR_INPUT, "atom_style: '%s' is not supported: atoms have a type, a position and "
-                           "a velocity "
-                           "(no charges, bonds, sizes or orientations), which is the style 'atomic'", args->word[0]);
+                           "a velocity (no charges, bonds, sizes or orientations), which is the style 'atomic'",
+                           args->word[0]);
     if (strcmp(args->word[0], "atomic") != 0) return hs_arg_refuse(args, 0, "a supported atom style (atomic)", atomic,
                                                                    err);
     if (args->n > 1 && !has_variables)
