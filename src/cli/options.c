@@ -1,0 +1,188 @@
+#include <ctype.h>
+#include <string.h>
+
+#include "cli/cli.h"
+
+enum { RUN = HS_CLI_RUN, CHECK = HS_CLI_CHECK, BENCH = HS_CLI_BENCH };
+
+const hs_cli_command hs_cli_commands[] = {
+    {"run", "[options] DECK", HS_CLI_RUN, "run a deck; the word `run` may be left out"},
+    {"check", "[options] DECK",
+     HS_CLI_CHECK, "read and validate a deck, run no step, write no file, print what it would do"},
+    {"bench", "[options]", HS_CLI_BENCH, "measure the speed of this machine on a Lennard-Jones liquid"},
+    {"help", "[WORD]", HS_CLI_HELP, "list what decks may contain; with a word, explain that command, style or keyword"},
+    {NULL, NULL, 0, NULL},
+};
+
+const hs_cli_option hs_cli_options[] = {
+    {"-in", "-i", "DECK", RUN | CHECK, "the deck to read; `-` is standard input"},
+    {"-var", "-v", "NAME VALUE...", RUN | CHECK, "set a variable; wins over `variable NAME index` in the deck"},
+    {"-log", "-l", "FILE|none", RUN, "log file (default: log.halfshell)"},
+    {"-screen", "-sc", "FILE|none", RUN, "write to a file what goes to the screen, or nowhere"},
+    {"-echo", "-e", "none|screen|log|both", RUN, "where commands are echoed as they are read (default: log)"},
+    {"-threads", "-t", "N", RUN | CHECK, "OpenMP threads of each rank (default: OMP_NUM_THREADS, else 1)"},
+    {"-neigh", NULL, "METHOD", RUN | CHECK, "neighbor method; wins over the deck's neighbor_method"},
+    {"-isa", NULL, "NAME", RUN | CHECK | BENCH, "instruction set of the kernels (default: auto, the widest of this machine)"},
+    {"-suffix", "-sf", "STYLE", RUN | CHECK, "accepted for LAMMPS's sake; has no effect"},
+    {"-package", "-pk", "WORD...", RUN | CHECK, "accepted for LAMMPS's sake; has no effect"},
+    {"-size", NULL, "N", BENCH, "cells of four atoms along each edge of the box (default: 20, which is 32,000 atoms)"},
+    {"-steps", NULL, "N", BENCH, "timesteps of one measurement (default: 100)"},
+    {"-repeat", NULL, "N", BENCH, "measurements of each case, of which the fastest counts (default: 3)"},
+    {"-threads", "-t", "LIST", BENCH, "thread counts, as in 1,2,4 (default: 1 and all cores)"},
+    {"-neigh", NULL, "LIST", BENCH, "neighbor methods, as in cell,nsq (default: the fast ones)"},
+    {NULL, NULL, NULL, 0, NULL},
+};
+
+hs_status hs_cli_find_option(const char *word, unsigned command, const hs_cli_option **option, hs_error *err)
+{
+    const char *names[64];
+    size_t n = 0;
+    for (*option = hs_cli_options; (*option)->name != NULL; ++*option) {
+        if (((*option)->commands & command) == 0) continue;
+        if (strcmp((*option)->name, word) == 0 || ((*option)->alias != NULL && strcmp((*option)->alias, word) == 0))
+            return HS_OK;
+        if (n < sizeof names / sizeof names[0]) names[n++] = (*option)->name;
+    }
+    const char *plain = word + (strncmp(word, "--", 2) == 0);   /* --threads is as near as it gets to -threads */
+    const char *nearest = hs_text_nearest(plain, names, n);
+    if (nearest != NULL)
+        return hs_fail(err, HS_ERROR_INPUT, "unknown option '%s'; did you mean '%s'?", word, nearest);
+    return hs_fail(err, HS_ERROR_INPUT, "unknown option '%s'; see: halfshell --help", word);
+}
+
+/** Whether a word starts an option: a minus sign and a letter or a second one. "-" and "-1.5" are values. */
+static bool is_option(const char *word)
+{
+    return word[0] == '-' && (isalpha((unsigned char)word[1]) || word[1] == '-');
+}
+
+int hs_cli_values_end(const hs_cli *cli, int from)
+{
+    while (from < cli->n && !is_option(cli->word[from])) ++from;
+    return from;
+}
+
+static hs_status parse_echo(const char *word, hs_cli_settings *settings, hs_error *err)
+{
+    static const char *const choices[] = {"none", "screen", "log", "both"};
+    for (int i = 0; i < 4; ++i)
+        if (strcmp(word, choices[i]) == 0) {
+            settings->echo_screen = (i & 1) != 0;
+            settings->echo_log = (i & 2) != 0;
+            return HS_OK;
+        }
+    return hs_fail(err, HS_ERROR_INPUT, "-echo: '%s' is not one of none, screen, log, both", word);
+}
+
+static hs_status parse_method(const char *word, hs_cli_settings *settings, hs_error *err)
+{
+    size_t n = 0;
+    while (hs_neighbor_methods[n] != NULL && strcmp(hs_neighbor_methods[n], word) != 0) ++n;
+    if (hs_neighbor_methods[n] != NULL) {
+        snprintf(settings->options.neighbor_method, sizeof settings->options.neighbor_method, "%s", word);
+        return HS_OK;
+    }
+    const char *nearest = hs_text_nearest(word, hs_neighbor_methods, n);
+    if (nearest != NULL)
+        return hs_fail(err, HS_ERROR_INPUT, "-neigh: '%s' is not a neighbor method; did you mean '%s'?", word, nearest);
+    return hs_fail(err, HS_ERROR_INPUT, "-neigh: '%s' is not a neighbor method; see: halfshell help neighbor", word);
+}
+
+hs_status hs_cli_parse_isa(const char *word, hs_options *options, hs_error *err)
+{
+    hs_isa isa;
+    HS_TRY(hs_isa_get(word, &isa, err));
+    snprintf(options->isa, sizeof options->isa, "%s", word);
+    return HS_OK;
+}
+
+static hs_status parse_threads(const char *word, hs_cli_settings *settings, hs_error *err)
+{
+    int64_t n;
+    if (!hs_text_to_int64(word, &n) || n < 1 || n > 4096)
+        return hs_fail(err, HS_ERROR_INPUT, "-threads: '%s' is not a whole number from 1 to 4096", word);
+    settings->options.n_threads = (int)n;
+    return HS_OK;
+}
+
+static hs_status set_deck(const char *word, hs_cli_settings *settings, hs_error *err)
+{
+    if (settings->deck == NULL) {
+        settings->deck = word;
+        return HS_OK;
+    }
+    const char *names[8];
+    size_t n = 0;
+    for (const hs_cli_command *command = hs_cli_commands; command->name != NULL; ++command) names[n++] = command->name;
+    const char *nearest = hs_text_nearest(settings->deck, names, n);
+    if (nearest != NULL)
+        return hs_fail(err, HS_ERROR_INPUT, "'%s' and '%s' cannot both be the deck; did you mean the subcommand '%s'?",
+                       settings->deck, word, nearest);
+    return hs_fail(err, HS_ERROR_INPUT, "'%s' and '%s' cannot both be the deck; a run takes one", settings->deck, word);
+}
+
+/** One option whose values are words [first, end); *used tells how many of them it took. */
+static hs_status parse_option(const hs_cli *cli, const hs_cli_option *option, int first, int *used,
+                              hs_cli_settings *settings, hs_error *err)
+{
+    const char *value = cli->word[first];
+    int end = hs_cli_values_end(cli, first + 1);   /* a first value may begin with a minus sign */
+    *used = 1;
+    if (strcmp(option->name, "-in") == 0) return set_deck(value, settings, err);
+    if (strcmp(option->name, "-log") == 0) return settings->log = value, HS_OK;
+    if (strcmp(option->name, "-screen") == 0) return settings->screen = value, HS_OK;
+    if (strcmp(option->name, "-echo") == 0) return parse_echo(value, settings, err);
+    if (strcmp(option->name, "-threads") == 0) return parse_threads(value, settings, err);
+    if (strcmp(option->name, "-neigh") == 0) return parse_method(value, settings, err);
+    if (strcmp(option->name, "-isa") == 0) return hs_cli_parse_isa(value, &settings->options, err);
+    if (strcmp(option->name, "-var") == 0) {
+        if (first + 1 >= cli->n) return hs_fail(err, HS_ERROR_INPUT, "-var %s: a value is missing", value);
+        end = hs_cli_values_end(cli, first + 2);
+        *used = end - first;
+        settings->last_variable = *used > 2 ? value : NULL;
+        settings->last_value = *used > 2 ? cli->word[end - 1] : NULL;
+        return HS_OK;
+    }
+    settings->no_effect = option->name;
+    if (strcmp(option->name, "-package") == 0) *used = end - first;
+    return HS_OK;
+}
+
+hs_status hs_cli_parse(const hs_cli *cli, unsigned command, hs_cli_settings *settings, hs_error *err)
+{
+    *settings = (hs_cli_settings){.echo_log = true};
+    for (int i = 0; i < cli->n; ++i) {
+        const char *word = cli->word[i];
+        if (!is_option(word)) {
+            HS_TRY(set_deck(word, settings, err));
+            continue;
+        }
+        const hs_cli_option *option;
+        HS_TRY(hs_cli_find_option(word, command, &option, err));
+        if (i + 1 >= cli->n)
+            return hs_fail(err, HS_ERROR_INPUT, "%s needs %s after it", word, option->values);
+        int used;
+        HS_TRY(parse_option(cli, option, i + 1, &used, settings, err));
+        i += used;
+    }
+    if (settings->deck == NULL && settings->last_value != NULL)
+        return hs_fail(err, HS_ERROR_INPUT, "no deck: '%s' was taken as a value of '-var %s'; name the deck first, or with -in",
+                       settings->last_value, settings->last_variable);
+    return HS_OK;
+}
+
+hs_status hs_cli_set_variables(const hs_cli *cli, unsigned command, hs_deck *deck, hs_error *err)
+{
+    for (int i = 0; i < cli->n; ++i) {
+        const hs_cli_option *option;
+        if (!is_option(cli->word[i])) continue;
+        HS_TRY(hs_cli_find_option(cli->word[i], command, &option, err));
+        hs_cli_settings ignored = {0};
+        int used;
+        HS_TRY(parse_option(cli, option, i + 1, &used, &ignored, err));
+        if (strcmp(option->name, "-var") == 0)
+            HS_TRY(hs_deck_set_variable(deck, cli->word[i + 1], used - 1, (const char *const *)&cli->word[i + 2], err));
+        i += used;
+    }
+    return HS_OK;
+}

@@ -1,0 +1,98 @@
+/* halfshell run: a deck from its first line to its last, or to its first error. */
+#include <errno.h>
+#include <stdio.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "base/timer.h"
+#include "cli/cli.h"
+
+enum { SECONDS_A_MINUTE = 60, SECONDS_AN_HOUR = 3600 };
+
+/** Open the file of -log or -screen on rank 0; "none" and other ranks give NULL. */
+static hs_status open_output(const hs_cli *cli, const char *option, const char *name, FILE **stream, hs_error *err)
+{
+    *stream = NULL;
+    if (strcmp(name, "none") == 0) return HS_OK;
+    if (cli->parallel->rank == 0) {
+        *stream = fopen(name, "w");
+        if (*stream == NULL) (void)hs_fail(err, HS_ERROR_IO, "%s: cannot write '%s': %s", option, name, strerror(errno));
+    }
+    return hs_parallel_agree(cli->parallel, err);
+}
+
+/** Flush what people were told; a full disk must not pass for a finished run. */
+static hs_status flush_output(FILE *stream, const char *what, hs_error *err)
+{
+    if (stream == NULL) return HS_OK;
+    if (fflush(stream) == 0 && !ferror(stream)) return HS_OK;
+    return hs_fail(err, HS_ERROR_IO, "the %s could not be written in full: %s", what, strerror(errno));
+}
+
+static void say_wall_time(hs_sink *out, double start_s)
+{
+    long seconds = (long)(hs_time_now_s() - start_s);
+    hs_say(out, "Total wall time: %ld:%02ld:%02ld\n", seconds / SECONDS_AN_HOUR,
+           seconds % SECONDS_AN_HOUR / SECONDS_A_MINUTE, seconds % SECONDS_A_MINUTE);
+}
+
+/** First pass, second pass. On return *exit_code is the deck's own (quit N). */
+static hs_status run_deck(const hs_cli *cli, const hs_cli_settings *settings, hs_sink *out, FILE **log, double start_s,
+                          int *exit_code, hs_error *err)
+{
+    hs_deck *deck = NULL;
+    hs_status status = hs_deck_create(&deck, &settings->options, out, err);
+    if (status == HS_OK) {
+        deck->log_opened = *log;   /* from here on the deck closes it, and the deck's own `log` may replace it */
+        *log = NULL;
+        deck->echo_screen = settings->echo_screen;
+        deck->echo_log = settings->echo_log;
+        deck->sim->stop_requested = cli->stop_requested;
+        status = hs_cli_set_variables(cli, HS_CLI_RUN, deck, err);
+    }
+    if (status == HS_OK) status = hs_deck_check(deck, settings->deck, err);
+    if (status == HS_OK) status = hs_deck_run(deck, settings->deck, err);
+    if (status == HS_OK) *exit_code = deck->exit_code;
+    if (status != HS_OK)
+        hs_say_log(out, "%s%s (%s:%ld)\n", status == HS_INTERRUPTED ? "" : "ERROR: ", err->text,
+                   err->file[0] != '\0' ? err->file : settings->deck, err->line);
+    hs_progress_wipe(out);
+    if (status == HS_OK) say_wall_time(out, start_s);
+    if (status == HS_OK) status = flush_output(out->log, "log file", err);
+    hs_deck_destroy(&deck);
+    return status;
+}
+
+static void greet(const hs_cli *cli, const hs_cli_settings *settings, hs_sink *out)
+{
+    int n_threads = hs_threads_get();
+    hs_say(out, "Halfshell %s, %d rank%s of %d thread%s\n", HALFSHELL_VERSION, cli->parallel->n_ranks,
+           cli->parallel->n_ranks == 1 ? "" : "s", n_threads, n_threads == 1 ? "" : "s");
+    if (settings->no_effect != NULL)
+        hs_say(out, "The option %s has no effect: Halfshell chooses its own kernels\n", settings->no_effect);
+}
+
+hs_status hs_cli_run(const hs_cli *cli, int *exit_code, hs_error *err)
+{
+    const double start_s = hs_time_now_s();
+    hs_cli_settings settings;
+    HS_TRY(hs_cli_parse(cli, HS_CLI_RUN, &settings, err));
+    if (settings.deck == NULL) {
+        if (isatty(STDIN_FILENO))
+            return hs_fail(err, HS_ERROR_INPUT, "no deck given; usage: halfshell DECK [options], see: halfshell --help");
+        settings.deck = "-";
+    }
+    FILE *screen = NULL, *log = NULL;
+    HS_TRY(open_output(cli, "-screen", settings.screen != NULL ? settings.screen : "none", &screen, err));
+    hs_status status = open_output(cli, "-log", settings.log != NULL ? settings.log : "log.halfshell", &log, err);
+    if (status == HS_OK) {
+        hs_sink out = {.screen = settings.screen != NULL ? screen : cli->parallel->rank == 0 ? stdout : NULL, .log = log};
+        hs_threads_set(settings.options.n_threads);
+        greet(cli, &settings, &out);
+        status = run_deck(cli, &settings, &out, &log, start_s, exit_code, err);
+        if (status == HS_OK) status = flush_output(out.screen, "screen output", err);
+    }
+    if (log != NULL) fclose(log);
+    if (screen != NULL) fclose(screen);
+    return status;
+}

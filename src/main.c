@@ -1,0 +1,85 @@
+/* The program: arguments, one subcommand, and the only place that exits. */
+#include <signal.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "cli/cli.h"
+
+/** The one thing a signal handler may change: a run looks at it after every step. */
+static volatile sig_atomic_t stop_requested;
+
+/** SIGINT and SIGTERM: the first lets the step end and the run save itself; the second stops at once. */
+static void on_signal(int number)
+{
+    if (stop_requested) _exit(128 + number);
+    stop_requested = 1;
+}
+
+static void catch_signals(void)
+{
+    struct sigaction action = {.sa_handler = on_signal, .sa_flags = SA_RESTART};
+    sigemptyset(&action.sa_mask);
+    const int numbers[] = {SIGINT, SIGTERM};
+    for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; ++i) {
+        struct sigaction before;
+        /* A background job of a shell without job control is started with SIGINT ignored: that is to stay so. */
+        if (sigaction(numbers[i], NULL, &before) == 0 && before.sa_handler == SIG_IGN) continue;
+        sigaction(numbers[i], &action, NULL);
+    }
+}
+
+static hs_status run_subcommand(const hs_cli *cli, const char *name, int *exit_code, hs_error *err)
+{
+    if (strcmp(name, "check") == 0) return hs_cli_check(cli, err);
+    if (strcmp(name, "bench") == 0) return hs_cli_bench(cli, err);
+    if (strcmp(name, "help") == 0) return hs_cli_help(cli, err);
+    return hs_cli_run(cli, exit_code, err);
+}
+
+static void report(const hs_parallel *parallel, const hs_error *err)
+{
+    /* The ranks agreed on one error; the first of them tells it. */
+    if (parallel->rank != 0) return;
+    fflush(stdout);
+    if (err->file[0] != '\0' && err->line > 0)
+        fprintf(stderr, "%s:%ld: ", err->file, err->line);
+    else
+        fprintf(stderr, "%s: ", err->file[0] != '\0' ? err->file : "halfshell");
+    fprintf(stderr, "%s%s\n", err->status == HS_INTERRUPTED ? "" : "error: ", err->text);
+}
+
+static bool is_word(const char *word, const char *a, const char *b, const char *c)
+{
+    return strcmp(word, a) == 0 || strcmp(word, b) == 0 || strcmp(word, c) == 0;
+}
+
+int main(int argc, char **argv)
+{
+    if (argc > 1 && is_word(argv[1], "--help", "-help", "-h")) {
+        hs_cli_usage(stdout);
+        return fflush(stdout) == 0 ? EXIT_SUCCESS : 2;
+    }
+    if (argc > 1 && is_word(argv[1], "--version", "-version", "-V")) {
+        printf("halfshell %s\n", HALFSHELL_VERSION);
+        return fflush(stdout) == 0 ? EXIT_SUCCESS : 2;
+    }
+    const char *name = "run";
+    int first = 1;
+    for (const hs_cli_command *command = hs_cli_commands; argc > 1 && command->name != NULL; ++command)
+        if (strcmp(argv[1], command->name) == 0) name = command->name, first = 2;
+
+    hs_error err = {0};
+    hs_parallel parallel = {.n_ranks = 1};
+    int exit_code = EXIT_SUCCESS;
+    hs_cli cli = {.n = argc - first, .word = argv + first, .stop_requested = &stop_requested, .parallel = &parallel};
+    catch_signals();
+    hs_status status = hs_parallel_init(&parallel, &err);
+    if (status == HS_OK) status = run_subcommand(&cli, name, &exit_code, &err);
+    if (status != HS_OK) {
+        report(&parallel, &err);
+        exit_code = hs_exit_code(status);
+    }
+    hs_parallel_fini(&parallel);
+    return exit_code;
+}
