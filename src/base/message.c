@@ -40,9 +40,10 @@ void hs_say_log(hs_sink *sink, const char *fmt, ...)
 
 void hs_warn(hs_sink *sink, const char *fmt, ...)
 {
+    ++sink->n_warnings;
+    if (sink->warning_limit < 0 || (sink->warning_limit > 0 && sink->n_warnings > sink->warning_limit)) return;
     va_list args;
     va_start(args, fmt);
-    ++sink->n_warnings;
     hs_say(sink, "WARNING: ");
     say(sink->screen, fmt, args);
     say(sink->log, fmt, args);

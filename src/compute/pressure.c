@@ -68,6 +68,17 @@ static void destroy(hs_compute *compute)
     HS_FREE(compute->vector);
 }
 
+static hs_status set_temperature(hs_compute *compute, const char *id, hs_error *err)
+{
+    pressure_state *state = compute->state;
+    char *copy;
+    HS_TRY(hs_memory_strdup(&copy, id, err));
+    HS_FREE(state->temperature_id);
+    state->temperature_id = copy;
+    hs_compute_invalidate(compute);
+    return HS_OK;
+}
+
 /** The temperature compute may have been removed since the last run. */
 static hs_status init(hs_compute *compute, hs_error *err)
 {
@@ -138,6 +149,7 @@ const hs_compute_style hs_compute_style_pressure = {
     .init = init,
     .scalar = scalar,
     .vector = vector,
+    .set_temperature = set_temperature,
     .needs_energy = true,
     .is_pressure = true,
 };

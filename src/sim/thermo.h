@@ -9,9 +9,14 @@ typedef struct hs_thermo hs_thermo;
 HS_MUST_USE hs_status hs_thermo_create(hs_thermo **thermo, hs_sim *sim, hs_error *err);
 void hs_thermo_destroy(hs_thermo **thermo);
 
-/** `thermo N`, or by a variable name `thermo v_name` (every = 0 and variable set). */
+/** `thermo N`. */
 void hs_thermo_set_every(hs_thermo *thermo, int64_t every);
 int64_t hs_thermo_every(const hs_thermo *thermo);
+/** `thermo v_name`: the variable gives the step of the next row, anew at each row. */
+HS_MUST_USE hs_status hs_thermo_set_every_variable(hs_thermo *thermo, const char *name, hs_error *err);
+/** What to do when atoms are missing: thermo_modify lost. */
+typedef enum { HS_LOST_ERROR, HS_LOST_WARN, HS_LOST_IGNORE } hs_thermo_lost_mode;
+hs_thermo_lost_mode hs_thermo_lost(const hs_thermo *thermo);
 /** `thermo_style style args`; resets thermo_modify as LAMMPS does. */
 HS_MUST_USE hs_status hs_thermo_set_style(hs_thermo *thermo, const char *style, const hs_args *args, hs_error *err);
 HS_MUST_USE hs_status hs_thermo_modify(hs_thermo *thermo, const hs_args *args, hs_error *err);
@@ -29,6 +34,8 @@ HS_MUST_USE hs_status hs_thermo_row(hs_thermo *thermo, hs_error *err);
 HS_MUST_USE hs_status hs_thermo_keyword(hs_thermo *thermo, const char *keyword, double *value, bool *found, hs_error *err);
 /** All keywords with one line of help each: pairs (keyword, help), ended by NULL. */
 extern const char *const hs_thermo_keywords[];
+/** Keywords of thermo_modify: its syntax. */
+extern const hs_keyword hs_thermo_modify_keywords[];
 /** First-pass check of the words of thermo_style custom: NULL when the word may be a column, else the nearest keyword or "". */
 const char *hs_thermo_check_word(const char *word);
 /** Units of a keyword's column for plots: "time", "energy", "pressure", ... or NULL. */

@@ -17,6 +17,8 @@ typedef struct hs_compute_style {
     HS_MUST_USE hs_status (*scalar)(struct hs_compute *compute, double *value, hs_error *err);   /**< NULL: has no scalar */
     /** Fill compute->vector[n_vector]; NULL: has no vector. */
     HS_MUST_USE hs_status (*vector)(struct hs_compute *compute, hs_error *err);
+    /** Take the temperature from another compute (thermo_modify temp, fix_modify temp); NULL: uses none. */
+    HS_MUST_USE hs_status (*set_temperature)(struct hs_compute *compute, const char *id, hs_error *err);
     bool needs_energy;      /**< the pair energy or virial must have been computed on the step it is asked for */
     bool is_extensive;      /**< scalar grows with the number of atoms: divided by N under thermo_modify norm yes */
     bool is_vector_extensive;   /**< the same for the elements of the vector */

@@ -27,7 +27,10 @@ typedef struct hs_env {
     int64_t step;          /**< number of the present timestep */
     int64_t first_step;    /**< step at which the present (or next) run began */
     int64_t last_step;     /**< step at which it ends */
+    int64_t ramp_start;    /**< step at which a series of runs began (run start); else first_step */
     double dt;             /**< timestep, time */
+    double time_origin;    /**< simulated time at step time_origin_step: set when dt changes, so that time goes on */
+    int64_t time_origin_step;
 
     /* Results of the latest force evaluation, summed over threads and ranks */
     double pair_energy;      /**< energy of all pairs, valid when energy_step == step */

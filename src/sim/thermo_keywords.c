@@ -1,0 +1,309 @@
+/* The keywords of thermo output and their values. */
+#include <math.h>
+#include <string.h>
+
+#include "base/text.h"
+#include "sim/thermo_internal.h"
+#include "style/atom_sum.h"
+
+typedef hs_thermo T;
+
+#define VALUE(name, expression)                                          \
+    static hs_status get_##name(T *t, double *value, hs_error *err)      \
+    {                                                                    \
+        (void)t, (void)err;                                              \
+        *value = (expression);                                           \
+        return HS_OK;                                                    \
+    }
+
+/** Energies of the table are per atom under thermo_modify norm yes. */
+static double per_atom(const T *t, double value)
+{
+    return t->is_norm && t->n_atoms > 0 ? value / (double)t->n_atoms : value;
+}
+
+static double elapsed_s(const T *t)
+{
+    return t->sim->env.step == t->sim->env.first_step ? 0.0 : hs_time_now_s() - t->sim->timer.start_s;
+}
+
+static double remaining_s(const T *t)
+{
+    const hs_env *env = &t->sim->env;
+    if (env->step == env->first_step) return 0.0;
+    return elapsed_s(t) * (double)(env->last_step - env->step) / (double)(env->step - env->first_step);
+}
+
+VALUE(step, (double)t->sim->env.step)
+VALUE(elapsed, (double)(t->sim->env.step - t->sim->env.first_step))
+VALUE(elaplong, (double)(t->sim->env.step - t->sim->env.ramp_start))
+VALUE(dt, t->sim->env.dt)
+VALUE(time, t->sim->env.time_origin + (double)(t->sim->env.step - t->sim->env.time_origin_step) * t->sim->env.dt)
+VALUE(cpu, elapsed_s(t))
+VALUE(cpuremain, remaining_s(t))
+VALUE(zero, 0.0)
+VALUE(atoms, (double)t->n_atoms)
+VALUE(lx, hs_box_length(&t->sim->box, 0))
+VALUE(ly, hs_box_length(&t->sim->box, 1))
+VALUE(lz, hs_box_length(&t->sim->box, 2))
+VALUE(xlo, t->sim->box.lo[0])
+VALUE(xhi, t->sim->box.hi[0])
+VALUE(ylo, t->sim->box.lo[1])
+VALUE(yhi, t->sim->box.hi[1])
+VALUE(zlo, t->sim->box.lo[2])
+VALUE(zhi, t->sim->box.hi[2])
+VALUE(xlat, t->sim->lattice.spacing[0])
+VALUE(ylat, t->sim->lattice.spacing[1])
+VALUE(zlat, t->sim->lattice.spacing[2])
+VALUE(angle, 90.0)
+VALUE(vol, hs_box_volume(&t->sim->box))
+VALUE(nbuild, (double)t->sim->neighbor.counters.n_builds)
+VALUE(ndanger, (double)t->sim->neighbor.counters.n_dangerous)
+
+/** Simulated time per second of wall time since the last such value. */
+static hs_status get_tpcpu(T *t, double *value, hs_error *err)
+{
+    double now_s = elapsed_s(t), time;
+    HS_TRY(get_time(t, &time, err));
+    const double spent_s = now_s - t->last_tpcpu_s;
+    *value = now_s > 0.0 && spent_s > 0.0 ? (time - t->last_tpcpu_time) / spent_s : 0.0;
+    t->last_tpcpu_s = now_s;
+    t->last_tpcpu_time = time;
+    return HS_OK;
+}
+
+/** Timesteps per second of wall time since the last such value. */
+static hs_status get_spcpu(T *t, double *value, hs_error *err)
+{
+    (void)err;
+    const double now_s = elapsed_s(t), spent_s = now_s - t->last_spcpu_s;
+    *value = now_s > 0.0 && spent_s > 0.0 ? (double)(t->sim->env.step - t->last_spcpu_step) / spent_s : 0.0;
+    t->last_spcpu_s = now_s;
+    t->last_spcpu_step = t->sim->env.step;
+    return HS_OK;
+}
+
+static hs_status get_temp(T *t, double *value, hs_error *err) { return hs_compute_scalar(t->temp, value, err); }
+static hs_status get_press(T *t, double *value, hs_error *err) { return hs_compute_scalar(t->press, value, err); }
+
+static hs_status get_pe(T *t, double *value, hs_error *err)
+{
+    HS_TRY(hs_compute_scalar(t->pe, value, err));
+    *value = per_atom(t, *value);
+    return HS_OK;
+}
+
+/** From the temperature, as a thermostat would see it: n_dof k T / 2. */
+static hs_status get_ke(T *t, double *value, hs_error *err)
+{
+    HS_TRY(hs_compute_scalar(t->temp, value, err));
+    *value = per_atom(t, 0.5 * t->temp->n_dof * t->sim->env.units->boltz * *value);
+    return HS_OK;
+}
+
+static hs_status get_etotal(T *t, double *value, hs_error *err)
+{
+    double pe, ke;
+    HS_TRY(get_pe(t, &pe, err));
+    HS_TRY(get_ke(t, &ke, err));
+    *value = pe + ke;
+    return HS_OK;
+}
+
+static hs_status get_enthalpy(T *t, double *value, hs_error *err)
+{
+    double energy, pressure;
+    HS_TRY(get_etotal(t, &energy, err));
+    HS_TRY(get_press(t, &pressure, err));
+    *value = energy + per_atom(t, pressure * hs_box_volume(&t->sim->box) / t->sim->env.units->nktv2p);
+    return HS_OK;
+}
+
+/** Energy of the pair style; refused when this step did not compute it. */
+static hs_status get_epair(T *t, double *value, hs_error *err)
+{
+    const hs_env *env = &t->sim->env;
+    if (env->energy_step != env->step)
+        return hs_fail(err, HS_ERROR_INPUT, "the pair energy of step %lld was not computed on that step; use it on steps "
+                       "with thermo output, or after 'run 0'", (long long)env->step);
+    *value = per_atom(t, env->pair_energy + env->tail_energy);
+    return HS_OK;
+}
+
+VALUE(etail, per_atom(t, t->sim->env.tail_energy))
+
+static hs_status tensor(T *t, int i, double *value, hs_error *err)
+{
+    return hs_compute_vector(t->press, i, value, err);
+}
+
+static hs_status get_pxx(T *t, double *value, hs_error *err) { return tensor(t, 0, value, err); }
+static hs_status get_pyy(T *t, double *value, hs_error *err) { return tensor(t, 1, value, err); }
+static hs_status get_pzz(T *t, double *value, hs_error *err) { return tensor(t, 2, value, err); }
+static hs_status get_pxy(T *t, double *value, hs_error *err) { return tensor(t, 3, value, err); }
+static hs_status get_pxz(T *t, double *value, hs_error *err) { return tensor(t, 4, value, err); }
+static hs_status get_pyz(T *t, double *value, hs_error *err) { return tensor(t, 5, value, err); }
+
+static void add_f2(const hs_atoms *atoms, const void *context, int begin, int end, double *sums)
+{
+    (void)context;
+    for (int i = begin; i < end; ++i)
+        for (int axis = 0; axis < 3; ++axis) sums[0] += atoms->f[axis][i] * atoms->f[axis][i];
+}
+
+static hs_status get_fnorm(T *t, double *value, hs_error *err)
+{
+    HS_TRY(hs_atom_sum(&t->sim->atoms, &t->sim->parallel, add_f2, NULL, 1, value, err));
+    *value = sqrt(*value);
+    return HS_OK;
+}
+
+static hs_status get_fmax(T *t, double *value, hs_error *err)
+{
+    (void)err;
+    const hs_atoms *atoms = &t->sim->atoms;
+    double max = 0.0;
+    for (int axis = 0; axis < 3; ++axis)
+        for (int i = 0; i < atoms->n_local; ++i) max = fmax(max, fabs(atoms->f[axis][i]));
+    hs_parallel_max_double(&t->sim->parallel, &max, 1);
+    *value = max;
+    return HS_OK;
+}
+
+static void add_mass(const hs_atoms *atoms, const void *context, int begin, int end, double *sums)
+{
+    (void)context;
+    for (int i = begin; i < end; ++i) sums[0] += atoms->mass[atoms->type[i]];
+}
+
+/** Mass density: mass/distance^3 in lj units, gram/cm^3 in real and metal units (masses there are gram/mole). */
+static hs_status get_density(T *t, double *value, hs_error *err)
+{
+    const double gram_per_cm3 = strcmp(t->sim->env.units->name, "lj") == 0 ? 1.0 : 1.0 / 0.602214129;
+    HS_TRY(hs_atom_sum(&t->sim->atoms, &t->sim->parallel, add_mass, NULL, 1, value, err));
+    *value *= gram_per_cm3 / hs_box_volume(&t->sim->box);
+    return HS_OK;
+}
+
+/* KEYWORD(name, getter, header, quantity, is whole number, needs energy, help) */
+#define KEYWORDS(KEYWORD)                                                                                             \
+    KEYWORD(step, step, "Step", "step", true, false, "number of the timestep")                                        \
+    KEYWORD(elapsed, elapsed, "Elapsed", "step", true, false, "timesteps since the start of this run")                \
+    KEYWORD(elaplong, elaplong, "Elaplong", "step", true, false, "timesteps since the start of a series of runs")     \
+    KEYWORD(dt, dt, "Dt", "time", false, false, "timestep size")                                                      \
+    KEYWORD(time, time, "Time", "time", false, false, "simulated time")                                               \
+    KEYWORD(cpu, cpu, "CPU", NULL, false, false, "wall time since the start of this run, seconds")                    \
+    KEYWORD(tpcpu, tpcpu, "T/CPU", NULL, false, false, "simulated time per second of wall time")                      \
+    KEYWORD(spcpu, spcpu, "S/CPU", NULL, false, false, "timesteps per second of wall time")                           \
+    KEYWORD(cpuremain, cpuremain, "CPULeft", NULL, false, false, "estimated wall time to the end of the run, s")      \
+    KEYWORD(part, zero, "Part", NULL, true, false, "partition of a multi-replica run: always 0")                      \
+    KEYWORD(timeremain, zero, "TimeoutLeft", NULL, false, false, "seconds left of a time limit: 0, there is none")    \
+    KEYWORD(atoms, atoms, "Atoms", "count", true, false, "number of atoms")                                           \
+    KEYWORD(temp, temp, "Temp", "temperature", false, false, "temperature")                                           \
+    KEYWORD(press, press, "Press", "pressure", false, true, "pressure")                                               \
+    KEYWORD(pe, pe, "PotEng", "energy", false, true, "potential energy")                                              \
+    KEYWORD(ke, ke, "KinEng", "energy", false, false, "kinetic energy")                                               \
+    KEYWORD(etotal, etotal, "TotEng", "energy", false, true, "total energy, pe + ke")                                 \
+    KEYWORD(evdwl, epair, "E_vdwl", "energy", false, true, "van der Waals energy of pairs, with tail")                \
+    KEYWORD(ecoul, zero, "E_coul", "energy", false, false, "Coulomb energy of pairs: 0, this version has none")       \
+    KEYWORD(epair, epair, "E_pair", "energy", false, true, "energy of all pairs, evdwl + ecoul + elong")              \
+    KEYWORD(ebond, zero, "E_bond", "energy", false, false, "bond energy: 0, this version has none")                   \
+    KEYWORD(eangle, zero, "E_angle", "energy", false, false, "angle energy: 0")                                       \
+    KEYWORD(edihed, zero, "E_dihed", "energy", false, false, "dihedral energy: 0")                                    \
+    KEYWORD(eimp, zero, "E_impro", "energy", false, false, "improper energy: 0")                                      \
+    KEYWORD(emol, zero, "E_mol", "energy", false, false, "molecular energy, ebond + eangle + edihed + eimp: 0")       \
+    KEYWORD(elong, zero, "E_long", "energy", false, false, "long-range Coulomb energy: 0")                            \
+    KEYWORD(etail, etail, "E_tail", "energy", false, true, "long-range correction of pair_modify tail yes")           \
+    KEYWORD(enthalpy, enthalpy, "Enthalpy", "energy", false, true, "enthalpy, etotal + press * vol")                  \
+    KEYWORD(ecouple, zero, "Ecouple", "energy", false, false, "energy exchanged with thermostats and barostats: 0")   \
+    KEYWORD(econserve, etotal, "Econserve", "energy", false, true, "conserved energy, etotal + ecouple")              \
+    KEYWORD(vol, vol, "Volume", "volume", false, false, "volume (area in two dimensions)")                            \
+    KEYWORD(density, density, "Density", "density", false, false, "mass density")                                     \
+    KEYWORD(lx, lx, "Lx", "distance", false, false, "box length in x")                                                \
+    KEYWORD(ly, ly, "Ly", "distance", false, false, "box length in y")                                                \
+    KEYWORD(lz, lz, "Lz", "distance", false, false, "box length in z")                                                \
+    KEYWORD(xlo, xlo, "Xlo", "distance", false, false, "lower box bound in x")                                        \
+    KEYWORD(xhi, xhi, "Xhi", "distance", false, false, "upper box bound in x")                                        \
+    KEYWORD(ylo, ylo, "Ylo", "distance", false, false, "lower box bound in y")                                        \
+    KEYWORD(yhi, yhi, "Yhi", "distance", false, false, "upper box bound in y")                                        \
+    KEYWORD(zlo, zlo, "Zlo", "distance", false, false, "lower box bound in z")                                        \
+    KEYWORD(zhi, zhi, "Zhi", "distance", false, false, "upper box bound in z")                                        \
+    KEYWORD(xy, zero, "Xy", "distance", false, false, "tilt of the box: 0, it is orthogonal")                         \
+    KEYWORD(xz, zero, "Xz", "distance", false, false, "tilt of the box: 0")                                           \
+    KEYWORD(yz, zero, "Yz", "distance", false, false, "tilt of the box: 0")                                           \
+    KEYWORD(xlat, xlat, "Xlat", "distance", false, false, "lattice spacing in x")                                     \
+    KEYWORD(ylat, ylat, "Ylat", "distance", false, false, "lattice spacing in y")                                     \
+    KEYWORD(zlat, zlat, "Zlat", "distance", false, false, "lattice spacing in z")                                     \
+    KEYWORD(bonds, zero, "Bonds", "count", true, false, "number of bonds: 0")                                         \
+    KEYWORD(angles, zero, "Angles", "count", true, false, "number of angles: 0")                                      \
+    KEYWORD(dihedrals, zero, "Diheds", "count", true, false, "number of dihedrals: 0")                                \
+    KEYWORD(impropers, zero, "Impros", "count", true, false, "number of impropers: 0")                                \
+    KEYWORD(pxx, pxx, "Pxx", "pressure", false, true, "pressure tensor, xx")                                          \
+    KEYWORD(pyy, pyy, "Pyy", "pressure", false, true, "pressure tensor, yy")                                          \
+    KEYWORD(pzz, pzz, "Pzz", "pressure", false, true, "pressure tensor, zz")                                          \
+    KEYWORD(pxy, pxy, "Pxy", "pressure", false, true, "pressure tensor, xy")                                          \
+    KEYWORD(pxz, pxz, "Pxz", "pressure", false, true, "pressure tensor, xz")                                          \
+    KEYWORD(pyz, pyz, "Pyz", "pressure", false, true, "pressure tensor, yz")                                          \
+    KEYWORD(fmax, fmax, "Fmax", "force", false, false, "largest force component on any atom")                         \
+    KEYWORD(fnorm, fnorm, "Fnorm", "force", false, false, "length of the vector of all forces")                       \
+    KEYWORD(nbuild, nbuild, "Nbuild", "count", true, false, "neighbor list builds of this run")                       \
+    KEYWORD(ndanger, ndanger, "Ndanger", "count", true, false, "dangerous neighbor list builds of this run")          \
+    KEYWORD(cella, lx, "Cella", "distance", false, false, "length of the cell vector a")                              \
+    KEYWORD(cellb, ly, "Cellb", "distance", false, false, "length of the cell vector b")                              \
+    KEYWORD(cellc, lz, "Cellc", "distance", false, false, "length of the cell vector c")                              \
+    KEYWORD(cellalpha, angle, "CellAlpha", NULL, false, false, "cell angle alpha, degrees")                           \
+    KEYWORD(cellbeta, angle, "CellBeta", NULL, false, false, "cell angle beta, degrees")                              \
+    KEYWORD(cellgamma, angle, "CellGamma", NULL, false, false, "cell angle gamma, degrees")
+
+#define ENTRY(name, getter, header, quantity, is_int, needs_energy, help) \
+    {#name, header, quantity, is_int, needs_energy, get_##getter},
+#define HELP(name, getter, header, quantity, is_int, needs_energy, help) #name, help,
+#define NAME(name, getter, header, quantity, is_int, needs_energy, help) #name,
+
+static const hs_thermo_entry entries[] = {KEYWORDS(ENTRY)};
+static const char *const names[] = {KEYWORDS(NAME)};
+const char *const hs_thermo_keywords[] = {KEYWORDS(HELP) NULL, NULL};
+
+enum { N_ENTRIES = sizeof entries / sizeof entries[0] };
+
+const hs_thermo_entry *hs_thermo_find_entry(const char *name)
+{
+    for (int k = 0; k < N_ENTRIES; ++k)
+        if (strcmp(entries[k].name, name) == 0) return &entries[k];
+    return NULL;
+}
+
+const char *hs_thermo_quantity(const char *keyword)
+{
+    const hs_thermo_entry *entry = hs_thermo_find_entry(keyword);
+    return entry != NULL ? entry->quantity : NULL;
+}
+
+/** Whether word is c_ID, f_ID (with [i] or [*]) or v_name; the ID may hold letters, digits and underscores. */
+static bool is_reference(const char *word)
+{
+    if (strchr("cfv", word[0]) == NULL || word[0] == '\0' || word[1] != '_') return false;
+    const size_t n_id = strspn(word + 2, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_");
+    const char *rest = word + 2 + n_id;
+    if (n_id == 0) return false;
+    if (*rest == '\0') return true;
+    if (*rest != '[') return false;
+    const size_t n_index = strspn(rest + 1, "0123456789*");
+    return n_index > 0 && strcmp(rest + 1 + n_index, "]") == 0;
+}
+
+const char *hs_thermo_check_word(const char *word)
+{
+    if (strchr(word, '$') != NULL || is_reference(word) || hs_thermo_find_entry(word) != NULL) return NULL;
+    const char *nearest = hs_text_nearest(word, names, N_ENTRIES);
+    return nearest != NULL ? nearest : "";
+}
+
+hs_status hs_thermo_keyword(hs_thermo *thermo, const char *keyword, double *value, bool *found, hs_error *err)
+{
+    const hs_thermo_entry *entry = hs_thermo_find_entry(keyword);
+    *found = entry != NULL;
+    if (entry == NULL) return HS_OK;
+    HS_TRY(hs_thermo_find_computes(thermo, err));
+    return entry->eval(thermo, value, err);
+}
