@@ -1,4 +1,8 @@
-# libhalfshell (static and shared) and the program.
+# libhalfshell (static; the shared one is in Install.cmake) and the program.
+
+# The shared library shows only what include/halfshell/halfshell.h marks.
+set(CMAKE_C_VISIBILITY_PRESET hidden)
+
 file(GLOB core_sources CONFIGURE_DEPENDS
   src/base/*.c src/core/*.c src/comm/*.c src/neighbor/*.c src/kernel/*.c src/style/*.c src/io/*.c src/sim/*.c src/deck/*.c
   src/parallel/parallel.c)
@@ -37,6 +41,7 @@ endforeach()
 
 add_library(halfshell_objects OBJECT ${core_sources} ${style_sources} ${tables})
 target_include_directories(halfshell_objects PUBLIC "${CMAKE_CURRENT_SOURCE_DIR}/src" "${CMAKE_CURRENT_SOURCE_DIR}/include")
+target_compile_definitions(halfshell_objects PRIVATE HALFSHELL_VERSION="${PROJECT_VERSION}")
 target_link_libraries(halfshell_objects PUBLIC OpenMP::OpenMP_C ZLIB::ZLIB m)
 if(HALFSHELL_MPI)
   target_link_libraries(halfshell_objects PRIVATE MPI::MPI_C)
