@@ -1,9 +1,18 @@
-/** Neighbor search: settings of the deck, and (below) the cells and lists of the methods. */
+/** Neighbor search: settings of the deck, when lists are due, and what the methods keep.
+ *
+ *  LAMMPS builds its lists on a schedule (neigh_modify every, delay, check) and takes only pairs that were within
+ *  cutoff + skin at the last build. With a lax schedule (`check no`, or a long delay) pairs can come within the cutoff
+ *  unseen, and LAMMPS's published thermo tables contain that. To give the same digits Halfshell keeps the same schedule:
+ *  hs_neighbor_is_due says when LAMMPS would build, x_listed remembers the positions of that moment, and while an atom is
+ *  more than half the skin away from there, forces count only pairs that LAMMPS's list would hold ("scheduled" pairs).
+ *  With `neighbor_method ... pairs exact` every pair within the cutoff counts at every step. */
 #ifndef HS_NEIGHBOR_NEIGHBOR_H
 #define HS_NEIGHBOR_NEIGHBOR_H
 
 #include "core/atoms.h"
 #include "core/box.h"
+#include "neighbor/clusters.h"
+#include "parallel/parallel.h"
 
 /** `neigh_modify exclude`: pairs that do not interact. */
 typedef struct hs_exclusion {
@@ -11,31 +20,57 @@ typedef struct hs_exclusion {
     int a, b;   /**< two types, or two group bits */
 } hs_exclusion;
 
-/** Settings of `neighbor` and `neigh_modify`; set by deck commands. */
+/** How pairs are found. */
+typedef enum { HS_METHOD_NSQ, HS_METHOD_CELL, HS_N_METHODS } hs_neighbor_method;
+
+/** Names of all methods, ended by NULL, and one line of help for each. */
+extern const char *const hs_neighbor_methods[];
+extern const char *const hs_neighbor_method_help[];
+
+/** Settings of `neighbor`, `neigh_modify` and `neighbor_method`. */
 typedef struct hs_neighbor_settings {
     double skin;              /**< distance */
     int64_t every, delay;     /**< steps */
-    bool check;               /**< rebuild only when an atom has moved half the skin */
+    bool check;               /**< build only when an atom has moved half the skin */
     bool once;                /**< build at the start of a run only */
+    bool exact;               /**< count every pair within the cutoff, whatever the schedule says */
     hs_exclusion *exclusion;  /**< owned [n_exclusions] */
     int n_exclusions;
-    char method[32];          /**< name of the neighbor method */
+    hs_neighbor_method method;
 } hs_neighbor_settings;
 
 /** Counters of the present run, for the log. */
 typedef struct hs_neighbor_counters {
-    int64_t n_builds;        /**< list builds as LAMMPS counts them: without the one of the set-up */
-    int64_t n_dangerous;     /**< builds at which an atom had already moved more than half the skin */
+    int64_t n_builds;        /**< scheduled list builds, without the one of the set-up (as LAMMPS counts them) */
+    int64_t n_dangerous;     /**< builds with check yes at which an atom had moved half the skin as soon as one was allowed */
+    int64_t n_late_steps;    /**< steps on which an atom was more than half the skin from its listed place */
+    int64_t first_late_step; /**< the first of them, -1 for none */
     int64_t n_pairs;         /**< pairs in the lists of the last build, all ranks; 0 for methods without lists */
 } hs_neighbor_counters;
 
 typedef struct hs_neighbor {
     hs_neighbor_settings settings;
     hs_neighbor_counters counters;
+    int64_t ago;              /**< steps since the last scheduled build */
+    double *x_listed[3];      /**< atom field: positions at the last scheduled build, in the images of x; with halo */
+    bool is_late;             /**< an atom is more than half the skin from x_listed: pairs may be missing from the list */
+    hs_cells cells;
+    hs_clusters clusters;
 } hs_neighbor;
 
-/** Names of all methods, ended by NULL, and one line of help for each. */
-extern const char *const hs_neighbor_methods[];
-extern const char *const hs_neighbor_method_help[];
+/** Defaults of LAMMPS: delay 10, every 1, check yes; the skin comes with the units. Adds a field to the atoms. */
+HS_MUST_USE hs_status hs_neighbor_init(hs_neighbor *neighbor, hs_atoms *atoms, double skin, hs_error *err);
+void hs_neighbor_fini(hs_neighbor *neighbor);
+
+/** Choose the method by name; an error naming the nearest when there is none of that name. */
+HS_MUST_USE hs_status hs_neighbor_set_method(hs_neighbor *neighbor, const char *name, hs_error *err);
+/** Start of a run: zero the counters. */
+void hs_neighbor_start(hs_neighbor *neighbor);
+/** Once per step after the drift (collective): measure displacements, bring is_late up to date, and tell whether LAMMPS
+ *  would build its lists now. An error when a position is not a number. */
+HS_MUST_USE hs_status hs_neighbor_is_due(hs_neighbor *neighbor, const hs_atoms *atoms, const hs_parallel *parallel,
+                                         int64_t step, bool *is_due, hs_error *err);
+/** A scheduled build happens now: remember the positions. */
+void hs_neighbor_list_now(hs_neighbor *neighbor, const hs_atoms *atoms);
 
 #endif

@@ -14,6 +14,22 @@ static bool launched_by_mpi(void)
     return false;
 }
 
+static bool is_running(void)
+{
+    int initialized = 0, finalized = 0;
+    MPI_Initialized(&initialized);
+    MPI_Finalized(&finalized);
+    return initialized && !finalized;
+}
+
+void hs_parallel_world(hs_parallel *parallel)
+{
+    *parallel = (hs_parallel){.rank = 0, .n_ranks = 1};
+    if (!is_running()) return;
+    MPI_Comm_rank(MPI_COMM_WORLD, &parallel->rank);
+    MPI_Comm_size(MPI_COMM_WORLD, &parallel->n_ranks);
+}
+
 hs_status hs_parallel_init(hs_parallel *parallel, hs_error *err)
 {
     *parallel = (hs_parallel){.rank = 0, .n_ranks = 1};
@@ -21,17 +37,8 @@ hs_status hs_parallel_init(hs_parallel *parallel, hs_error *err)
     int provided;
     if (MPI_Init_thread(NULL, NULL, MPI_THREAD_FUNNELED, &provided) != MPI_SUCCESS)
         return hs_fail(err, HS_ERROR_RUN, "MPI could not be started");
-    MPI_Comm_rank(MPI_COMM_WORLD, &parallel->rank);
-    MPI_Comm_size(MPI_COMM_WORLD, &parallel->n_ranks);
+    hs_parallel_world(parallel);
     return HS_OK;
-}
-
-static bool is_running(void)
-{
-    int initialized = 0, finalized = 0;
-    MPI_Initialized(&initialized);
-    MPI_Finalized(&finalized);
-    return initialized && !finalized;
 }
 
 void hs_parallel_fini(hs_parallel *parallel)

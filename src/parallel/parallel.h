@@ -17,6 +17,8 @@ typedef struct hs_parallel {
 
 /** Start MPI, if the program was launched with it (collective). A program started without mpirun stays without. */
 HS_MUST_USE hs_status hs_parallel_init(hs_parallel *parallel, hs_error *err);
+/** The ranks of the MPI that is running, or one rank when none is (a library's caller may not use MPI). */
+void hs_parallel_world(hs_parallel *parallel);
 /** Collective. */
 void hs_parallel_fini(hs_parallel *parallel);
 /** Stop all ranks at once. Does not return when there is more than one rank. */

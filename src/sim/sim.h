@@ -7,6 +7,7 @@
 #include "base/timer.h"
 #include "comm/halo.h"
 #include "core/lattice.h"
+#include "kernel/force.h"
 #include "neighbor/neighbor.h"
 #include "style/compute.h"
 #include "style/dump.h"
@@ -20,7 +21,9 @@ struct hs_thermo;
 /** Settings of the command line and of commands that can be given before there is a box. */
 typedef struct hs_options {
     int n_threads;            /**< 0: OMP_NUM_THREADS, else 1 */
-    char neighbor_method[32]; /**< -neigh; "" = the deck's or the default */
+    char neighbor_method[32]; /**< -neigh, wins over the deck; "" = the deck's or the default */
+    char isa[16];             /**< instruction set of the kernels; "" or "auto": the best of this machine */
+    bool dry_run;             /**< halfshell check: no step is run, no file is written; `run` reports instead */
 } hs_options;
 
 typedef struct hs_sim {
@@ -45,10 +48,15 @@ typedef struct hs_sim {
 
     hs_neighbor neighbor;     /**< settings, cells, lists */
     hs_halo halo;
+    hs_pair_table pair_table; /**< parameters of all pairs of kernel types; made by hs_sim_setup */
+    int32_t *kernel_type;     /**< atom field: type and exclusion class; NULL while no groups are excluded */
+    hs_force_space forces;    /**< buffers of the pair kernels */
+    hs_isa isa;
     hs_timer timer;
 
     bool is_initialized;      /**< a run has been set up since the last change of the system (run pre no is allowed) */
-    int n_integrate_warned;
+    double small[3];          /**< gap between the outermost atom and a shrink-wrapped face, distance */
+    int64_t *n_of_type;       /**< owned [n_types + 1]: atoms of each type on all ranks, counted at set-up */
     volatile sig_atomic_t *stop_requested;   /**< borrowed: set by a signal handler; NULL without one */
 } hs_sim;
 
@@ -57,7 +65,10 @@ HS_MUST_USE hs_status hs_sim_create(hs_sim **sim, const hs_options *options, hs_
 /** Free everything; clears the pointer; NULL is fine. */
 void hs_sim_destroy(hs_sim **sim);
 
-/* Making and removing styles. `args` are the words after the style's name. IDs must be unique (a fix of the same ID and
+/** Free all styles; part of hs_sim_destroy.  sim/styles.c */
+void hs_sim_destroy_styles(hs_sim *sim);
+
+/* Making and removing styles (sim/styles.c). `args` are the words after the style's name. IDs must be unique (a fix of the same ID and
  * style is replaced in place, as in LAMMPS). */
 HS_MUST_USE hs_status hs_sim_set_pair(hs_sim *sim, const char *style, const hs_args *args, hs_error *err);
 HS_MUST_USE hs_status hs_sim_pair_coeff(hs_sim *sim, const hs_args *args, hs_error *err);   /**< I J words... */
@@ -74,6 +85,9 @@ hs_fix *hs_sim_find_fix(hs_sim *sim, const char *id);
 hs_compute *hs_sim_find_compute(hs_sim *sim, const char *id);
 hs_region *hs_sim_find_region(hs_sim *sim, const char *id);
 hs_dump *hs_sim_find_dump(hs_sim *sim, const char *id);
+
+/** Fail unless there is a pair style. */
+HS_MUST_USE hs_status hs_sim_need_pair(const hs_sim *sim, const char *command, hs_error *err);
 
 /** Fail unless the box exists ("<command>: the box must exist first: ...") */
 HS_MUST_USE hs_status hs_sim_need_box(const hs_sim *sim, const char *command, hs_error *err);
@@ -96,6 +110,17 @@ typedef struct hs_run_plan {
 
 /** Run the simulation (collective): set-up, steps, output, timing table.  sim/run.c. */
 HS_MUST_USE hs_status hs_sim_run(hs_sim *sim, const hs_run_plan *plan, hs_error *err);
+/** Bring atoms, halo, cells (and, when @p is_listing, the shrink-wrapped box and the listed positions) up to date
+ *  (collective).  sim/exchange.c */
+HS_MUST_USE hs_status hs_sim_exchange(hs_sim *sim, bool is_listing, hs_error *err);
+/** Tables of pair parameters, exclusions and cutoffs for the next run.  sim/pair_setup.c */
+HS_MUST_USE hs_status hs_sim_setup_pair(hs_sim *sim, hs_error *err);
+/** Kernel types of the local atoms from their types and groups; only when groups are excluded from each other. */
+void hs_sim_set_kernel_types(hs_sim *sim);
+/** Pair forces on all local atoms, and with_energy also env.pair_energy and pair_virial (collective).  sim/pair_forces.c */
+HS_MUST_USE hs_status hs_sim_pair_forces(hs_sim *sim, bool with_energy, hs_error *err);
+/** One timestep, without output (collective).  sim/step.c */
+HS_MUST_USE hs_status hs_sim_step(hs_sim *sim, bool with_energy, hs_error *err);
 /** Set-up only, with forces, energy and virial of the present positions (no step).  Used by run, by the API and by tests. */
 HS_MUST_USE hs_status hs_sim_setup(hs_sim *sim, hs_error *err);
 

@@ -1,0 +1,92 @@
+/* Commands that make and remove fixes and computes. */
+#include <string.h>
+
+#include "deck/command.h"
+
+static hs_status run_fix(hs_deck *deck, const hs_args *args, hs_error *err)
+{
+    const hs_args words = hs_args_from(args, 3, NULL);
+    return hs_sim_add_fix(deck->sim, args->word[0], args->word[1], args->word[2], &words, err);
+}
+
+static hs_status run_unfix(hs_deck *deck, const hs_args *args, hs_error *err)
+{
+    return hs_sim_remove_fix(deck->sim, args->word[0], err);
+}
+
+static hs_status run_compute(hs_deck *deck, const hs_args *args, hs_error *err)
+{
+    const hs_args words = hs_args_from(args, 3, NULL);
+    return hs_sim_add_compute(deck->sim, args->word[0], args->word[1], args->word[2], &words, err);
+}
+
+static hs_status run_uncompute(hs_deck *deck, const hs_args *args, hs_error *err)
+{
+    return hs_sim_remove_compute(deck->sim, args->word[0], err);
+}
+
+/** Style name and words of `fix ID group style ...` or `compute ...`, before anything runs. */
+static hs_status check_style(const char *kind, const hs_description *const *abouts, size_t n, const hs_args *args,
+                             bool has_variables, hs_error *err)
+{
+    const char *names[256] = {NULL};
+    size_t n_names = 0;
+    if (args->n < 3 || strchr(args->word[2], '$') != NULL) return HS_OK;
+    for (size_t k = 0; k < n; ++k) {
+        if (n_names < 256) names[n_names++] = abouts[k]->name;
+        if (strcmp(abouts[k]->name, args->word[2]) != 0) continue;
+        hs_text command = {0};
+        hs_status status = hs_text_printf(&command, err, "%s %s", kind, abouts[k]->name);
+        const hs_args words = hs_args_from(args, 3, hs_text_get(&command));
+        if (status == HS_OK) status = hs_syntax_check(&abouts[k]->syntax, &words, has_variables, err);
+        hs_text_fini(&command);
+        return status;
+    }
+    const char *nearest = hs_text_nearest(args->word[2], names, n_names);
+    return hs_fail(err, HS_ERROR_INPUT, "%s: unknown style '%s'; %s%s%s", kind, args->word[2],
+                   nearest != NULL ? "did you mean '" : "'halfshell help' lists those there are",
+                   nearest != NULL ? nearest : "", nearest != NULL ? "'?" : "");
+}
+
+#define CHECK_STYLE(name, kind, table)                                                            \
+    static hs_status name(const hs_args *args, bool has_variables, hs_error *err)                 \
+    {                                                                                             \
+        const hs_description *abouts[256] = {NULL};                                               \
+        size_t n = 0;                                                                             \
+        for (size_t k = 0; (table)[k] != NULL && n < 256; ++k) abouts[n++] = &(table)[k]->about;  \
+        return check_style(kind, abouts, n, args, has_variables, err);                            \
+    }
+CHECK_STYLE(check_fix, "fix", hs_fix_styles)
+CHECK_STYLE(check_compute, "compute", hs_compute_styles)
+
+const hs_command hs_commands_fix[] = {
+    {.about = {.name = "fix",
+               .syntax = {.usage = "<ID> <group-ID> <style> [words of the style]", .n_min = 3, .n_max = -1},
+               .summary = "make something act on a group of atoms at every step",
+               .details = "The styles and their words are listed under fixes. A fix of the same ID and style is replaced and keeps "
+                          "its place in the order.",
+               .example = "fix 1 all nve"},
+     .run = run_fix,
+     .check = check_fix},
+    {.about = {.name = "unfix",
+               .syntax = {.usage = "<ID>", .n_min = 1, .n_max = 1},
+               .summary = "remove a fix",
+               .details = "The fix stops acting; the ID is free again.",
+               .example = "unfix 1"},
+     .run = run_unfix},
+    {.about = {.name = "compute",
+               .syntax = {.usage = "<ID> <group-ID> <style> [words of the style]", .n_min = 3, .n_max = -1},
+               .summary = "define a quantity to be measured",
+               .details = "The styles are listed under computes. Values are used as `c_ID` or `c_ID[i]` in formulas and thermo "
+                          "output. `thermo_temp`, `thermo_press` and `thermo_pe` always exist.",
+               .example = "compute hot mobile temp"},
+     .run = run_compute,
+     .check = check_compute},
+    {.about = {.name = "uncompute",
+               .syntax = {.usage = "<ID>", .n_min = 1, .n_max = 1},
+               .summary = "remove a compute",
+               .details = "The ID is free again.",
+               .example = "uncompute hot"},
+     .run = run_uncompute},
+    {0},
+};

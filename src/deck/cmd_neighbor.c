@@ -1,0 +1,187 @@
+/* Commands of the neighbor search and of communication: neighbor, neigh_modify, neighbor_method, comm_modify, comm_style. */
+#include <string.h>
+
+#include "base/memory.h"
+#include "deck/command.h"
+
+static hs_status run_neighbor(hs_deck *deck, const hs_args *args, hs_error *err)
+{
+    static const char *const styles[] = {"bin", "nsq", "multi", "multi/old", NULL};
+    int style;
+    HS_TRY(hs_arg_not_negative(args, 0, &deck->sim->neighbor.settings.skin, err));
+    deck->sim->is_initialized = false;
+    return hs_arg_choice(args, 1, styles, &style, err);
+}
+
+static const hs_keyword modify_keywords[] = {
+    {"delay", 1, "<steps>", "build no list sooner than this after the last (default 10)"},
+    {"every", 1, "<steps>", "consider building only every so many steps (default 1)"},
+    {"check", 1, "yes|no", "build only when an atom has moved more than half the skin (default yes)"},
+    {"once", 1, "yes|no", "build at the start of a run only (default no)"},
+    {"exclude", -1, "type <i> <j> | group <group-ID> <group-ID> | none", "pairs that do not interact"},
+    {"page", 1, "<n>", "accepted: Halfshell's lists grow by themselves"},
+    {"one", 1, "<n>", "accepted: Halfshell's lists grow by themselves"},
+    {"cluster", 1, "yes|no", "accepted: for bonded atoms, which there are none of"},
+    {"include", 1, "<group-ID>", "only `all` is supported"},
+    {0},
+};
+
+static hs_status add_exclusion(hs_sim *sim, hs_exclusion exclusion, hs_error *err)
+{
+    hs_neighbor_settings *settings = &sim->neighbor.settings;
+    HS_TRY(HS_GROW(settings->exclusion, (size_t)settings->n_exclusions, (size_t)settings->n_exclusions + 1, err));
+    settings->exclusion[settings->n_exclusions++] = exclusion;
+    return HS_OK;
+}
+
+/** exclude type I J | group G1 G2 | none, at word i; *n_used is how many words it took. */
+static hs_status exclude(hs_sim *sim, const hs_args *args, int i, int *n_used, hs_error *err)
+{
+    static const char *const kinds[] = {"type", "group", "none", "molecule/intra", "molecule/inter", "molecule", NULL};
+    int kind;
+    HS_TRY(hs_arg_choice(args, i + 1, kinds, &kind, err));
+    *n_used = 4;
+    if (kind == 0) {
+        int64_t a, b;
+        HS_TRY(hs_sim_need_box(sim, "neigh_modify exclude type", err));
+        HS_TRY(hs_arg_int(args, i + 2, 1, sim->atoms.n_types, &a, err));
+        HS_TRY(hs_arg_int(args, i + 3, 1, sim->atoms.n_types, &b, err));
+        return add_exclusion(sim, (hs_exclusion){HS_EXCLUDE_TYPE, (int)a, (int)b}, err);
+    }
+    if (kind == 1) {
+        int a, b;
+        HS_TRY(hs_arg_need(args, i + 3, "a second group-ID", err));
+        HS_TRY(hs_groups_get(&sim->groups, args->word[i + 2], &a, err));
+        HS_TRY(hs_groups_get(&sim->groups, args->word[i + 3], &b, err));
+        return add_exclusion(sim, (hs_exclusion){HS_EXCLUDE_GROUP, a, b}, err);
+    }
+    if (kind > 2)
+        return hs_fail(err, HS_ERROR_INPUT, "neigh_modify: 'exclude %s' needs molecules, which atom_style atomic does not have",
+                       kinds[kind]);
+    *n_used = 2;
+    HS_FREE(sim->neighbor.settings.exclusion);
+    sim->neighbor.settings.n_exclusions = 0;
+    return HS_OK;
+}
+
+static hs_status modify_word(hs_sim *sim, const hs_args *args, int i, int *n_used, hs_error *err)
+{
+    hs_neighbor_settings *settings = &sim->neighbor.settings;
+    const char *keyword = args->word[i];
+    int64_t ignored;
+    bool flag;
+    *n_used = 2;
+    if (strcmp(keyword, "delay") == 0) return hs_arg_int(args, i + 1, 0, INT64_MAX, &settings->delay, err);
+    if (strcmp(keyword, "every") == 0) return hs_arg_int(args, i + 1, 1, INT64_MAX, &settings->every, err);
+    if (strcmp(keyword, "check") == 0) return hs_arg_bool(args, i + 1, &settings->check, err);
+    if (strcmp(keyword, "once") == 0) return hs_arg_bool(args, i + 1, &settings->once, err);
+    if (strcmp(keyword, "exclude") == 0) return exclude(sim, args, i, n_used, err);
+    if (strcmp(keyword, "cluster") == 0) return hs_arg_bool(args, i + 1, &flag, err);
+    if (strcmp(keyword, "include") == 0) {
+        if (strcmp(args->word[i + 1], "all") == 0) return HS_OK;
+        return hs_fail(err, HS_ERROR_INPUT, "neigh_modify: 'include %s' is not supported; only 'include all' is", args->word[i + 1]);
+    }
+    return hs_arg_int(args, i + 1, 1, INT64_MAX, &ignored, err);   /* page, one */
+}
+
+static hs_status run_neigh_modify(hs_deck *deck, const hs_args *args, hs_error *err)
+{
+    int n_used;
+    for (int i = 0; i < args->n; i += n_used) HS_TRY(modify_word(deck->sim, args, i, &n_used, err));
+    const hs_neighbor_settings *settings = &deck->sim->neighbor.settings;
+    if (settings->delay > 0 && settings->delay % settings->every != 0)
+        return hs_fail(err, HS_ERROR_INPUT, "neigh_modify: delay %lld is not a multiple of every %lld",
+                       (long long)settings->delay, (long long)settings->every);
+    deck->sim->is_initialized = false;
+    return HS_OK;
+}
+
+static const hs_keyword method_keywords[] = {
+    {"pairs", 1, "scheduled|exact",
+     "`scheduled` (default): count the pairs that LAMMPS's lists hold under neigh_modify's schedule; `exact`: every pair within "
+     "the cutoff at every step"},
+    {0},
+};
+
+static hs_status run_neighbor_method(hs_deck *deck, const hs_args *args, hs_error *err)
+{
+    hs_neighbor *neighbor = &deck->sim->neighbor;
+    if (args->n > 1) neighbor->settings.exact = strcmp(args->word[2], "exact") == 0;
+    deck->sim->is_initialized = false;
+    const char *from_command_line = deck->sim->options.neighbor_method;
+    HS_TRY(hs_neighbor_set_method(neighbor, args->word[0], err));
+    return from_command_line[0] != '\0' ? hs_neighbor_set_method(neighbor, from_command_line, err) : HS_OK;
+}
+
+static hs_status check_neighbor_method(const hs_args *args, bool has_variables, hs_error *err)
+{
+    hs_neighbor scratch;
+    (void)has_variables;
+    if (args->n == 0 || strchr(args->word[0], '$') != NULL) return HS_OK;
+    return hs_neighbor_set_method(&scratch, args->word[0], err);
+}
+
+static const hs_keyword comm_keywords[] = {
+    {"cutoff", 1, "<distance>", "accepted: the halo is as wide as the forces need"},
+    {"mode", 1, "single", "one cutoff for all atoms"},
+    {"vel", 1, "yes|no", "accepted: halo velocities are exchanged when a style needs them"},
+    {"group", 1, "all", "all atoms are exchanged"},
+    {0},
+};
+
+static hs_status run_comm_modify(hs_deck *deck, const hs_args *args, hs_error *err)
+{
+    (void)deck;
+    double cutoff;
+    for (int i = 0; i < args->n; i += 2)
+        if (strcmp(args->word[i], "cutoff") == 0) HS_TRY(hs_arg_not_negative(args, i + 1, &cutoff, err));
+    return HS_OK;
+}
+
+static hs_status run_comm_style(hs_deck *deck, const hs_args *args, hs_error *err)
+{
+    static const char *const styles[] = {"brick", NULL};
+    int style;
+    (void)deck;
+    return hs_arg_choice(args, 0, styles, &style, err);
+}
+
+const hs_command hs_commands_neighbor[] = {
+    {.about = {.name = "neighbor",
+               .syntax = {.usage = "<skin> bin|nsq|multi", .n_min = 2, .n_max = 2},
+               .summary = "the skin: how far beyond the cutoff pairs are listed",
+               .details = "Skin in distance units; default 0.3 in lj, 2.0 in real and metal units. The second word is accepted as "
+                          "in LAMMPS; how Halfshell searches is chosen by `neighbor_method`.",
+               .example = "neighbor 0.3 bin"},
+     .run = run_neighbor},
+    {.about = {.name = "neigh_modify",
+               .syntax = {.usage = "<keyword> <value> ...", .n_min = 0, .n_max = 0, .keywords = modify_keywords},
+               .summary = "when neighbor lists are built, and which pairs are left out",
+               .details = "Repeated commands add up. Halfshell keeps LAMMPS's schedule: with `check no` or a long `delay`, pairs "
+                          "that come within the cutoff between two builds without having been listed are not counted, exactly as "
+                          "in LAMMPS, so that thermo tables agree digit by digit; a warning at the end of the run tells when that "
+                          "happened. `neighbor_method ... pairs exact` counts every pair at every step.",
+               .example = "neigh_modify delay 0 every 1 check yes\nneigh_modify exclude type 2 2"},
+     .run = run_neigh_modify},
+    {.about = {.name = "neighbor_method",
+               .syntax = {.usage = "<method> [pairs scheduled|exact]", .n_min = 1, .n_max = 1, .keywords = method_keywords},
+               .summary = "how pairs are found (Halfshell's own command)",
+               .details = "Methods give the same forces to rounding: `nsq` is the double loop, `cell` sorts atoms into "
+                          "Morton-ordered cells at every step. The command line's `-neigh` wins over the deck.",
+               .example = "neighbor_method cell\nneighbor_method cell pairs exact"},
+     .run = run_neighbor_method,
+     .check = check_neighbor_method},
+    {.about = {.name = "comm_modify",
+               .syntax = {.usage = "<keyword> <value> ...", .n_min = 0, .n_max = 0, .keywords = comm_keywords},
+               .summary = "settings of LAMMPS's ghost atoms, accepted where they change no result",
+               .details = "Halfshell sizes its halo by what the forces need.",
+               .example = "comm_modify vel yes"},
+     .run = run_comm_modify},
+    {.about = {.name = "comm_style",
+               .syntax = {.usage = "brick", .n_min = 1, .n_max = 1},
+               .summary = "shape of the ranks' parts of the box",
+               .details = "Only `brick`: parts are bricks.",
+               .example = "comm_style brick"},
+     .run = run_comm_style},
+    {0},
+};

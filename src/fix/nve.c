@@ -1,0 +1,83 @@
+/* Constant-energy integration by velocity Verlet:
+ *   v += (dt/2) f/m,  x += dt v   |  forces  |   v += (dt/2) f/m
+ * Source: W. C. Swope et al., J. Chem. Phys. 76, 637 (1982), doi:10.1063/1.442716. */
+#include "base/memory.h"
+#include "style/fix.h"
+
+typedef struct nve_state {
+    double *half_kick;   /**< owned [n_types + 1]: (dt/2) ftm2v / m, by type */
+    int n_types;
+} nve_state;
+
+static hs_status init(hs_fix *fix, hs_error *err)
+{
+    nve_state *nve = fix->state;
+    const hs_atoms *atoms = fix->env->atoms;
+    if (nve->half_kick == NULL || nve->n_types != atoms->n_types) {
+        HS_TRY(HS_GROW(nve->half_kick, 0, (size_t)atoms->n_types + 1, err));
+        nve->n_types = atoms->n_types;
+    }
+    const double half_dt = 0.5 * fix->env->dt * fix->env->units->ftm2v;
+    for (int type = 1; type <= atoms->n_types; ++type) nve->half_kick[type] = half_dt / atoms->mass[type];
+    return HS_OK;
+}
+
+static void destroy(hs_fix *fix) { HS_FREE(((nve_state *)fix->state)->half_kick); }
+
+static hs_status initial_integrate(hs_fix *fix, hs_error *err)
+{
+    (void)err;
+    const hs_atoms *atoms = fix->env->atoms;
+    const double *half_kick = ((nve_state *)fix->state)->half_kick, dt = fix->env->dt;
+    const uint32_t mask = fix->mask;
+#pragma omp parallel
+    for (int axis = 0; axis < 3; ++axis) {
+        double *restrict x = atoms->x[axis], *restrict v = atoms->v[axis];
+        const double *restrict f = atoms->f[axis];
+        const int32_t *restrict type = atoms->type;
+        const uint32_t *restrict group = atoms->mask;
+#pragma omp for schedule(static) nowait
+        for (int i = 0; i < atoms->n_local; ++i) {
+            const bool is_moved = (group[i] & mask) != 0;
+            const double v_new = v[i] + half_kick[type[i]] * f[i];
+            v[i] = is_moved ? v_new : v[i];
+            x[i] = is_moved ? x[i] + dt * v_new : x[i];
+        }
+    }
+    return HS_OK;
+}
+
+static hs_status final_integrate(hs_fix *fix, hs_error *err)
+{
+    (void)err;
+    const hs_atoms *atoms = fix->env->atoms;
+    const double *half_kick = ((nve_state *)fix->state)->half_kick;
+    const uint32_t mask = fix->mask;
+#pragma omp parallel
+    for (int axis = 0; axis < 3; ++axis) {
+        double *restrict v = atoms->v[axis];
+        const double *restrict f = atoms->f[axis];
+        const int32_t *restrict type = atoms->type;
+        const uint32_t *restrict group = atoms->mask;
+#pragma omp for schedule(static) nowait
+        for (int i = 0; i < atoms->n_local; ++i)
+            v[i] = group[i] & mask ? v[i] + half_kick[type[i]] * f[i] : v[i];
+    }
+    return HS_OK;
+}
+
+const hs_fix_style hs_fix_style_nve = {
+    .about = {.name = "nve",
+              .syntax = {.usage = "", .n_min = 0, .n_max = 0},
+              .summary = "integrate the equations of motion at constant energy",
+              .details = "Velocity Verlet: half kick, drift, forces, half kick, with the timestep of `timestep`. "
+                         "Atoms outside the group stay where they are.",
+              .reference = "W. C. Swope et al., J. Chem. Phys. 76, 637 (1982), doi:10.1063/1.442716",
+              .example = "fix 1 all nve"},
+    .state_size = sizeof(nve_state),
+    .destroy = destroy,
+    .init = init,
+    .initial_integrate = initial_integrate,
+    .final_integrate = final_integrate,
+    .is_integrator = true,
+};

@@ -1,0 +1,112 @@
+#include "neighbor/neighbor.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "base/memory.h"
+#include "base/text.h"
+
+const char *const hs_neighbor_methods[] = {"nsq", "cell", NULL};
+
+const char *const hs_neighbor_method_help[] = {
+    "double loop over all pairs; slow, for checking the others",
+    "atoms are sorted into Morton-ordered cells and pairs searched at every step; no list is kept",
+    NULL,
+};
+
+hs_status hs_neighbor_init(hs_neighbor *neighbor, hs_atoms *atoms, double skin, hs_error *err)
+{
+    static const char *const names[3] = {"x listed", "y listed", "z listed"};
+    memset(neighbor, 0, sizeof *neighbor);
+    neighbor->settings = (hs_neighbor_settings){.skin = skin, .every = 1, .delay = 10, .check = true, .method = HS_METHOD_CELL};
+    for (int axis = 0; axis < 3; ++axis)
+        HS_TRY(hs_atoms_add_field(atoms, names[axis], (void **)&neighbor->x_listed[axis], sizeof(double), true, err));
+    hs_neighbor_start(neighbor);
+    return HS_OK;
+}
+
+void hs_neighbor_fini(hs_neighbor *neighbor)
+{
+    HS_FREE(neighbor->settings.exclusion);
+    hs_cells_fini(&neighbor->cells);
+    hs_clusters_fini(&neighbor->clusters);
+}
+
+hs_status hs_neighbor_set_method(hs_neighbor *neighbor, const char *name, hs_error *err)
+{
+    for (int method = 0; method < HS_N_METHODS; ++method)
+        if (strcmp(hs_neighbor_methods[method], name) == 0) {
+            neighbor->settings.method = (hs_neighbor_method)method;
+            return HS_OK;
+        }
+    const char *nearest = hs_text_nearest(name, hs_neighbor_methods, HS_N_METHODS);
+    return hs_fail(err, HS_ERROR_INPUT, "there is no neighbor method '%s'; %s '%s'", name,
+                   nearest != NULL ? "did you mean" : "one that there is:", nearest != NULL ? nearest : "cell");
+}
+
+void hs_neighbor_start(hs_neighbor *neighbor)
+{
+    neighbor->counters = (hs_neighbor_counters){.first_late_step = -1};
+    neighbor->ago = 0;
+    neighbor->is_late = false;
+}
+
+/** Largest squared displacement from the listed positions; infinite when a coordinate is not a number. */
+static double largest_displacement2(const hs_neighbor *neighbor, const hs_atoms *atoms)
+{
+    double largest = 0.0;
+#pragma omp parallel for schedule(static) reduction(max : largest)
+    for (int i = 0; i < atoms->n_local; ++i) {
+        const double dx = atoms->x[0][i] - neighbor->x_listed[0][i], dy = atoms->x[1][i] - neighbor->x_listed[1][i],
+                     dz = atoms->x[2][i] - neighbor->x_listed[2][i];
+        const double d2 = dx * dx + dy * dy + dz * dz;
+        largest = d2 <= largest ? largest : d2 < INFINITY ? d2 : INFINITY;
+    }
+    return largest;
+}
+
+static hs_status report_bad_position(const hs_atoms *atoms, int64_t step, hs_error *err)
+{
+    for (int i = 0; i < atoms->n_local; ++i)
+        if (!isfinite(atoms->x[0][i] + atoms->x[1][i] + atoms->x[2][i]))
+            return hs_fail(err, HS_ERROR_RUN,
+                           "at step %lld atom %lld has the position (%g %g %g) and the velocity (%g %g %g): the forces on it "
+                           "were too large. Usually atoms overlap at the start or the timestep is too long: check "
+                           "pair_coeff, the density, and 'timestep'",
+                           (long long)step, (long long)atoms->id[i], atoms->x[0][i], atoms->x[1][i], atoms->x[2][i],
+                           atoms->v[0][i], atoms->v[1][i], atoms->v[2][i]);
+    return hs_fail(err, HS_ERROR_RUN, "at step %lld an atom has moved out of the range of numbers", (long long)step);
+}
+
+hs_status hs_neighbor_is_due(hs_neighbor *neighbor, const hs_atoms *atoms, const hs_parallel *parallel, int64_t step,
+                             bool *is_due, hs_error *err)
+{
+    const hs_neighbor_settings *settings = &neighbor->settings;
+    double largest2 = largest_displacement2(neighbor, atoms);
+    if (largest2 == INFINITY) (void)report_bad_position(atoms, step, err);
+    HS_TRY(hs_parallel_agree(parallel, err));
+    hs_parallel_max_double(parallel, &largest2, 1);
+
+    const bool has_moved = largest2 > 0.25 * settings->skin * settings->skin;
+    ++neighbor->ago;
+    *is_due = neighbor->ago >= settings->delay && neighbor->ago % settings->every == 0 && !settings->once &&
+              (!settings->check || has_moved);
+    if (*is_due && settings->check) {
+        const int64_t earliest = settings->every > settings->delay ? settings->every : settings->delay;
+        neighbor->counters.n_dangerous += neighbor->ago == earliest;
+    }
+    neighbor->is_late = has_moved && !*is_due;
+    if (neighbor->is_late) {
+        ++neighbor->counters.n_late_steps;
+        if (neighbor->counters.first_late_step < 0) neighbor->counters.first_late_step = step;
+    }
+    return HS_OK;
+}
+
+void hs_neighbor_list_now(hs_neighbor *neighbor, const hs_atoms *atoms)
+{
+    for (int axis = 0; axis < 3; ++axis)
+        memcpy(neighbor->x_listed[axis], atoms->x[axis], (size_t)atoms->n_local * sizeof(double));
+    neighbor->ago = 0;
+    neighbor->is_late = false;
+}

@@ -1,0 +1,147 @@
+/* Between the drift and the forces: atoms that left are found, coordinates wrapped, atoms sorted, the halo made anew. */
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+#include "base/memory.h"
+#include "sim/sim.h"
+#include "sim/thermo.h"
+
+/** Wrap one atom along one periodic axis, however far it went, and its listed position with it. */
+static inline void wrap_axis(const hs_box *box, hs_atoms *atoms, double *listed, int axis, int i)
+{
+    const double lo = box->lo[axis], hi = box->hi[axis], length = hi - lo;
+    double *x = &atoms->x[axis][i];
+    if (*x >= lo && *x < hi) return;
+    const double before = *x;
+    int32_t crossings = 0;
+    if (*x < lo - length || *x >= hi + length) crossings = (int32_t)floor((*x - lo) / length);
+    *x -= crossings * length;
+    if (*x < lo) *x += length, --crossings;
+    if (*x >= hi) *x -= length, ++crossings;
+    /* an atom a hair below lo may round to hi exactly: it belongs to lo */
+    if (*x < lo) *x = lo;
+    atoms->image[axis][i] += crossings;
+    listed[i] += *x - before;
+}
+
+static void wrap(hs_sim *sim)
+{
+    hs_atoms *atoms = &sim->atoms;
+    for (int axis = 0; axis < 3; ++axis) {
+        if (!sim->box.periodic[axis]) continue;
+        double *listed = sim->neighbor.x_listed[axis];
+#pragma omp parallel for schedule(static)
+        for (int i = 0; i < atoms->n_local; ++i) wrap_axis(&sim->box, atoms, listed, axis, i);
+    }
+}
+
+/** Let shrink-wrapped faces follow the outermost atoms (collective). */
+static void shrink_box(hs_sim *sim)
+{
+    hs_box *box = &sim->box;
+    for (int axis = 0; axis < 3; ++axis) {
+        if (box->periodic[axis]) continue;
+        double extent[2] = {-DBL_MAX, -DBL_MAX};   /* -min, max */
+        for (int i = 0; i < sim->atoms.n_local; ++i) {
+            const double x = sim->atoms.x[axis][i];
+            if (-x > extent[0]) extent[0] = -x;
+            if (x > extent[1]) extent[1] = x;
+        }
+        hs_parallel_max_double(&sim->parallel, extent, 2);
+        if (extent[0] == -DBL_MAX) continue;   /* no atoms: nothing to follow */
+        const double lo = -extent[0] - sim->small[axis], hi = extent[1] + sim->small[axis];
+        const hs_boundary *kind = box->boundary[axis];
+        if (kind[0] == HS_BOUNDARY_SHRINK) box->lo[axis] = lo;
+        if (kind[0] == HS_BOUNDARY_SHRINK_MIN) box->lo[axis] = fmin(lo, box->shrink_limit[axis][0]);
+        if (kind[1] == HS_BOUNDARY_SHRINK) box->hi[axis] = hi;
+        if (kind[1] == HS_BOUNDARY_SHRINK_MIN) box->hi[axis] = fmax(hi, box->shrink_limit[axis][1]);
+    }
+}
+
+static inline bool is_outside(const hs_box *box, const hs_atoms *atoms, int i)
+{
+    for (int axis = 0; axis < 3; ++axis)
+        if (!box->periodic[axis] && !(atoms->x[axis][i] >= box->lo[axis] && atoms->x[axis][i] <= box->hi[axis])) return true;
+    return false;
+}
+
+static hs_status report_lost(const hs_sim *sim, int i, hs_error *err)
+{
+    const hs_atoms *atoms = &sim->atoms;
+    return hs_fail(err, HS_ERROR_RUN,
+                   "at step %lld atom %lld at (%g %g %g), velocity (%g %g %g), has left the box (%g %g) x (%g %g) x (%g %g). "
+                   "Usually the timestep is too long, atoms overlap, or a fixed boundary needs a wall "
+                   "('thermo_modify lost ignore' lets atoms go)",
+                   (long long)sim->env.step, (long long)atoms->id[i], atoms->x[0][i], atoms->x[1][i], atoms->x[2][i],
+                   atoms->v[0][i], atoms->v[1][i], atoms->v[2][i], sim->box.lo[0], sim->box.hi[0], sim->box.lo[1],
+                   sim->box.hi[1], sim->box.lo[2], sim->box.hi[2]);
+}
+
+/** Atoms beyond a fixed face are lost: an error, or (thermo_modify lost warn|ignore) they are removed. */
+static hs_status find_lost(hs_sim *sim, hs_error *err)
+{
+    hs_atoms *atoms = &sim->atoms;
+    if (sim->box.periodic[0] && sim->box.periodic[1] && sim->box.periodic[2]) return HS_OK;
+    int first = -1;
+    for (int i = 0; i < atoms->n_local && first < 0; ++i)
+        if (is_outside(&sim->box, atoms, i)) first = i;
+    if (first < 0) return HS_OK;
+    if (hs_thermo_lost(sim->thermo) == HS_LOST_ERROR) return report_lost(sim, first, err);
+    unsigned char *drop;
+    HS_TRY(HS_ALLOC(drop, (size_t)atoms->n_local, err));
+    for (int i = first; i < atoms->n_local; ++i) drop[i] = is_outside(&sim->box, atoms, i);
+    hs_atoms_remove(atoms, drop);
+    HS_FREE(drop);
+    return HS_OK;
+}
+
+/** Sort the local atoms into cells, make the halo, sort it too, and cut both into clusters. */
+static hs_status sort_and_cluster(hs_sim *sim, hs_error *err)
+{
+    hs_neighbor *neighbor = &sim->neighbor;
+    hs_atoms *atoms = &sim->atoms;
+    const double reach = sim->pair->cutoff_max;
+    const double density = (double)atoms->n_local / hs_box_volume(&sim->box);
+    const double width = hs_clusters_width(sim->box.dimension, density, reach);
+    HS_TRY(hs_cells_set_grid(&neighbor->cells, &sim->box, reach, width, atoms->n_local, err));
+    HS_TRY(hs_cells_sort_local(&neighbor->cells, atoms, err));
+    HS_TRY(hs_atoms_permute(atoms, neighbor->cells.order, false, err));
+    hs_timer_add(&sim->timer, HS_PHASE_NEIGH);
+    HS_TRY(hs_halo_build(&sim->halo, &sim->box, atoms, reach, err));
+    hs_timer_add(&sim->timer, HS_PHASE_COMM);
+    HS_TRY(hs_cells_sort_halo(&neighbor->cells, atoms, err));
+    hs_halo_reorder(&sim->halo, atoms, neighbor->cells.order);
+    HS_TRY(hs_clusters_build(&neighbor->clusters, &neighbor->cells, atoms, err));
+    hs_timer_add(&sim->timer, HS_PHASE_NEIGH);
+    return HS_OK;
+}
+
+hs_status hs_sim_exchange(hs_sim *sim, bool is_listing, hs_error *err)
+{
+    hs_timer_mark(&sim->timer);
+    wrap(sim);
+    if (is_listing) shrink_box(sim);
+    (void)find_lost(sim, err);
+    HS_TRY(hs_parallel_agree(&sim->parallel, err));
+    if (is_listing) hs_neighbor_list_now(&sim->neighbor, &sim->atoms);
+    hs_timer_add(&sim->timer, HS_PHASE_COMM);
+    if (sim->pair->cutoff_max <= 0.0) return HS_OK;
+
+    hs_status status;
+    if (sim->neighbor.settings.method == HS_METHOD_NSQ) {
+        status = hs_halo_build(&sim->halo, &sim->box, &sim->atoms, sim->pair->cutoff_max, err);
+        hs_timer_add(&sim->timer, HS_PHASE_COMM);
+    } else {
+        status = sort_and_cluster(sim, err);
+    }
+    (void)status;   /* agreed on below */
+    HS_TRY(hs_parallel_agree(&sim->parallel, err));
+    if (sim->kernel_type != NULL) {
+        hs_sim_set_kernel_types(sim);
+        hs_halo_forward_int(&sim->halo, &sim->atoms, sim->kernel_type);
+    }
+    if (sim->neighbor.is_late) hs_halo_forward_positions(&sim->halo, &sim->atoms, sim->neighbor.x_listed);
+    hs_timer_add(&sim->timer, HS_PHASE_COMM);
+    return HS_OK;
+}

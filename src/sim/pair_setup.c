@@ -1,0 +1,128 @@
+/* Tables of pair parameters: coefficients that were given or mixed, cutoffs, exclusions. */
+#include <string.h>
+
+#include "base/memory.h"
+#include "sim/sim.h"
+
+/* Table rows beyond which group exclusions are refused: the table would no longer fit caches. */
+enum { KERNEL_TYPES_MAX = 2048 };
+
+/** Groups that occur in exclusions, each once: their bits decide an atom's exclusion class. */
+static int excluded_groups(const hs_neighbor_settings *settings, int groups[HS_GROUPS_MAX])
+{
+    uint32_t seen = 0;
+    int n = 0;
+    for (int k = 0; k < settings->n_exclusions; ++k) {
+        const hs_exclusion *e = &settings->exclusion[k];
+        if (e->kind == HS_EXCLUDE_GROUP) seen |= hs_group_mask(e->a) | hs_group_mask(e->b);
+    }
+    for (int bit = 0; bit < HS_GROUPS_MAX; ++bit)
+        if (seen & hs_group_mask(bit)) groups[n++] = bit;
+    return n;
+}
+
+void hs_sim_set_kernel_types(hs_sim *sim)
+{
+    const hs_atoms *atoms = &sim->atoms;
+    int groups[HS_GROUPS_MAX];
+    const int n_groups = excluded_groups(&sim->neighbor.settings, groups);
+    for (int i = 0; i < atoms->n_local; ++i) {
+        int class = 0;
+        for (int g = 0; g < n_groups; ++g) class |= (atoms->mask[i] >> groups[g] & 1u) << g;
+        sim->kernel_type[i] = class * (atoms->n_types + 1) + atoms->type[i];
+    }
+}
+
+static bool class_has_group(int class, int group, const int *groups, int n_groups)
+{
+    for (int g = 0; g < n_groups; ++g)
+        if (groups[g] == group) return class >> g & 1;
+    return false;
+}
+
+static bool is_excluded(const hs_neighbor_settings *settings, int type_i, int class_i, int type_j, int class_j,
+                        const int *groups, int n_groups)
+{
+    for (int k = 0; k < settings->n_exclusions; ++k) {
+        const hs_exclusion *e = &settings->exclusion[k];
+        if (e->kind == HS_EXCLUDE_TYPE) {
+            if ((type_i == e->a && type_j == e->b) || (type_i == e->b && type_j == e->a)) return true;
+        } else {
+            const bool i_a = class_has_group(class_i, e->a, groups, n_groups), i_b = class_has_group(class_i, e->b, groups, n_groups);
+            const bool j_a = class_has_group(class_j, e->a, groups, n_groups), j_b = class_has_group(class_j, e->b, groups, n_groups);
+            if ((i_a && j_b) || (i_b && j_a)) return true;
+        }
+    }
+    return false;
+}
+
+/** Give every pair of types its coefficients and cutoff. */
+static hs_status complete_coefficients(hs_sim *sim, hs_error *err)
+{
+    hs_pair *pair = sim->pair;
+    pair->cutoff_max = 0.0;
+    if (pair->style->allows_none) return HS_OK;
+    double unused[64];
+    for (int i = 1; i <= pair->n_types; ++i)
+        for (int j = i; j <= pair->n_types; ++j) {
+            const int ij = hs_pair_index(pair, i, j);
+            if (!pair->is_set[ij]) {
+                const bool can_mix = pair->style->mix != NULL && i != j && pair->is_set[hs_pair_index(pair, i, i)] &&
+                                     pair->is_set[hs_pair_index(pair, j, j)];
+                if (!can_mix)
+                    return hs_fail(err, HS_ERROR_INPUT, "run: no pair_coeff was given for the types %d %d of pair_style %s", i,
+                                   j, pair->style->about.name);
+                HS_TRY(pair->style->mix(pair, i, j, err));
+            }
+            pair->style->params(pair, i, j, &pair->cutoff[ij], unused);
+            pair->cutoff[hs_pair_index(pair, j, i)] = pair->cutoff[ij];
+            if (pair->cutoff[ij] > pair->cutoff_max) pair->cutoff_max = pair->cutoff[ij];
+        }
+    return HS_OK;
+}
+
+static hs_status fill_table(hs_sim *sim, int n_classes, const int *groups, int n_groups, hs_error *err)
+{
+    const hs_pair *pair = sim->pair;
+    hs_pair_table *table = &sim->pair_table;
+    const int n = pair->n_types + 1;
+    table->n_types = n_classes * n;
+    table->stride = 1 + pair->style->evaluator->n_params;
+    HS_TRY(HS_GROW(table->values, 0, (size_t)table->n_types * (size_t)table->n_types * (size_t)table->stride, err));
+    for (int a = 0; a < table->n_types; ++a)
+        for (int b = 0; b < table->n_types; ++b) {
+            const int i = a % n, j = b % n;
+            if (i == 0 || j == 0) continue;   /* no atom has type 0: the row stays zero, no interaction */
+            double *row = table->values + ((size_t)a * (size_t)table->n_types + (size_t)b) * (size_t)table->stride;
+            double cutoff;
+            pair->style->params(pair, i < j ? i : j, i < j ? j : i, &cutoff, row + 1);
+            row[0] = is_excluded(&sim->neighbor.settings, i, a / n, j, b / n, groups, n_groups) ? 0.0 : cutoff * cutoff;
+        }
+    table->is_uniform = n_classes == 1 && hs_pair_table_is_uniform(table);
+    return HS_OK;
+}
+
+static hs_status count_types(hs_sim *sim, hs_error *err)
+{
+    HS_TRY(HS_GROW(sim->n_of_type, 0, (size_t)sim->atoms.n_types + 1, err));
+    for (int i = 0; i < sim->atoms.n_local; ++i) ++sim->n_of_type[sim->atoms.type[i]];
+    hs_parallel_sum_int64(&sim->parallel, sim->n_of_type, sim->atoms.n_types + 1);
+    return HS_OK;
+}
+
+hs_status hs_sim_setup_pair(hs_sim *sim, hs_error *err)
+{
+    HS_TRY(hs_sim_need_pair(sim, "run", err));
+    HS_TRY(complete_coefficients(sim, err));
+    HS_TRY(count_types(sim, err));
+    int groups[HS_GROUPS_MAX];
+    const int n_groups = excluded_groups(&sim->neighbor.settings, groups);
+    if (n_groups > 10 || (sim->atoms.n_types + 1) << n_groups > KERNEL_TYPES_MAX)
+        return hs_fail(err, HS_ERROR_INPUT, "neigh_modify exclude: %d groups and %d atom types are too many together; give the "
+                       "atoms types of their own and exclude those", n_groups, sim->atoms.n_types);
+    if (n_groups > 0 && sim->kernel_type == NULL)
+        HS_TRY(hs_atoms_add_field(&sim->atoms, "kernel type", (void **)&sim->kernel_type, sizeof(int32_t), true, err));
+    if (n_groups == 0 && sim->kernel_type != NULL) hs_atoms_remove_field(&sim->atoms, (void **)&sim->kernel_type);
+    if (sim->pair->style->evaluator == NULL) return HS_OK;
+    return fill_table(sim, 1 << n_groups, groups, n_groups, err);
+}

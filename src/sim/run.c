@@ -1,0 +1,156 @@
+/* A run: set-up, steps, output. */
+#include <string.h>
+
+#include "sim/report.h"
+#include "sim/sim.h"
+#include "sim/thermo.h"
+
+/** Everything that must be right before atoms move. */
+static hs_status check_system(hs_sim *sim, hs_error *err)
+{
+    HS_TRY(hs_sim_need_box(sim, "run", err));
+    HS_TRY(hs_sim_need_pair(sim, "run", err));
+    HS_TRY(hs_sim_need_masses(sim, "run", err));
+    if (sim->box.dimension == 2 && !sim->box.periodic[2])
+        return hs_fail(err, HS_ERROR_INPUT, "run: a 2d simulation needs a periodic z boundary ('boundary p p p')");
+    return HS_OK;
+}
+
+static hs_status init_styles(hs_sim *sim, hs_error *err)
+{
+    int n_integrators = 0;
+    for (int k = 0; k < sim->n_fixes; ++k) {
+        if (sim->fix[k]->style->init != NULL) HS_TRY(sim->fix[k]->style->init(sim->fix[k], err));
+        n_integrators += sim->fix[k]->style->is_integrator;
+    }
+    if (n_integrators == 0) hs_warn(&*sim->env.out, "no fix moves the atoms: a time integrator such as 'fix nve' is missing");
+    for (int k = 0; k < sim->n_computes; ++k) {
+        hs_compute_invalidate(sim->compute[k]);
+        if (sim->compute[k]->style->init != NULL) HS_TRY(sim->compute[k]->style->init(sim->compute[k], err));
+    }
+    for (int k = 0; k < sim->n_dumps; ++k)
+        if (sim->dump[k]->style->init != NULL) HS_TRY(sim->dump[k]->style->init(sim->dump[k], err));
+    return hs_thermo_init(sim->thermo, err);
+}
+
+hs_status hs_sim_setup(hs_sim *sim, hs_error *err)
+{
+    HS_TRY(check_system(sim, err));
+    hs_timer_reset(&sim->timer);
+    HS_TRY(hs_sim_setup_pair(sim, err));
+    HS_TRY(init_styles(sim, err));
+    hs_neighbor_start(&sim->neighbor);
+    HS_TRY(hs_sim_exchange(sim, true, err));
+    HS_TRY(hs_sim_pair_forces(sim, true, err));
+    for (int k = 0; k < sim->n_fixes; ++k)
+        if (sim->fix[k]->style->setup != NULL) HS_TRY(sim->fix[k]->style->setup(sim->fix[k], err));
+    sim->is_initialized = true;
+    return HS_OK;
+}
+
+/** Whether dump has a snapshot at this step; the first step of a run only when asked for (or a multiple). */
+static bool is_dump_due(const hs_dump *dump, int64_t step, bool is_first)
+{
+    if (dump->last_written == step) return false;
+    if (dump->every > 0 && step % dump->every == 0) return true;
+    return is_first && dump->write_first;
+}
+
+static hs_status write_dumps(hs_sim *sim, bool is_first, hs_error *err)
+{
+    for (int k = 0; k < sim->n_dumps; ++k) {
+        hs_dump *dump = sim->dump[k];
+        if (!is_dump_due(dump, sim->env.step, is_first)) continue;
+        HS_TRY(dump->style->write(dump, err));
+        dump->last_written = sim->env.step;
+    }
+    return HS_OK;
+}
+
+static bool is_output_due(const hs_sim *sim, int64_t step)
+{
+    if (hs_thermo_is_due(sim->thermo, step)) return true;
+    for (int k = 0; k < sim->n_dumps; ++k)
+        if (is_dump_due(sim->dump[k], step, false)) return true;
+    return false;
+}
+
+static hs_status begin_run(hs_sim *sim, const hs_run_plan *plan, hs_error *err)
+{
+    sim->env.first_step = sim->env.step;
+    sim->env.last_step = sim->env.step + plan->n_steps;
+    if (plan->pre || !sim->is_initialized) {
+        HS_TRY(hs_sim_setup(sim, err));
+        if (!plan->is_quiet) hs_report_setup(sim);
+    } else {
+        HS_TRY(init_styles(sim, err));
+        hs_neighbor_start(&sim->neighbor);
+    }
+    HS_TRY(write_dumps(sim, true, err));
+    hs_thermo_header(sim->thermo);
+    HS_TRY(hs_thermo_row(sim->thermo, err));
+    hs_timer_reset(&sim->timer);
+    return HS_OK;
+}
+
+static hs_status write_output(hs_sim *sim, hs_error *err)
+{
+    hs_timer_mark(&sim->timer);
+    HS_TRY(write_dumps(sim, false, err));
+    if (hs_thermo_is_due(sim->thermo, sim->env.step)) HS_TRY(hs_thermo_row(sim->thermo, err));
+    hs_timer_add(&sim->timer, HS_PHASE_OUTPUT);
+    return HS_OK;
+}
+
+static hs_status stop_if_asked(hs_sim *sim, hs_error *err)
+{
+    if (sim->stop_requested == NULL || !*sim->stop_requested) return HS_OK;
+    return hs_fail(err, HS_INTERRUPTED, "stopped by a signal after step %lld", (long long)sim->env.step);
+}
+
+/** Commands of `run ... every`, between steps. */
+static hs_status run_commands(hs_sim *sim, const hs_run_plan *plan, hs_error *err)
+{
+    const int64_t n_done = sim->env.step - sim->env.first_step;
+    if (plan->every <= 0 || plan->at_every == NULL || n_done % plan->every != 0) return HS_OK;
+    return plan->at_every(plan->context, err);
+}
+
+static hs_status run_steps(hs_sim *sim, const hs_run_plan *plan, hs_error *err)
+{
+    while (sim->env.step < sim->env.last_step) {
+        const int64_t next = sim->env.step + 1;
+        const bool is_due = next == sim->env.last_step || is_output_due(sim, next);
+        HS_TRY(hs_sim_step(sim, is_due, err));
+        if (is_due) HS_TRY(write_output(sim, err));
+        hs_report_progress(sim);
+        HS_TRY(run_commands(sim, plan, err));
+        HS_TRY(stop_if_asked(sim, err));
+    }
+    return HS_OK;
+}
+
+static void warn_of_late_lists(hs_sim *sim)
+{
+    const hs_neighbor *neighbor = &sim->neighbor;
+    if (neighbor->counters.n_late_steps == 0 || neighbor->settings.exact || sim->pair->cutoff_max <= 0.0) return;
+    hs_warn(sim->env.out,
+            "on %lld steps (the first is %lld) atoms had moved more than half the skin before neigh_modify's schedule allowed "
+            "new lists. As in LAMMPS, pairs that came within the cutoff meanwhile were not counted, and energy may drift. "
+            "'neigh_modify every 1 delay 0 check yes' or 'neighbor_method %s pairs exact' counts every pair",
+            (long long)neighbor->counters.n_late_steps, (long long)neighbor->counters.first_late_step,
+            hs_neighbor_methods[neighbor->settings.method]);
+}
+
+hs_status hs_sim_run(hs_sim *sim, const hs_run_plan *plan, hs_error *err)
+{
+    HS_TRY(begin_run(sim, plan, err));
+    const double start_s = hs_time_now_s(), start_cpu_s = hs_time_cpu_s();
+    const hs_status status = run_steps(sim, plan, err);
+    hs_progress_wipe(sim->env.out);
+    if (status != HS_OK) return status;
+    if (plan->post)
+        hs_report_finish(sim, plan->n_steps, hs_time_now_s() - start_s, hs_time_cpu_s() - start_cpu_s);
+    warn_of_late_lists(sim);
+    return HS_OK;
+}

@@ -1,0 +1,118 @@
+/* The simulation object: making it, and the styles it owns. */
+#include "sim/sim.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/memory.h"
+#include "sim/thermo.h"
+
+static hs_compute *find_compute(hs_env *env, const char *id);
+static hs_fix *find_fix(hs_env *env, const char *id);
+static hs_region *find_region(hs_env *env, const char *id);
+
+/** The simulation that an env is part of. */
+static hs_sim *sim_of(hs_env *env) { return (hs_sim *)((char *)env - offsetof(hs_sim, env)); }
+
+static hs_status add_thermo_computes(hs_sim *sim, hs_error *err)
+{
+    static const char *const temp_id[] = {"thermo_temp"};
+    const hs_args none = {.command = "thermo", .n = 0}, with_temp = {.command = "thermo", .n = 1, .word = temp_id};
+    HS_TRY(hs_sim_add_compute(sim, "thermo_temp", "all", "temp", &none, err));
+    HS_TRY(hs_sim_add_compute(sim, "thermo_press", "all", "pressure", &with_temp, err));
+    return hs_sim_add_compute(sim, "thermo_pe", "all", "pe", &none, err);
+}
+
+static hs_status create(hs_sim *sim, const hs_options *options, hs_sink *out, hs_error *err)
+{
+    sim->options = *options;
+    hs_threads_set(options->n_threads);
+    hs_box_init(&sim->box);
+    hs_lattice_init(&sim->lattice);
+    HS_TRY(hs_isa_get(options->isa, &sim->isa, err));
+    HS_TRY(hs_groups_init(&sim->groups, err));
+    HS_TRY(hs_atoms_init(&sim->atoms, err));
+    const hs_units *units = hs_units_find("lj");
+    HS_TRY(hs_neighbor_init(&sim->neighbor, &sim->atoms, units->skin, err));
+    if (options->neighbor_method[0] != '\0') HS_TRY(hs_neighbor_set_method(&sim->neighbor, options->neighbor_method, err));
+    sim->env = (hs_env){.parallel = &sim->parallel, .out = out, .units = units, .box = &sim->box, .atoms = &sim->atoms,
+                        .groups = &sim->groups, .lattice = &sim->lattice, .dt = units->dt, .energy_step = -1,
+                        .find_compute = find_compute, .find_fix = find_fix, .find_region = find_region};
+    hs_parallel_world(&sim->parallel);
+    HS_TRY(add_thermo_computes(sim, err));
+    return hs_thermo_create(&sim->thermo, sim, err);
+}
+
+hs_status hs_sim_create(hs_sim **sim, const hs_options *options, hs_sink *out, hs_error *err)
+{
+    HS_TRY(HS_ALLOC(*sim, 1, err));
+    const hs_status status = create(*sim, options, out, err);
+    if (status != HS_OK) hs_sim_destroy(sim);
+    return status;
+}
+
+void hs_sim_destroy(hs_sim **sim_pointer)
+{
+    hs_sim *sim = *sim_pointer;
+    if (sim == NULL) return;
+    if (sim->thermo != NULL) hs_thermo_destroy(&sim->thermo);
+    hs_sim_destroy_styles(sim);
+    HS_FREE(sim->pair_table.values);
+    HS_FREE(sim->n_of_type);
+    hs_force_space_fini(&sim->forces);
+    hs_halo_fini(&sim->halo);
+    hs_neighbor_fini(&sim->neighbor);
+    hs_lattice_fini(&sim->lattice);
+    hs_atoms_fini(&sim->atoms);
+    hs_groups_fini(&sim->groups);
+    HS_FREE(*sim_pointer);
+}
+
+#define FIND(list, n, wanted)                                                      \
+    do {                                                                           \
+        for (int k_ = 0; k_ < (n); ++k_)                                           \
+            if (strcmp((list)[k_]->id, (wanted)) == 0) return (list)[k_];          \
+        return NULL;                                                               \
+    } while (0)
+
+hs_fix *hs_sim_find_fix(hs_sim *sim, const char *id) { FIND(sim->fix, sim->n_fixes, id); }
+hs_compute *hs_sim_find_compute(hs_sim *sim, const char *id) { FIND(sim->compute, sim->n_computes, id); }
+hs_region *hs_sim_find_region(hs_sim *sim, const char *id) { FIND(sim->region, sim->n_regions, id); }
+hs_dump *hs_sim_find_dump(hs_sim *sim, const char *id) { FIND(sim->dump, sim->n_dumps, id); }
+
+static hs_compute *find_compute(hs_env *env, const char *id) { return hs_sim_find_compute(sim_of(env), id); }
+static hs_fix *find_fix(hs_env *env, const char *id) { return hs_sim_find_fix(sim_of(env), id); }
+static hs_region *find_region(hs_env *env, const char *id) { return hs_sim_find_region(sim_of(env), id); }
+
+hs_status hs_sim_need_box(const hs_sim *sim, const char *command, hs_error *err)
+{
+    if (sim->box.exists) return HS_OK;
+    return hs_fail(err, HS_ERROR_INPUT, "%s: there is no simulation box yet; create_box or read_data makes one", command);
+}
+
+hs_status hs_sim_need_pair(const hs_sim *sim, const char *command, hs_error *err)
+{
+    if (sim->pair != NULL) return HS_OK;
+    return hs_fail(err, HS_ERROR_INPUT, "%s: there is no pair style yet; pair_style sets one ('pair_style none' for no forces)",
+                   command);
+}
+
+hs_status hs_sim_need_masses(const hs_sim *sim, const char *command, hs_error *err)
+{
+    for (int type = 1; type <= sim->atoms.n_types; ++type)
+        if (!(sim->atoms.mass[type] > 0.0))
+            return hs_fail(err, HS_ERROR_INPUT, "%s: atom type %d has no mass; 'mass %d <value>' sets it", command, type, type);
+    return HS_OK;
+}
+
+void hs_sim_atoms_changed(hs_sim *sim)
+{
+    sim->atoms.n_all = sim->atoms.n_local;
+    hs_parallel_sum_int64(&sim->parallel, &sim->atoms.n_all, 1);
+    sim->atoms.n_halo = 0;
+    ++sim->atoms.generation;
+    sim->is_initialized = false;
+    sim->env.energy_step = -1;
+    for (int k = 0; k < sim->n_computes; ++k) hs_compute_invalidate(sim->compute[k]);
+}

@@ -1,0 +1,39 @@
+/* The timestep. */
+#include "sim/sim.h"
+
+/** One hook of all fixes, in the deck's order. */
+#define CALL_FIXES(sim, hook, err)                                                                     \
+    do {                                                                                               \
+        for (int k_ = 0; k_ < (sim)->n_fixes; ++k_)                                                    \
+            if ((sim)->fix[k_]->style->hook != NULL)                                                   \
+                HS_TRY((sim)->fix[k_]->style->hook((sim)->fix[k_], (err)));                            \
+    } while (0)
+
+/** New cells, halo and lists when they are due; else only new positions of halo atoms. */
+static hs_status bring_neighbors_up_to_date(hs_sim *sim, hs_error *err)
+{
+    bool is_due;
+    HS_TRY(hs_neighbor_is_due(&sim->neighbor, &sim->atoms, &sim->parallel, sim->env.step, &is_due, err));
+    hs_timer_add(&sim->timer, HS_PHASE_NEIGH);
+    if (is_due) ++sim->neighbor.counters.n_builds;
+    return hs_sim_exchange(sim, is_due, err);
+}
+
+hs_status hs_sim_step(hs_sim *sim, bool with_energy, hs_error *err)
+{
+    ++sim->env.step;
+    hs_timer_mark(&sim->timer);
+    CALL_FIXES(sim, initial_integrate, err);
+    hs_timer_add(&sim->timer, HS_PHASE_MODIFY);
+
+    HS_TRY(bring_neighbors_up_to_date(sim, err));
+
+    HS_TRY(hs_sim_pair_forces(sim, with_energy, err));
+    hs_timer_mark(&sim->timer);
+
+    CALL_FIXES(sim, post_force, err);
+    CALL_FIXES(sim, final_integrate, err);
+    CALL_FIXES(sim, end_of_step, err);
+    hs_timer_add(&sim->timer, HS_PHASE_MODIFY);
+    return HS_OK;
+}

@@ -1,0 +1,289 @@
+/* The styles a simulation owns: pair, fixes, computes, regions, dumps. */
+#include <stdio.h>
+#include <string.h>
+
+#include "base/memory.h"
+#include "sim/sim.h"
+
+/* The kinds of named styles are kept in arrays of pointers alike; one set of macros serves their lists. */
+#define DESTROY_STYLE(item)                                                   \
+    do {                                                                      \
+        if ((item)->style->destroy != NULL) (item)->style->destroy(item);     \
+        HS_FREE((item)->state);                                               \
+        HS_FREE((item)->id);                                                  \
+        HS_FREE(item);                                                        \
+    } while (0)
+
+static void destroy_dump(hs_dump *dump)
+{
+    HS_FREE(dump->file);
+    DESTROY_STYLE(dump);
+}
+
+static void destroy_pair(hs_sim *sim)
+{
+    if (sim->pair == NULL) return;
+    if (sim->pair->style->destroy != NULL) sim->pair->style->destroy(sim->pair);
+    HS_FREE(sim->pair->state);
+    HS_FREE(sim->pair->is_set);
+    HS_FREE(sim->pair->cutoff);
+    HS_FREE(sim->pair);
+}
+
+void hs_sim_destroy_styles(hs_sim *sim)
+{
+    for (int k = 0; k < sim->n_dumps; ++k) destroy_dump(sim->dump[k]);
+    for (int k = 0; k < sim->n_fixes; ++k) DESTROY_STYLE(sim->fix[k]);
+    for (int k = 0; k < sim->n_computes; ++k) DESTROY_STYLE(sim->compute[k]);
+    for (int k = sim->n_regions; k-- > 0;) hs_region_destroy(&sim->region[k]);
+    HS_FREE(sim->dump);
+    HS_FREE(sim->fix);
+    HS_FREE(sim->compute);
+    HS_FREE(sim->region);
+    destroy_pair(sim);
+}
+
+/** Error for a style name that is not in a table. */
+static hs_status unknown_style(const char *kind, const char *name, const char *const *names, size_t n, hs_error *err)
+{
+    const char *nearest = hs_text_nearest(name, names, n);
+    if (nearest != NULL)
+        return hs_fail(err, HS_ERROR_INPUT, "%s: unknown style '%s'; did you mean '%s'?", kind, name, nearest);
+    return hs_fail(err, HS_ERROR_INPUT, "%s: unknown style '%s'; 'halfshell help' lists those there are", kind, name);
+}
+
+#define LOOK_UP(table, kind, name, found, err)                                                   \
+    do {                                                                                         \
+        const char *names_[256] = {NULL};                                                        \
+        size_t n_ = 0;                                                                           \
+        (found) = NULL;                                                                          \
+        for (size_t k_ = 0; (table)[k_] != NULL; ++k_) {                                         \
+            if (n_ < 256) names_[n_++] = (table)[k_]->about.name;                                \
+            if (strcmp((table)[k_]->about.name, (name)) == 0) (found) = (table)[k_];             \
+        }                                                                                        \
+        if ((found) == NULL) return unknown_style((kind), (name), names_, n_, (err));            \
+    } while (0)
+
+/** Syntax check of a style's own words, with "fix nve" as the command's name in messages. */
+static hs_status check_words(const char *kind, const hs_description *about, const hs_args *args, char *command, size_t size,
+                             hs_args *named, hs_error *err)
+{
+    snprintf(command, size, "%s %s", kind, about->name);
+    *named = hs_args_from(args, 0, command);
+    return hs_syntax_check(&about->syntax, named, false, err);
+}
+
+/* Pair style */
+
+static hs_status create_pair(hs_sim *sim, const hs_pair_style *style, hs_error *err)
+{
+    destroy_pair(sim);
+    HS_TRY(HS_ALLOC(sim->pair, 1, err));
+    hs_pair *pair = sim->pair;
+    const size_t n = (size_t)(sim->atoms.n_types + 1) * (size_t)(sim->atoms.n_types + 1);
+    pair->style = style;
+    pair->env = &sim->env;
+    pair->n_types = sim->atoms.n_types;
+    HS_TRY(hs_memory_alloc(&pair->state, 1, style->state_size + 1, err));
+    HS_TRY(HS_ALLOC(pair->is_set, n, err));
+    return HS_ALLOC(pair->cutoff, n, err);
+}
+
+hs_status hs_sim_set_pair(hs_sim *sim, const char *name, const hs_args *args, hs_error *err)
+{
+    const hs_pair_style *style;
+    char command[128];
+    hs_args named;
+    LOOK_UP(hs_pair_styles, "pair_style", name, style, err);
+    HS_TRY(check_words("pair_style", &style->about, args, command, sizeof command, &named, err));
+    HS_TRY(hs_sim_need_box(sim, "pair_style", err));
+    if (sim->pair == NULL || sim->pair->style != style) HS_TRY(create_pair(sim, style, err));
+    sim->is_initialized = false;
+    return style->settings(sim->pair, &named, err);
+}
+
+hs_status hs_sim_pair_coeff(hs_sim *sim, const hs_args *args, hs_error *err)
+{
+    HS_TRY(hs_sim_need_pair(sim, "pair_coeff", err));
+    hs_pair *pair = sim->pair;
+    int i_lo, i_hi, j_lo, j_hi, n_set = 0;
+    HS_TRY(hs_arg_range(args, 0, pair->n_types, &i_lo, &i_hi, err));
+    HS_TRY(hs_arg_range(args, 1, pair->n_types, &j_lo, &j_hi, err));
+    const hs_args words = hs_args_from(args, 2, NULL);
+    HS_TRY(hs_syntax_check(&pair->style->coeff_syntax, &words, false, err));
+    for (int i = i_lo; i <= i_hi; ++i)
+        for (int j = j_lo > i ? j_lo : i; j <= j_hi; ++j) {
+            HS_TRY(pair->style->coeff(pair, i, j, &words, err));
+            pair->is_set[hs_pair_index(pair, i, j)] = 1;
+            ++n_set;
+        }
+    if (n_set == 0)
+        return hs_fail(err, HS_ERROR_INPUT, "pair_coeff: '%s %s' names no pair with the first type not above the second; write "
+                       "the smaller type first", args->word[0], args->word[1]);
+    sim->is_initialized = false;
+    return HS_OK;
+}
+
+/* Named styles */
+
+static hs_status check_id(const char *kind, const char *id, hs_error *err)
+{
+    for (const char *c = id; *c != '\0' || c == id; ++c)
+        if (!((*c >= 'a' && *c <= 'z') || (*c >= 'A' && *c <= 'Z') || (*c >= '0' && *c <= '9') || *c == '_'))
+            return hs_fail(err, HS_ERROR_INPUT, "%s: the ID '%s' may have only letters, digits and underscores", kind, id);
+    return HS_OK;
+}
+
+hs_status hs_sim_add_fix(hs_sim *sim, const char *id, const char *group, const char *name, const hs_args *args, hs_error *err)
+{
+    const hs_fix_style *style;
+    char command[128];
+    hs_args named;
+    int bit, place = 0;
+    LOOK_UP(hs_fix_styles, "fix", name, style, err);
+    HS_TRY(check_words("fix", &style->about, args, command, sizeof command, &named, err));
+    HS_TRY(check_id("fix", id, err));
+    HS_TRY(hs_sim_need_box(sim, "fix", err));
+    HS_TRY(hs_groups_get(&sim->groups, group, &bit, err));
+    while (place < sim->n_fixes && strcmp(sim->fix[place]->id, id) != 0) ++place;
+    if (place < sim->n_fixes && sim->fix[place]->style != style)
+        return hs_fail(err, HS_ERROR_INPUT, "fix: the ID '%s' is taken by a fix %s; unfix it first or use another", id,
+                       sim->fix[place]->style->about.name);
+    hs_fix *fix;
+    HS_TRY(HS_ALLOC(fix, 1, err));
+    *fix = (hs_fix){.style = style, .group = bit, .mask = hs_group_mask(bit), .env = &sim->env};
+    hs_status status = hs_memory_strdup(&fix->id, id, err);
+    if (status == HS_OK) status = hs_memory_alloc(&fix->state, 1, style->state_size + 1, err);
+    if (status == HS_OK && style->create != NULL) status = style->create(fix, &named, err);
+    if (status == HS_OK && place == sim->n_fixes) status = HS_GROW(sim->fix, (size_t)place, (size_t)place + 1, err);
+    if (status != HS_OK) {
+        DESTROY_STYLE(fix);
+        return status;
+    }
+    if (place < sim->n_fixes)
+        DESTROY_STYLE(sim->fix[place]);
+    else
+        ++sim->n_fixes;
+    sim->fix[place] = fix;
+    sim->is_initialized = false;
+    return HS_OK;
+}
+
+hs_status hs_sim_add_compute(hs_sim *sim, const char *id, const char *group, const char *name, const hs_args *args,
+                             hs_error *err)
+{
+    const hs_compute_style *style;
+    char command[128];
+    hs_args named;
+    int bit;
+    LOOK_UP(hs_compute_styles, "compute", name, style, err);
+    HS_TRY(check_words("compute", &style->about, args, command, sizeof command, &named, err));
+    HS_TRY(check_id("compute", id, err));
+    HS_TRY(hs_groups_get(&sim->groups, group, &bit, err));
+    if (hs_sim_find_compute(sim, id) != NULL)
+        return hs_fail(err, HS_ERROR_INPUT, "compute: the ID '%s' is taken; uncompute it first or use another", id);
+    hs_compute *compute;
+    HS_TRY(HS_ALLOC(compute, 1, err));
+    *compute = (hs_compute){.style = style, .group = bit, .mask = hs_group_mask(bit), .env = &sim->env};
+    hs_compute_invalidate(compute);
+    hs_status status = hs_memory_strdup(&compute->id, id, err);
+    if (status == HS_OK) status = hs_memory_alloc(&compute->state, 1, style->state_size + 1, err);
+    if (status == HS_OK && style->create != NULL) status = style->create(compute, &named, err);
+    if (status == HS_OK) status = HS_GROW(sim->compute, (size_t)sim->n_computes, (size_t)sim->n_computes + 1, err);
+    if (status != HS_OK) {
+        DESTROY_STYLE(compute);
+        return status;
+    }
+    sim->compute[sim->n_computes++] = compute;
+    return HS_OK;
+}
+
+hs_status hs_sim_add_region(hs_sim *sim, const char *id, const char *name, const hs_args *args, hs_error *err)
+{
+    HS_TRY(check_id("region", id, err));
+    if (hs_sim_find_region(sim, id) != NULL)
+        return hs_fail(err, HS_ERROR_INPUT, "region: the ID '%s' is taken; 'region %s delete' frees it", id, id);
+    HS_TRY(HS_GROW(sim->region, (size_t)sim->n_regions, (size_t)sim->n_regions + 1, err));
+    HS_TRY(hs_region_create(&sim->region[sim->n_regions], &sim->env, id, name, args, err));
+    ++sim->n_regions;
+    return HS_OK;
+}
+
+hs_status hs_sim_add_dump(hs_sim *sim, const char *id, const char *group, const char *name, int64_t every, const char *file,
+                          const hs_args *args, hs_error *err)
+{
+    const hs_dump_style *style;
+    char command[128];
+    hs_args named;
+    int bit;
+    LOOK_UP(hs_dump_styles, "dump", name, style, err);
+    HS_TRY(check_words("dump", &style->about, args, command, sizeof command, &named, err));
+    HS_TRY(check_id("dump", id, err));
+    HS_TRY(hs_groups_get(&sim->groups, group, &bit, err));
+    if (hs_sim_find_dump(sim, id) != NULL)
+        return hs_fail(err, HS_ERROR_INPUT, "dump: the ID '%s' is taken; undump it first or use another", id);
+    hs_dump *dump;
+    HS_TRY(HS_ALLOC(dump, 1, err));
+    *dump = (hs_dump){.style = style, .group = bit, .mask = hs_group_mask(bit), .env = &sim->env, .every = every, .last_written = -1};
+    hs_status status = hs_memory_strdup(&dump->id, id, err);
+    if (status == HS_OK) status = hs_memory_strdup(&dump->file, file, err);
+    if (status == HS_OK) status = hs_memory_alloc(&dump->state, 1, style->state_size + 1, err);
+    if (status == HS_OK && style->create != NULL) status = style->create(dump, &named, err);
+    if (status == HS_OK) status = HS_GROW(sim->dump, (size_t)sim->n_dumps, (size_t)sim->n_dumps + 1, err);
+    if (status != HS_OK) {
+        destroy_dump(dump);
+        return status;
+    }
+    sim->dump[sim->n_dumps++] = dump;
+    return HS_OK;
+}
+
+/** Place of an ID in a list of styles; an error naming the kind when it is not there. */
+#define PLACE_OF(list, n, kind, wanted, place, err)                                                             \
+    do {                                                                                                        \
+        for ((place) = 0; (place) < (n) && strcmp((list)[place]->id, (wanted)) != 0;) ++(place);               \
+        if ((place) == (n)) return hs_fail((err), HS_ERROR_INPUT, "there is no %s with the ID '%s'", (kind), (wanted)); \
+    } while (0)
+
+#define CLOSE_GAP(list, n, place) memmove(&(list)[place], &(list)[(place) + 1], sizeof *(list) * (size_t)(--(n) - (place)))
+
+hs_status hs_sim_remove_fix(hs_sim *sim, const char *id, hs_error *err)
+{
+    int place;
+    PLACE_OF(sim->fix, sim->n_fixes, "fix", id, place, err);
+    DESTROY_STYLE(sim->fix[place]);
+    CLOSE_GAP(sim->fix, sim->n_fixes, place);
+    return HS_OK;
+}
+
+hs_status hs_sim_remove_compute(hs_sim *sim, const char *id, hs_error *err)
+{
+    int place;
+    PLACE_OF(sim->compute, sim->n_computes, "compute", id, place, err);
+    if (place < 3) return hs_fail(err, HS_ERROR_INPUT, "uncompute: '%s' belongs to the thermo output and stays", id);
+    DESTROY_STYLE(sim->compute[place]);
+    CLOSE_GAP(sim->compute, sim->n_computes, place);
+    return HS_OK;
+}
+
+hs_status hs_sim_remove_region(hs_sim *sim, const char *id, hs_error *err)
+{
+    int place;
+    PLACE_OF(sim->region, sim->n_regions, "region", id, place, err);
+    for (int k = 0; k < sim->n_regions; ++k)
+        if (k != place && hs_region_uses(sim->region[k], sim->region[place]))
+            return hs_fail(err, HS_ERROR_INPUT, "region: '%s' is used by region '%s', which must be deleted first", id,
+                           sim->region[k]->id);
+    hs_region_destroy(&sim->region[place]);
+    CLOSE_GAP(sim->region, sim->n_regions, place);
+    return HS_OK;
+}
+
+hs_status hs_sim_remove_dump(hs_sim *sim, const char *id, hs_error *err)
+{
+    int place;
+    PLACE_OF(sim->dump, sim->n_dumps, "dump", id, place, err);
+    destroy_dump(sim->dump[place]);
+    CLOSE_GAP(sim->dump, sim->n_dumps, place);
+    return HS_OK;
+}
