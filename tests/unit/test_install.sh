@@ -1,0 +1,52 @@
+#!/bin/bash
+# `cmake --install` into an empty prefix; then outside projects use what is there: find_package, pkg-config, the program.
+set -eu
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+prefix=$work/prefix
+cmake --install "$BUILD_DIR" --prefix "$prefix" >"$work/install.log" || { cat "$work/install.log" >&2; exit 1; }
+
+want() { [ -e "$1" ] || { echo "not installed: $1" >&2; exit 1; }; }
+libdir=$(dirname "$(find "$prefix" -name 'libhalfshell.a')")
+for file in "$prefix/bin/halfshell" "$prefix/include/halfshell/halfshell.h" "$libdir/libhalfshell.so" \
+    "$libdir/pkgconfig/halfshell.pc" "$prefix/share/man/man1/halfshell.1" \
+    "$prefix/share/bash-completion/completions/halfshell" "$prefix/share/zsh/site-functions/_halfshell"; do
+    want "$file"
+done
+
+# The shared library shows the public functions and nothing else.
+declared=$(grep -oE '\bhs_(simulation_[a-z_]+|version)\(' "$prefix/include/halfshell/halfshell.h" | tr -d '(' | sort -u)
+visible=$(nm -D --defined-only "$libdir/libhalfshell.so" | awk '{print $3}' | grep -v '^__\|^_' | sort -u)
+diff <(echo "$declared") <(echo "$visible") || { echo "symbols of libhalfshell.so differ from the header" >&2; exit 1; }
+
+# The installed header stands alone, in C and (where a compiler is there) in C++.
+echo '#include <halfshell/halfshell.h>' >"$work/alone.c"
+cc -std=c99 -Wall -Wextra -Werror -pedantic -I"$prefix/include" -c "$work/alone.c" -o "$work/alone.o"
+if command -v c++ >/dev/null 2>&1; then
+    c++ -x c++ -Wall -Wextra -Werror -I"$prefix/include" -c "$work/alone.c" -o "$work/alone.o"
+fi
+
+flags=()
+grep -q '^HALFSHELL_SANITIZE:.*=ON' "$BUILD_DIR/CMakeCache.txt" && flags=("-fsanitize=address,undefined")
+
+version=$("$prefix/bin/halfshell" --version)
+check_output() {
+    "$@" >"$work/out" || { cat "$work/out" >&2; exit 1; }
+    [ "$(grep -c "^version ${version#halfshell } atoms 256 step 10 etotal" "$work/out")" -eq 2 ] ||
+        { echo "$*: unexpected output:" >&2; cat "$work/out" >&2; exit 1; }
+}
+
+cmake -S "$PROJECT_ROOT/tests/package" -B "$work/cmake" -DCMAKE_PREFIX_PATH="$prefix" -DCMAKE_C_FLAGS="${flags[*]-}" \
+    >"$work/configure.log" 2>&1 || { cat "$work/configure.log" >&2; exit 1; }
+cmake --build "$work/cmake" >"$work/build.log" 2>&1 || { cat "$work/build.log" >&2; exit 1; }
+check_output "$work/cmake/with_shared"
+cp "$work/out" "$work/out.shared"
+check_output "$work/cmake/with_static"
+diff "$work/out.shared" "$work/out"
+
+export PKG_CONFIG_PATH=$libdir/pkgconfig
+read -ra pc < <(pkg-config --cflags --libs halfshell)
+cc "${flags[@]}" "$PROJECT_ROOT/tests/package/main.c" "${pc[@]}" -Wl,-rpath,"$libdir" -o "$work/with_pkgconfig"
+check_output "$work/with_pkgconfig"
+diff "$work/out.shared" "$work/out"
+[ "$(pkg-config --modversion halfshell)" = "${version#halfshell }" ]
