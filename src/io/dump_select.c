@@ -1,0 +1,115 @@
+/* Which atoms a snapshot holds, and in which order. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/memory.h"
+#include "io/dump_table.h"
+#include "style/region.h"
+
+const char *const hs_dump_comparisons[] = {"<", "<=", ">", ">=", "==", "!=", "|^", NULL};
+
+static bool compare(double value, int comparison, double with)
+{
+    switch (comparison) {
+    case 0: return value < with;
+    case 1: return value <= with;
+    case 2: return value > with;
+    case 3: return value >= with;
+    case 4: return value == with;
+    case 5: return value != with;
+    default: return (value != 0.0) != (with != 0.0);   /* exclusive or */
+    }
+}
+
+static bool is_selected(const hs_dump *dump, const hs_region *region, int i)
+{
+    const hs_dump_table *table = dump->state;
+    const hs_atoms *atoms = dump->env->atoms;
+    if (!(atoms->mask[i] & dump->mask)) return false;
+    if (region != NULL) {
+        const double x[3] = {atoms->x[0][i], atoms->x[1][i], atoms->x[2][i]};
+        if (!hs_region_contains(region, x)) return false;
+    }
+    for (int k = 0; k < table->n_conditions; ++k) {
+        const hs_dump_condition *condition = &table->condition[k];
+        if (!compare(hs_dump_value(dump, &condition->column, i), condition->comparison, condition->value)) return false;
+    }
+    return true;
+}
+
+/** What a row is sorted by; ties go by id. */
+typedef struct sort_key {
+    double value;
+    int64_t id;
+    int32_t index;
+} sort_key;
+
+static int ascending(const void *a, const void *b)
+{
+    const sort_key *p = a, *q = b;
+    if (p->value != q->value) return p->value < q->value ? -1 : 1;
+    return (p->id > q->id) - (p->id < q->id);
+}
+
+static int descending(const void *a, const void *b)
+{
+    const sort_key *p = a, *q = b;
+    if (p->value != q->value) return p->value > q->value ? -1 : 1;
+    return (p->id > q->id) - (p->id < q->id);
+}
+
+/** Sort table->order by id or by a column. Without dump_modify sort the rows go by id too: the order in memory depends on
+ *  the method and on when atoms were sorted last, and files should not. */
+static hs_status sort_rows(hs_dump *dump, hs_error *err)
+{
+    hs_dump_table *table = dump->state;
+    const hs_atoms *atoms = dump->env->atoms;
+    const int n = table->n_rows;
+    sort_key *key;
+    bool is_sorted = table->sort_column == 0 && !table->is_descending;
+    for (int k = 1; k < n && is_sorted; ++k) is_sorted = atoms->id[table->order[k - 1]] < atoms->id[table->order[k]];
+    if (is_sorted || table->is_unsorted) return HS_OK;
+    HS_TRY(HS_ALLOC(key, (size_t)n, err));
+    for (int k = 0; k < n; ++k) {
+        const int32_t i = table->order[k];
+        const double value = table->sort_column > 0 ? hs_dump_value(dump, &table->column[table->sort_column - 1], i) : 0.0;
+        key[k] = (sort_key){.value = value, .id = atoms->id[i], .index = i};
+    }
+    qsort(key, (size_t)n, sizeof *key, table->is_descending ? descending : ascending);
+    for (int k = 0; k < n; ++k) table->order[k] = key[k].index;
+    HS_FREE(key);
+    return HS_OK;
+}
+
+static hs_status fill_variable(hs_dump *dump, hs_dump_column *column, hs_error *err)
+{
+    hs_env *env = dump->env;
+    if (column->attribute != HS_ATTR_VARIABLE) return HS_OK;
+    if (env->variable_atoms == NULL)
+        return hs_fail(err, HS_ERROR_INPUT, "dump '%s': there is no variable '%s'", dump->id, column->name + 2);
+    HS_FREE(column->values);
+    HS_TRY(HS_ALLOC(column->values, (size_t)env->atoms->n_local, err));
+    return env->variable_atoms(env->deck, column->name + 2, column->values, err);
+}
+
+hs_status hs_dump_select(hs_dump *dump, hs_error *err)
+{
+    hs_dump_table *table = dump->state;
+    const hs_atoms *atoms = dump->env->atoms;
+    hs_region *region = NULL;
+    for (int k = 0; k < table->n_columns; ++k) HS_TRY(fill_variable(dump, &table->column[k], err));
+    for (int k = 0; k < table->n_conditions; ++k) HS_TRY(fill_variable(dump, &table->condition[k].column, err));
+    if (table->region_id != NULL) {
+        region = dump->env->find_region(dump->env, table->region_id);
+        if (region == NULL)
+            return hs_fail(err, HS_ERROR_INPUT, "dump '%s': there is no region '%s'", dump->id, table->region_id);
+    }
+    if (table->capacity_order < atoms->n_local) {
+        HS_TRY(HS_GROW(table->order, 0, (size_t)atoms->n_local, err));
+        table->capacity_order = atoms->n_local;
+    }
+    table->n_rows = 0;
+    for (int i = 0; i < atoms->n_local; ++i)
+        if (is_selected(dump, region, i)) table->order[table->n_rows++] = i;
+    return sort_rows(dump, err);
+}

@@ -1,0 +1,232 @@
+/* Snapshots of atoms: formats, headers, rows, files. */
+#include "io/dump_table.h"
+
+#include <stdio.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "base/memory.h"
+#include "io/user_format.h"
+
+static void clear_columns(hs_dump_table *table)
+{
+    for (int k = 0; k < table->n_columns; ++k) hs_dump_fini_column(&table->column[k]);
+    HS_FREE(table->column);
+    table->n_columns = 0;
+    hs_text_clear(&table->header);
+}
+
+hs_status hs_dump_set_columns(hs_dump *dump, const hs_args *args, hs_error *err)
+{
+    hs_dump_table *table = dump->state;
+    clear_columns(table);
+    HS_TRY(HS_ALLOC(table->column, (size_t)args->n, err));
+    for (int i = 0; i < args->n; ++i) {
+        if (hs_dump_parse_column(args->word[i], &table->column[i], err) != HS_OK) {
+            hs_error cause = *err;
+            hs_error_clear(err);
+            return hs_fail(err, cause.status, "%s: %s", args->command, cause.text);
+        }
+        table->n_columns = i + 1;
+        HS_TRY(hs_text_printf(&table->header, err, " %s", args->word[i]));
+    }
+    return HS_OK;
+}
+
+void hs_dump_table_destroy(hs_dump *dump)
+{
+    hs_dump_table *table = dump->state;
+    hs_writer_abandon(&table->writer);   /* every snapshot was committed when it was written */
+    clear_columns(table);
+    hs_text_fini(&table->header);
+    for (int k = 0; k < table->n_elements; ++k) HS_FREE(table->element[k]);
+    HS_FREE(table->element);
+    HS_FREE(table->format_line);
+    HS_FREE(table->format_int);
+    HS_FREE(table->format_float);
+    HS_FREE(table->region_id);
+    for (int k = 0; k < table->n_conditions; ++k) hs_dump_fini_column(&table->condition[k].column);
+    HS_FREE(table->condition);
+    for (int64_t k = 0; table->recent != NULL && k < table->max_files; ++k) HS_FREE(table->recent[k]);
+    HS_FREE(table->recent);
+    HS_FREE(table->order);
+}
+
+/** Text columns: the name of a type. */
+static bool is_text(const hs_dump_table *table, int k)
+{
+    return table->column[k].attribute == HS_ATTR_ELEMENT || (table->layout->is_element_first && k == 0);
+}
+
+static hs_format_kind kind_of(const hs_dump_table *table, int k)
+{
+    if (is_text(table, k)) return HS_FORMAT_STRING;
+    return hs_dump_is_int(&table->column[k]) ? HS_FORMAT_INT : HS_FORMAT_FLOAT;
+}
+
+/** In LAMMPS's order: the column's own format, then that of its kind, then the line's, then the default. */
+static hs_status make_format(hs_dump *dump, int k, const char *line_word, hs_error *err)
+{
+    static const char *const defaults[] = {"%d", "%g", "%s"};
+    hs_dump_table *table = dump->state;
+    hs_dump_column *column = &table->column[k];
+    const hs_format_kind kind = kind_of(table, k);
+    const char *of_kind = kind == HS_FORMAT_INT ? table->format_int : kind == HS_FORMAT_FLOAT ? table->format_float : NULL;
+    const char *chosen = column->user_format != NULL ? column->user_format
+                         : of_kind != NULL           ? of_kind
+                         : line_word != NULL         ? line_word
+                                                     : defaults[kind];
+    HS_FREE(column->format);
+    return hs_format_normalize(&column->format, chosen, kind, "dump_modify format", err);
+}
+
+static hs_status make_formats(hs_dump *dump, hs_error *err)
+{
+    hs_dump_table *table = dump->state;
+    char *words = NULL, *rest = NULL;
+    hs_status status = HS_OK;
+    if (table->format_line != NULL) HS_TRY(hs_memory_strdup(&words, table->format_line, err));
+    char *word = words != NULL ? strtok_r(words, " \t", &rest) : NULL;
+    for (int k = 0; k < table->n_columns && status == HS_OK; ++k) {
+        if (words != NULL && word == NULL)
+            status = hs_fail(err, HS_ERROR_INPUT, "dump '%s': the format line has %d words but a row has %d columns", dump->id, k,
+                             table->n_columns);
+        else
+            status = make_format(dump, k, word, err);
+        if (word != NULL) word = strtok_r(NULL, " \t", &rest);
+    }
+    if (status == HS_OK && word != NULL)
+        status = hs_fail(err, HS_ERROR_INPUT, "dump '%s': the format line has more words than a row has columns (%d)", dump->id,
+                         table->n_columns);
+    HS_FREE(words);
+    return status;
+}
+
+static bool is_file_per_step(const hs_dump *dump) { return strchr(dump->file, '*') != NULL; }
+
+hs_status hs_dump_table_init(hs_dump *dump, hs_error *err)
+{
+    hs_dump_table *table = dump->state;
+    const hs_env *env = dump->env;
+    if (env->parallel->n_ranks > 1)
+        return hs_fail(err, HS_ERROR_INPUT, "dump '%s': dumps are written by runs on one rank only; use threads instead of ranks",
+                       dump->id);
+    if (table->region_id != NULL && dump->env->find_region(dump->env, table->region_id) == NULL)
+        return hs_fail(err, HS_ERROR_INPUT, "dump '%s': there is no region '%s'", dump->id, table->region_id);
+    if (table->n_elements > 0 && table->n_elements != env->atoms->n_types)
+        return hs_fail(err, HS_ERROR_INPUT, "dump '%s': dump_modify element gave %d names, but there are %d atom types", dump->id,
+                       table->n_elements, env->atoms->n_types);
+    if (table->sort_column > table->n_columns)
+        return hs_fail(err, HS_ERROR_INPUT, "dump '%s': dump_modify sort %d: a row has %d columns", dump->id, table->sort_column,
+                       table->n_columns);
+    HS_TRY(make_formats(dump, err));
+    if (is_file_per_step(dump) || table->writer != NULL) return HS_OK;
+    return hs_writer_open(&table->writer, dump->file, dump->append ? HS_WRITE_APPEND : HS_WRITE_REPLACE, err);
+}
+
+static hs_status write_xyz_header(const hs_dump *dump, hs_writer *writer, hs_error *err)
+{
+    const hs_dump_table *table = dump->state;
+    return hs_writer_printf(writer, err, "%d\nAtoms. Timestep: %lld\n", table->n_rows, (long long)dump->env->step);
+}
+
+static hs_status write_item_header(hs_dump *dump, hs_writer *writer, hs_error *err)
+{
+    hs_dump_table *table = dump->state;
+    const hs_env *env = dump->env;
+    const hs_box *box = env->box;
+    if (table->has_units && !table->units_written) HS_TRY(hs_writer_printf(writer, err, "ITEM: UNITS\n%s\n", env->units->name));
+    table->units_written = !is_file_per_step(dump);
+    if (table->has_time)
+        HS_TRY(hs_writer_printf(writer, err, "ITEM: TIME\n%.16g\n",
+                                env->time_origin + (double)(env->step - env->time_origin_step) * env->dt));
+    HS_TRY(hs_writer_printf(writer, err, "ITEM: TIMESTEP\n%lld\nITEM: NUMBER OF ATOMS\n%d\nITEM: BOX BOUNDS",
+                            (long long)env->step, table->n_rows));
+    for (int axis = 0; axis < 3; ++axis)
+        HS_TRY(hs_writer_printf(writer, err, " %c%c", box->boundary[axis][0], box->boundary[axis][1]));
+    for (int axis = 0; axis < 3; ++axis)
+        HS_TRY(hs_writer_printf(writer, err, "\n%-1.16e %-1.16e", box->lo[axis], box->hi[axis]));
+    return hs_writer_printf(writer, err, "\nITEM: ATOMS%s\n", hs_text_get(&table->header));
+}
+
+/** The name of an atom's type: dump_modify element; else its number in xyz files, "C" in others, as LAMMPS has it. */
+static hs_status write_type_name(const hs_dump *dump, hs_writer *writer, const hs_dump_column *column, int i, hs_error *err)
+{
+    const hs_dump_table *table = dump->state;
+    const int type = dump->env->atoms->type[i];
+    char number[16];
+    if (table->n_elements > 0) return hs_writer_printf(writer, err, column->format, table->element[type - 1]);
+    if (!table->layout->is_element_first) return hs_writer_printf(writer, err, column->format, "C");
+    snprintf(number, sizeof number, "%d", type);
+    return hs_writer_printf(writer, err, column->format, number);
+}
+
+static hs_status write_row(const hs_dump *dump, hs_writer *writer, int i, hs_error *err)
+{
+    const hs_dump_table *table = dump->state;
+    for (int k = 0; k < table->n_columns; ++k) {
+        const hs_dump_column *column = &table->column[k];
+        if (k > 0) HS_TRY(hs_writer_bytes(writer, " ", 1, err));
+        if (is_text(table, k))
+            HS_TRY(write_type_name(dump, writer, column, i, err));
+        else if (hs_dump_is_int(column))
+            HS_TRY(hs_writer_printf(writer, err, column->format, (long long)hs_dump_value(dump, column, i)));
+        else
+            HS_TRY(hs_writer_printf(writer, err, column->format, hs_dump_value(dump, column, i)));
+    }
+    return hs_writer_bytes(writer, "\n", 1, err);
+}
+
+static hs_status write_snapshot(hs_dump *dump, hs_writer *writer, hs_error *err)
+{
+    const hs_dump_table *table = dump->state;
+    HS_TRY(hs_dump_select(dump, err));
+    if (!table->no_header)
+        HS_TRY(table->layout->has_atom_header ? write_item_header(dump, writer, err) : write_xyz_header(dump, writer, err));
+    for (int k = 0; k < table->n_rows; ++k) HS_TRY(write_row(dump, writer, table->order[k], err));
+    return HS_OK;
+}
+
+/** dump_modify maxfiles: remember the new file and delete the one written max_files snapshots ago. */
+static hs_status keep_recent(hs_dump_table *table, char **name, hs_error *err)
+{
+    if (table->max_files < 0) return HS_OK;
+    if (table->recent == NULL) HS_TRY(HS_ALLOC(table->recent, (size_t)table->max_files, err));
+    char **slot = &table->recent[table->n_recent++ % table->max_files];
+    if (*slot != NULL && strcmp(*slot, *name) != 0) unlink(*slot);
+    HS_FREE(*slot);
+    *slot = *name;
+    *name = NULL;
+    return HS_OK;
+}
+
+static hs_status write_step_file(hs_dump *dump, hs_error *err)
+{
+    hs_dump_table *table = dump->state;
+    hs_writer *writer;
+    char *name;
+    HS_TRY(hs_writer_step_name(&name, dump->file, dump->env->step, table->pad, err));
+    hs_status status = hs_writer_open(&writer, name, HS_WRITE_WHOLE, err);
+    if (status == HS_OK) {
+        status = write_snapshot(dump, writer, err);
+        if (status == HS_OK)
+            status = hs_writer_close(&writer, err);
+        else
+            hs_writer_abandon(&writer);
+    }
+    if (status == HS_OK) status = keep_recent(table, &name, err);
+    HS_FREE(name);
+    return status;
+}
+
+hs_status hs_dump_table_write(hs_dump *dump, hs_error *err)
+{
+    hs_dump_table *table = dump->state;
+    if (dump->env->step == dump->last_written || dump->env->step < table->delay) return HS_OK;
+    dump->last_written = dump->env->step;
+    if (is_file_per_step(dump)) return write_step_file(dump, err);
+    hs_status status = write_snapshot(dump, table->writer, err);
+    if (status == HS_OK) return hs_writer_commit(table->writer, err);
+    hs_writer_abandon(&table->writer);
+    return status;
+}

@@ -1,0 +1,101 @@
+/** What all dump styles share: columns, selection, order, headers, and dump_modify. A dump style's state begins with an
+ *  hs_dump_table; the style says which columns a row has and what stands above them. */
+#ifndef HS_IO_DUMP_TABLE_H
+#define HS_IO_DUMP_TABLE_H
+
+#include "base/text.h"
+#include "io/writer.h"
+#include "style/dump.h"
+
+/** Attributes of an atom, in the order of hs_dump_attributes. */
+typedef enum {
+    HS_ATTR_ID, HS_ATTR_TYPE, HS_ATTR_ELEMENT, HS_ATTR_MASS, HS_ATTR_PROC, HS_ATTR_PROCP1,
+    HS_ATTR_X, HS_ATTR_Y, HS_ATTR_Z, HS_ATTR_XS, HS_ATTR_YS, HS_ATTR_ZS,
+    HS_ATTR_XU, HS_ATTR_YU, HS_ATTR_ZU, HS_ATTR_XSU, HS_ATTR_YSU, HS_ATTR_ZSU,
+    HS_ATTR_IX, HS_ATTR_IY, HS_ATTR_IZ, HS_ATTR_VX, HS_ATTR_VY, HS_ATTR_VZ, HS_ATTR_FX, HS_ATTR_FY, HS_ATTR_FZ,
+    HS_N_ATTRIBUTES,
+    HS_ATTR_VARIABLE = HS_N_ATTRIBUTES   /**< v_name: an atom-style variable */
+} hs_attribute;
+
+/** Names of the attributes, ended by NULL, and one line of help for each. */
+extern const char *const hs_dump_attributes[];
+extern const char *const hs_dump_attribute_help[];
+
+/** One value of an atom: a column of a row, or the left side of a condition. */
+typedef struct hs_dump_column {
+    hs_attribute attribute;
+    char *name;          /**< owned; as in the deck */
+    double *values;      /**< owned [n_local]; of a variable, at the present step */
+    char *user_format;   /**< owned; dump_modify format N, or NULL */
+    char *format;        /**< owned; made by init */
+} hs_dump_column;
+
+/** dump_modify thresh: atoms are written only when the comparison holds. */
+typedef struct hs_dump_condition {
+    hs_dump_column column;
+    int comparison;      /**< index into hs_dump_comparisons */
+    double value;
+} hs_dump_condition;
+
+/** How a style lays out its rows: what dump_modify may change. */
+typedef struct hs_dump_layout {
+    bool has_atom_header;     /**< ITEM: lines; false: the two lines of xyz */
+    bool is_element_first;    /**< xyz: the first column is a type's number or name, always text */
+    bool has_column_formats;  /**< dump_modify format int, float, N */
+    bool has_scale_image;     /**< dump_modify scale, image */
+} hs_dump_layout;
+
+typedef struct hs_dump_table {
+    const hs_dump_layout *layout;
+    hs_dump_column *column;   /**< owned [n_columns] */
+    int n_columns;
+    hs_text header;           /**< names above the columns */
+
+    /* dump_modify */
+    char **element;           /**< owned [n_types + 1]; NULL: none given */
+    int n_elements;
+    char *format_line, *format_int, *format_float;
+    char *region_id;          /**< owned; NULL: everywhere */
+    hs_dump_condition *condition;
+    int n_conditions;
+    int64_t delay;            /**< nothing before this step; -1: no delay */
+    int pad;
+    int64_t max_files;        /**< -1: no limit */
+    char **recent;            /**< owned [max_files] names of the files kept, a ring */
+    int64_t n_recent;
+    bool is_unsorted, is_descending, has_time, has_units, units_written, no_header;
+    int sort_column;          /**< 1 .. n_columns; 0: by id */
+    bool is_scaled, has_image;   /**< of style atom */
+
+    hs_writer *writer;        /**< owned; of a growing file, open from init on */
+    int32_t *order;           /**< owned; atoms of the snapshot being written */
+    int n_rows, capacity_order;
+} hs_dump_table;
+
+/** Columns named by words (attributes or v_name); the former ones are forgotten. */
+HS_MUST_USE hs_status hs_dump_set_columns(hs_dump *dump, const hs_args *args, hs_error *err);
+/** NULL when the word may be a column of dump custom, else the nearest attribute or "". */
+const char *hs_dump_check_word(const char *word);
+void hs_dump_table_destroy(hs_dump *dump);
+/** Before a run: find the region, make the formats, open a growing file. */
+HS_MUST_USE hs_status hs_dump_table_init(hs_dump *dump, hs_error *err);
+/** Write a snapshot of the present step (collective). */
+HS_MUST_USE hs_status hs_dump_table_write(hs_dump *dump, hs_error *err);
+
+/** All words of dump_modify after the ID, for any style. */
+HS_MUST_USE hs_status hs_dump_modify(hs_dump *dump, const hs_args *args, hs_error *err);
+/** The same for one keyword and what follows it: hs_dump_style.modify of all styles. */
+HS_MUST_USE hs_status hs_dump_table_modify(hs_dump *dump, const hs_args *args, int *n_used, hs_error *err);
+extern const hs_keyword hs_dump_modify_keywords[];
+extern const char *const hs_dump_comparisons[];   /**< < <= > >= == != |^, ended by NULL */
+
+/* Shared by the files io/dump_*.c */
+HS_MUST_USE hs_status hs_dump_parse_column(const char *word, hs_dump_column *column, hs_error *err);
+void hs_dump_fini_column(hs_dump_column *column);
+bool hs_dump_is_int(const hs_dump_column *column);
+/** Value of an attribute of atom i; positions and images wrapped into the box when dump_modify pbc asks for it. */
+double hs_dump_value(const hs_dump *dump, const hs_dump_column *column, int i);
+/** Fill table->order with the atoms to write, in the order asked for, and n_rows. */
+HS_MUST_USE hs_status hs_dump_select(hs_dump *dump, hs_error *err);
+
+#endif
