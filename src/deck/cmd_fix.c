@@ -88,5 +88,5 @@ const hs_command hs_commands_fix[] = {
                .details = "The ID is free again.",
                .example = "uncompute hot"},
      .run = run_uncompute},
-    {0},
+    {.run = NULL},
 };

@@ -183,5 +183,5 @@ const hs_command hs_commands_neighbor[] = {
                .details = "Only `brick`: parts are bricks.",
                .example = "comm_style brick"},
      .run = run_comm_style},
-    {0},
+    {.run = NULL},
 };

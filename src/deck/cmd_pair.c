@@ -92,5 +92,5 @@ const hs_command hs_commands_pair[] = {
                .details = "The tail corrections assume g(r) = 1 beyond the cutoff and are for homogeneous systems.",
                .example = "pair_modify shift yes mix arithmetic"},
      .run = run_pair_modify},
-    {0},
+    {.run = NULL},
 };
