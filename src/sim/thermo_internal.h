@@ -56,6 +56,7 @@ struct hs_thermo {
     double last_tpcpu_s, last_tpcpu_time, last_spcpu_s;   /**< of the row before: cpu seconds, simulated time */
     int64_t last_spcpu_step;
 
+    double last_progress_s;         /**< sim/report.c: when the progress line was shown last */
     char *neighbor_info;            /**< owned; sim/report.c: the neighbor block printed last */
 };
 

@@ -1,0 +1,155 @@
+#include "sim/report.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "base/memory.h"
+#include "base/text.h"
+#include "sim/thermo_internal.h"
+
+/** Minimum, mean and maximum of a value over ranks (collective). */
+typedef struct spread {
+    double min, mean, max;
+} spread;
+
+static spread spread_of(const hs_parallel *parallel, double value)
+{
+    spread s = {value, value, value};
+    hs_parallel_min_double(parallel, &s.min, 1);
+    hs_parallel_max_double(parallel, &s.max, 1);
+    hs_parallel_sum_double(parallel, &s.mean, 1);
+    s.mean /= parallel->n_ranks > 1 ? parallel->n_ranks : 1;
+    return s;
+}
+
+static hs_status describe_neighbors(const hs_sim *sim, hs_text *text, hs_error *err)
+{
+    const hs_neighbor_settings *settings = &sim->neighbor.settings;
+    const double cutoff = sim->pair->cutoff_max, reach = cutoff > 0.0 ? cutoff + settings->skin : 0.0;
+    HS_TRY(hs_text_printf(text, err, "Neighbor list info ...\n  update every %lld steps, delay %lld steps, check %s%s\n",
+                          (long long)settings->every, (long long)settings->delay, settings->check ? "yes" : "no",
+                          settings->once ? ", once" : ""));
+    HS_TRY(hs_text_printf(text, err, "  master list distance cutoff = %.8g\n  ghost atom cutoff = %.8g\n", reach, reach));
+    return hs_text_printf(text, err, "  neighbor method %s: %s\n  pairs: %s\n", hs_neighbor_methods[settings->method],
+                          hs_neighbor_method_help[settings->method],
+                          settings->exact ? "all within the cutoff at every step" : "as the update schedule above gives them");
+}
+
+void hs_report_setup(hs_sim *sim)
+{
+    hs_text text = {0};
+    hs_error err = {0};
+    char **printed = &sim->thermo->neighbor_info;
+    if (describe_neighbors(sim, &text, &err) == HS_OK && (*printed == NULL || strcmp(*printed, hs_text_get(&text)) != 0)) {
+        hs_say(sim->env.out, "%s", hs_text_get(&text));
+        HS_FREE(*printed);
+        if (hs_memory_strdup(printed, hs_text_get(&text), &err) != HS_OK) *printed = NULL;
+    }
+    hs_text_fini(&text);
+    const spread memory = spread_of(&sim->parallel, (double)hs_memory_resident() / (1024.0 * 1024.0));
+    hs_say(sim->env.out, "Per MPI rank memory allocation (min/avg/max) = %.4g | %.4g | %.4g Mbytes\n", memory.min, memory.mean,
+           memory.max);
+}
+
+/** Speed in the user's terms; nothing for a run without steps. */
+static void say_performance(const hs_sim *sim, int64_t n_steps, double loop_s)
+{
+    const hs_units *units = sim->env.units;
+    const double seconds_per_day = 86400.0, steps_per_s = (double)n_steps / loop_s;
+    const double time_per_day = steps_per_s * sim->env.dt * seconds_per_day;
+    if (n_steps == 0 || loop_s <= 0.0) return;
+    if (strcmp(units->name, "lj") == 0) {
+        hs_say(sim->env.out, "Performance: %.3f tau/day, %.3f timesteps/s\n", time_per_day, steps_per_s);
+        return;
+    }
+    const double ns_per_day = time_per_day * (strcmp(units->time, "fs") == 0 ? 1e-6 : 1e-3);
+    hs_say(sim->env.out, "Performance: %.3f ns/day, %.3f hours/ns, %.3f timesteps/s\n", ns_per_day, 24.0 / ns_per_day,
+           steps_per_s);
+}
+
+static void say_timing(const hs_sim *sim, double loop_s)
+{
+    static const char *const names[HS_N_PHASES] = {"Pair", "Neigh", "Comm", "Output", "Modify"};
+    hs_sink *out = sim->env.out;
+    double other_s = loop_s;
+    hs_say(out, "\nMPI task timing breakdown:\n"
+                "Section |  min time  |  avg time  |  max time  |%%varavg| %%total\n"
+                "---------------------------------------------------------------\n");
+    for (int phase = 0; phase < HS_N_PHASES; ++phase) {
+        const spread time = spread_of(&sim->parallel, sim->timer.phase_s[phase]);
+        /* 100 * sqrt(<t^2>/<t>^2 - 1): how unevenly the ranks were busy */
+        const spread square = spread_of(&sim->parallel, sim->timer.phase_s[phase] * sim->timer.phase_s[phase]);
+        const double excess = time.mean > 0.0 ? square.mean / (time.mean * time.mean) - 1.0 : 0.0;
+        const double uneven = sim->parallel.n_ranks > 1 && excess > 0.0 ? 100.0 * sqrt(excess) : 0.0;
+        hs_say(out, "%-7s | %-10.5g | %-10.5g | %-10.5g |%6.1f |%6.2f\n", names[phase], time.min, time.mean, time.max, uneven,
+               loop_s > 0.0 ? 100.0 * time.mean / loop_s : 0.0);
+        other_s -= time.mean;
+    }
+    if (other_s < 0.0) other_s = 0.0;
+    hs_say(out, "Other   |            | %-10.4g |            |       |%6.2f\n\n", other_s,
+           loop_s > 0.0 ? 100.0 * other_s / loop_s : 0.0);
+}
+
+/** One line with a number per rank and its histogram over ranks (collective). */
+static void say_histogram(const hs_sim *sim, const char *name, double value)
+{
+    enum { N_BINS = 10 };
+    const spread s = spread_of(&sim->parallel, value);
+    int64_t bins[N_BINS] = {0};
+    const double width = s.max - s.min;
+    int bin = width > 0.0 ? (int)((value - s.min) / width * N_BINS) : 0;
+    if (bin >= N_BINS) bin = N_BINS - 1;
+    bins[bin] = 1;
+    hs_parallel_sum_int64(&sim->parallel, bins, N_BINS);
+    hs_say(sim->env.out, "%-8s   %#11.6g ave %11.6g max %11.6g min\nHistogram:", name, s.mean, s.max, s.min);
+    for (int k = 0; k < N_BINS; ++k) hs_say(sim->env.out, " %lld", (long long)bins[k]);
+    hs_say(sim->env.out, "\n");
+}
+
+void hs_report_finish(hs_sim *sim, int64_t n_steps, double loop_s, double cpu_s)
+{
+    hs_sink *out = sim->env.out;
+    const int n_ranks = sim->parallel.n_ranks > 1 ? sim->parallel.n_ranks : 1;
+    const int n_threads = hs_threads_get();
+    int64_t n_atoms = sim->atoms.n_local;
+    hs_parallel_sum_int64(&sim->parallel, &n_atoms, 1);
+    loop_s = spread_of(&sim->parallel, loop_s).mean;
+    cpu_s = spread_of(&sim->parallel, cpu_s).mean;
+    hs_say(out, "Loop time of %.6g on %d procs for %lld steps with %lld atoms\n\n", loop_s, n_ranks * n_threads,
+           (long long)n_steps, (long long)n_atoms);
+    say_performance(sim, n_steps, loop_s);
+    hs_say(out, "%.1f%% CPU use with %d MPI tasks x %d OpenMP threads\n", loop_s > 0.0 ? 100.0 * cpu_s / loop_s : 0.0, n_ranks,
+           n_threads);
+    say_timing(sim, loop_s);
+    say_histogram(sim, "Nlocal:", sim->atoms.n_local);
+    say_histogram(sim, "Nghost:", sim->atoms.n_halo);
+    const hs_neighbor_counters *counters = &sim->neighbor.counters;
+    if (counters->n_pairs > 0) {
+        say_histogram(sim, "Neighs:", (double)counters->n_pairs / n_ranks);
+        hs_say(out, "\nTotal # of neighbors = %lld\nAve neighs/atom = %#.8g\n", (long long)counters->n_pairs,
+               n_atoms > 0 ? (double)counters->n_pairs / (double)n_atoms : 0.0);
+    } else {
+        hs_say(out, "\n");
+    }
+    hs_say(out, "Neighbor list builds = %lld\nDangerous builds = %lld\n", (long long)counters->n_builds,
+           (long long)counters->n_dangerous);
+    if (out->log != NULL) fflush(out->log);
+}
+
+void hs_report_progress(hs_sim *sim)
+{
+    const double interval_s = 0.5;
+    const hs_env *env = &sim->env;
+    const double now_s = hs_time_now_s();
+    const int64_t n_done = env->step - env->first_step, n_steps = env->last_step - env->first_step;
+    if (env->out->screen == NULL || n_done <= 0 || now_s - sim->thermo->last_progress_s < interval_s) return;
+    sim->thermo->last_progress_s = now_s;
+    const double elapsed_s = now_s - sim->timer.start_s;
+    if (elapsed_s < interval_s) return;   /* a short run needs none */
+    const double steps_per_s = (double)n_done / elapsed_s;
+    const int64_t left_s = (int64_t)((double)(n_steps - n_done) / steps_per_s + 0.5);
+    hs_progress(env->out, "step %lld of %lld  %5.1f%%  %.4g steps/s  %.4g million atom-steps/s  %lld:%02lld:%02lld left",
+                (long long)env->step, (long long)env->last_step, 100.0 * (double)n_done / (double)n_steps, steps_per_s,
+                1e-6 * steps_per_s * (double)sim->atoms.n_all, (long long)(left_s / 3600), (long long)(left_s / 60 % 60),
+                (long long)(left_s % 60));
+}
