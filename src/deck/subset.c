@@ -18,7 +18,8 @@ static void append(list *to, int64_t *next, int64_t item)
 }
 
 /* Every round goes through those items that the round before left open, flips each with the probability that on average
-   flips as many as are still missing or too many, and stops when the number is right. Since the rounds decide which random
+   flips as many as are still missing or too many,
+       and stops when the number is right. Since the rounds decide which random
    number belongs to which item, their order is part of the result. */
 hs_status hs_subset_select(unsigned char *mark, int64_t n, int64_t n_wanted, int seed, hs_error *err)
 {
