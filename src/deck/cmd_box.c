@@ -136,20 +136,10 @@ static hs_status region_check(const hs_args *args, bool has_variables, hs_error 
     return hs_region_check(&rest, has_variables, err);
 }
 
-static hs_status delete_region(hs_sim *sim, const hs_args *args, hs_error *err)
-{
-    const hs_region *region = hs_sim_find_region(sim, args->word[0]);
-    for (int k = 0; region != NULL && k < sim->n_regions; ++k)
-        if (hs_region_uses(sim->region[k], region))
-            return hs_fail(err, HS_ERROR_INPUT, "region: '%s' is part of the region '%s', which must be deleted first",
-                           args->word[0], sim->region[k]->id);
-    return hs_sim_remove_region(sim, args->word[0], err);
-}
-
 static hs_status region_run(hs_deck *deck, const hs_args *args, hs_error *err)
 {
     HS_TRY(region_check(args, false, err));
-    if (strcmp(args->word[1], "delete") == 0 && args->n == 2) return delete_region(deck->sim, args, err);
+    if (strcmp(args->word[1], "delete") == 0 && args->n == 2) return hs_sim_remove_region(deck->sim, args->word[0], err);
     char command[96];
     snprintf(command, sizeof command, "region %.40s %.40s", args->word[0], args->word[1]);
     const hs_args rest = hs_args_from(args, 2, command);

@@ -1,0 +1,229 @@
+#include "deck/velocity.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "base/memory.h"
+#include "deck/by_id.h"
+
+hs_status hs_velocity_group_init(hs_velocity_group *group, hs_sim *sim, int bit, hs_error *err)
+{
+    const uint32_t mask = hs_group_mask(bit);
+    *group = (hs_velocity_group){.sim = sim};
+    HS_TRY(hs_by_id_order(&sim->atoms, &group->member, err));
+    for (int k = 0; k < sim->atoms.n_local; ++k)
+        if (sim->atoms.mask[group->member[k]] & mask) group->member[group->n++] = group->member[k];
+    group->n_all = group->n;
+    hs_parallel_sum_int64(&sim->parallel, &group->n_all, 1);
+    return HS_OK;
+}
+
+void hs_velocity_group_fini(hs_velocity_group *group)
+{
+    HS_FREE(group->member);
+    group->n = 0;
+}
+
+double hs_velocity_temperature(const hs_velocity_group *group)
+{
+    const hs_atoms *atoms = &group->sim->atoms;
+    const hs_units *units = group->sim->env.units;
+    const int dimension = group->sim->box.dimension;
+    double sum = 0.0;
+    for (int k = 0; k < group->n; ++k) {
+        const int i = group->member[k];
+        const double vx = atoms->v[0][i], vy = atoms->v[1][i], vz = atoms->v[2][i];
+        sum += (vx * vx + vy * vy + vz * vz) * atoms->mass[atoms->type[i]];
+    }
+    hs_parallel_sum_double(&group->sim->parallel, &sum, 1);
+    const double n_dof = (double)dimension * (double)group->n_all - dimension;
+    return n_dof > 0.0 ? sum * (units->mvv2e / (n_dof * units->boltz)) : 0.0;
+}
+
+hs_status hs_velocity_rescale(const hs_velocity_group *group, double present, double wanted, hs_error *err)
+{
+    if (!(present > 0.0))
+        return hs_fail(err, HS_ERROR_INPUT, "velocity: the temperature is 0 (atoms at rest, or only one), and cannot "
+                       "be scaled to %g",
+                       wanted);
+    const double factor = sqrt(wanted / present);
+    hs_atoms *atoms = &group->sim->atoms;
+    for (int k = 0; k < group->n; ++k)
+        for (int axis = 0; axis < 3; ++axis) atoms->v[axis][group->member[k]] *= factor;
+    return HS_OK;
+}
+
+static double total_mass(const hs_velocity_group *group)
+{
+    const hs_atoms *atoms = &group->sim->atoms;
+    double mass = 0.0;
+    for (int k = 0; k < group->n; ++k) mass += atoms->mass[atoms->type[group->member[k]]];
+    hs_parallel_sum_double(&group->sim->parallel, &mass, 1);
+    return mass;
+}
+
+static hs_status need_members(const hs_velocity_group *group, const char *what, hs_error *err)
+{
+    if (group->n_all > 0) return HS_OK;
+    return hs_fail(err, HS_ERROR_INPUT, "velocity: the group has no atoms whose %s could be made zero", what);
+}
+
+hs_status hs_velocity_zero_momentum(const hs_velocity_group *group, hs_error *err)
+{
+    hs_atoms *atoms = &group->sim->atoms;
+    HS_TRY(need_members(group, "momentum", err));
+    const double mass = total_mass(group);
+    double p[3] = {0.0, 0.0, 0.0};
+    for (int k = 0; k < group->n; ++k) {
+        const int i = group->member[k];
+        for (int axis = 0; axis < 3; ++axis) p[axis] += atoms->v[axis][i] * atoms->mass[atoms->type[i]];
+    }
+    hs_parallel_sum_double(&group->sim->parallel, p, 3);
+    for (int axis = 0; axis < 3; ++axis) {
+        const double mean = p[axis] / mass;
+        for (int k = 0; k < group->n; ++k) atoms->v[axis][group->member[k]] -= mean;
+    }
+    return HS_OK;
+}
+
+/** Position with the box lengths that the image numbers stand for. */
+static void unwrap(const hs_sim *sim, int i, double x[3])
+{
+    for (int axis = 0; axis < 3; ++axis)
+        x[axis] = sim->atoms.x[axis][i] + sim->atoms.image[axis][i] * hs_box_length(&sim->box, axis);
+}
+
+static void center_of_mass(const hs_velocity_group *group, double center[3])
+{
+    const hs_atoms *atoms = &group->sim->atoms;
+    const double mass = total_mass(group);
+    memset(center, 0, 3 * sizeof *center);
+    for (int k = 0; k < group->n; ++k) {
+        const int i = group->member[k];
+        double x[3];
+        unwrap(group->sim, i, x);
+        for (int axis = 0; axis < 3; ++axis) center[axis] += x[axis] * atoms->mass[atoms->type[i]];
+    }
+    hs_parallel_sum_double(&group->sim->parallel, center, 3);
+    for (int axis = 0; axis < 3; ++axis) center[axis] /= mass;
+}
+
+/** Angular momentum and moments of inertia about a point. */
+static void rotation_sums(const hs_velocity_group *group, const double center[3], double momentum[3],
+                          double inertia[3][3])
+{
+    const hs_atoms *atoms = &group->sim->atoms;
+    double sum[9] = {0.0};   /* Lx Ly Lz, Ixx Iyy Izz Ixy Iyz Ixz */
+    for (int k = 0; k < group->n; ++k) {
+        const int i = group->member[k];
+        const double mass = atoms->mass[atoms->type[i]];
+        double x[3];
+        unwrap(group->sim, i, x);
+        const double dx = x[0] - center[0], dy = x[1] - center[1], dz = x[2] - center[2];
+        sum[0] += mass * (dy * atoms->v[2][i] - dz * atoms->v[1][i]);
+        sum[1] += mass * (dz * atoms->v[0][i] - dx * atoms->v[2][i]);
+        sum[2] += mass * (dx * atoms->v[1][i] - dy * atoms->v[0][i]);
+        sum[3] += mass * (dy * dy + dz * dz);
+        sum[4] += mass * (dx * dx + dz * dz);
+        sum[5] += mass * (dx * dx + dy * dy);
+        sum[6] -= mass * dx * dy;
+        sum[7] -= mass * dy * dz;
+        sum[8] -= mass * dx * dz;
+    }
+    hs_parallel_sum_double(&group->sim->parallel, sum, 9);
+    memcpy(momentum, sum, 3 * sizeof *momentum);
+    inertia[0][0] = sum[3];
+    inertia[1][1] = sum[4];
+    inertia[2][2] = sum[5];
+    inertia[0][1] = inertia[1][0] = sum[6];
+    inertia[1][2] = inertia[2][1] = sum[7];
+    inertia[0][2] = inertia[2][0] = sum[8];
+}
+
+/** Solve I omega = L by cofactors. */
+static void solve_regular(const double m[3][3], double determinant, const double momentum[3], double omega[3])
+{
+    double inverse[3][3];
+    inverse[0][0] = m[1][1] * m[2][2] - m[1][2] * m[2][1];
+    inverse[0][1] = -(m[0][1] * m[2][2] - m[0][2] * m[2][1]);
+    inverse[0][2] = m[0][1] * m[1][2] - m[0][2] * m[1][1];
+    inverse[1][0] = -(m[1][0] * m[2][2] - m[1][2] * m[2][0]);
+    inverse[1][1] = m[0][0] * m[2][2] - m[0][2] * m[2][0];
+    inverse[1][2] = -(m[0][0] * m[1][2] - m[0][2] * m[1][0]);
+    inverse[2][0] = m[1][0] * m[2][1] - m[1][1] * m[2][0];
+    inverse[2][1] = -(m[0][0] * m[2][1] - m[0][1] * m[2][0]);
+    inverse[2][2] = m[0][0] * m[1][1] - m[0][1] * m[1][0];
+    for (int r = 0; r < 3; ++r)
+        for (int c = 0; c < 3; ++c) inverse[r][c] /= determinant;
+    for (int r = 0; r < 3; ++r)
+        omega[r] = inverse[r][0] * momentum[0] + inverse[r][1] * momentum[1] + inverse[r][2] * momentum[2];
+}
+
+/** One Jacobi rotation of the symmetric m that makes m[p][q] zero; the columns of axes turn along. */
+static void rotate_away(double m[3][3], double axes[3][3], int p, int q)
+{
+    if (m[p][q] == 0.0) return;
+    const double theta = (m[q][q] - m[p][p]) / (2.0 * m[p][q]);
+    const double t = copysign(1.0, theta) / (fabs(theta) + sqrt(theta * theta + 1.0));
+    const double c = 1.0 / sqrt(t * t + 1.0), s = t * c;
+    for (int k = 0; k < 3; ++k) {
+        const double kp = m[k][p], kq = m[k][q];
+        m[k][p] = c * kp - s * kq;
+        m[k][q] = s * kp + c * kq;
+    }
+    for (int k = 0; k < 3; ++k) {
+        const double pk = m[p][k], qk = m[q][k];
+        m[p][k] = c * pk - s * qk;
+        m[q][k] = s * pk + c * qk;
+    }
+    for (int k = 0; k < 3; ++k) {
+        const double kp = axes[k][p], kq = axes[k][q];
+        axes[k][p] = c * kp - s * kq;
+        axes[k][q] = s * kp + c * kq;
+    }
+}
+
+/** Atoms on one line (or one atom) have no moment of inertia along it: solve in the principal axes and leave out those. */
+static void solve_singular(const double inertia[3][3], const double momentum[3], double omega[3])
+{
+    enum { N_SWEEPS = 50 };
+    double m[3][3], axes[3][3] = {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}};
+    memcpy(m, inertia, sizeof m);
+    for (int sweep = 0; sweep < N_SWEEPS; ++sweep) {
+        rotate_away(m, axes, 0, 1);
+        rotate_away(m, axes, 0, 2);
+        rotate_away(m, axes, 1, 2);
+    }
+    const double largest = fmax(fmax(m[0][0], m[1][1]), m[2][2]);
+    memset(omega, 0, 3 * sizeof *omega);
+    for (int c = 0; c < 3; ++c) {
+        if (!(m[c][c] > 1.0e-7 * largest)) continue;
+        const double along = axes[0][c] * momentum[0] + axes[1][c] * momentum[1] + axes[2][c] * momentum[2];
+        for (int axis = 0; axis < 3; ++axis) omega[axis] += axes[axis][c] * along / m[c][c];
+    }
+}
+
+hs_status hs_velocity_zero_rotation(const hs_velocity_group *group, hs_error *err)
+{
+    HS_TRY(need_members(group, "rotation", err));
+    hs_atoms *atoms = &group->sim->atoms;
+    double center[3], momentum[3], m[3][3], omega[3];
+    center_of_mass(group, center);
+    rotation_sums(group, center, momentum, m);
+    const double determinant = m[0][0] * m[1][1] * m[2][2] + m[0][1] * m[1][2] * m[2][0] + m[0][2] * m[1][0] * m[2][1] -
+                               m[0][0] * m[1][2] * m[2][1] - m[0][1] * m[1][0] * m[2][2] - m[2][0] * m[1][1] * m[0][2];
+    if (determinant > 1.0e-6)
+        solve_regular((const double(*)[3])m, determinant, momentum, omega);
+    else
+        solve_singular((const double(*)[3])m, momentum, omega);
+    for (int k = 0; k < group->n; ++k) {
+        const int i = group->member[k];
+        double x[3];
+        unwrap(group->sim, i, x);
+        const double dx = x[0] - center[0], dy = x[1] - center[1], dz = x[2] - center[2];
+        atoms->v[0][i] -= omega[1] * dz - omega[2] * dy;
+        atoms->v[1][i] -= omega[2] * dx - omega[0] * dz;
+        atoms->v[2][i] -= omega[0] * dy - omega[1] * dx;
+    }
+    return HS_OK;
+}
