@@ -13,7 +13,7 @@
  *
  *  Arrays of vectors are n rows of x, y, z. Their order is the caller's choice: HS_ORDER_ID is by increasing atom id and
  *  stays the same while atoms are neither made nor deleted; HS_ORDER_LOCAL is the order in memory, cheaper, and changes
- *  with every run or force evaluation. */
+ *  with every run or force evaluation. With several ranks all functions are collective and every rank sees all atoms. */
 #ifndef HALFSHELL_HALFSHELL_H
 #define HALFSHELL_HALFSHELL_H
 
@@ -114,8 +114,8 @@ HS_API hs_code hs_simulation_get_forces(hs_simulation *simulation, hs_order orde
 HS_API hs_code hs_simulation_get_ids(hs_simulation *simulation, hs_order order, int64_t n, int64_t *ids);
 /** Atom types, from 1. */
 HS_API hs_code hs_simulation_get_types(hs_simulation *simulation, hs_order order, int64_t n, int32_t *types);
-/** New positions. Along periodic axes they are wrapped into the box and the image counts follow; outside of a closed face,
- *  or not a number, they are an error that changes nothing. */
+/** New positions. Along periodic axes they are wrapped into the box, and the unwrapped positions are then the given ones;
+ *  outside of a fixed face, or not a number, they are an error that changes nothing. */
 HS_API hs_code hs_simulation_set_positions(hs_simulation *simulation, hs_order order, int64_t n, const double *xyz);
 /** New velocities; a value that is not a number is an error that changes nothing. */
 HS_API hs_code hs_simulation_set_velocities(hs_simulation *simulation, hs_order order, int64_t n, const double *xyz);

@@ -1,0 +1,209 @@
+/* The public API, include/halfshell/halfshell.h: a deck interpreter behind an opaque handle. */
+#include <stdio.h>
+#include <string.h>
+
+#include "base/memory.h"
+#include "deck/api_internal.h"
+#include "sim/thermo.h"
+
+const char *hs_version(void) { return HALFSHELL_VERSION; }
+
+hs_status hs_api_begin(hs_simulation *simulation)
+{
+    hs_error_clear(&simulation->error);
+    simulation->message[0] = '\0';
+    if (simulation->deck != NULL) return HS_OK;
+    return hs_fail(&simulation->error, HS_ERROR_INPUT, "this simulation could not be created: destroy it");
+}
+
+hs_code hs_api_finish(hs_simulation *simulation, hs_status status)
+{
+    if (status == HS_OK) return HS_CODE_OK;
+    const hs_error *error = &simulation->error;
+    char line[32] = "";
+    if (error->line > 0) snprintf(line, sizeof line, ":%ld", error->line);
+    snprintf(simulation->message, sizeof simulation->message, "%s%s%s%s%s", error->file, line,
+             error->file[0] != '\0' ? ": " : "", status == HS_INTERRUPTED ? "" : "error: ", error->text);
+    return (hs_code)hs_exit_code(status);
+}
+
+static hs_status create(hs_simulation *simulation, const hs_simulation_options *given)
+{
+    hs_error *err = &simulation->error;
+    hs_simulation_options settings = HS_SIMULATION_OPTIONS_INIT;
+    if (given != NULL) {
+        if (given->size == 0 || given->size > sizeof settings)
+            return hs_fail(err, HS_ERROR_INPUT, "hs_simulation_options: size is %zu, this library knows up to %zu; set it "
+                           "with HS_SIMULATION_OPTIONS_INIT", given->size, sizeof settings);
+        memcpy(&settings, given, given->size);
+    }
+    hs_options options = {.n_threads = settings.n_threads};
+    if (settings.n_threads < 0)
+        return hs_fail(err, HS_ERROR_INPUT, "hs_simulation_options: n_threads is %d", settings.n_threads);
+    const char *method = settings.neighbor_method != NULL ? settings.neighbor_method : "";
+    const char *isa = settings.instruction_set != NULL ? settings.instruction_set : "";
+    if (strlen(method) >= sizeof options.neighbor_method || strlen(isa) >= sizeof options.isa)
+        return hs_fail(err, HS_ERROR_INPUT, "hs_simulation_options: unknown neighbor method or instruction set");
+    strcpy(options.neighbor_method, method);
+    strcpy(options.isa, isa);
+    simulation->out = (hs_sink){.screen = settings.screen, .log = settings.log};
+    HS_TRY(hs_deck_create(&simulation->deck, &options, &simulation->out, err));
+    simulation->deck->echo_screen = false;
+    simulation->deck->echo_log = true;
+    return HS_OK;
+}
+
+hs_code hs_simulation_create(hs_simulation **simulation, const hs_simulation_options *options)
+{
+    hs_error err = {0};
+    *simulation = NULL;
+    if (HS_ALLOC(*simulation, 1, &err) != HS_OK) return (hs_code)hs_exit_code(err.status);
+    return hs_api_finish(*simulation, create(*simulation, options));
+}
+
+void hs_simulation_destroy(hs_simulation **simulation)
+{
+    if (simulation == NULL || *simulation == NULL) return;
+    hs_deck_destroy(&(*simulation)->deck);
+    HS_FREE(*simulation);
+}
+
+const char *hs_simulation_error(const hs_simulation *simulation)
+{
+    return simulation != NULL ? simulation->message : "out of memory";
+}
+
+hs_code hs_simulation_set_variable(hs_simulation *simulation, const char *name, int n, const char *const *values)
+{
+    hs_status status = hs_api_begin(simulation);
+    if (status == HS_OK) status = hs_deck_set_variable(simulation->deck, name, n, values, &simulation->error);
+    return hs_api_finish(simulation, status);
+}
+
+void hs_api_take_over(hs_simulation *simulation)
+{
+    simulation->stop_requested = 0;
+    simulation->deck->sim->stop_requested = &simulation->stop_requested;
+    hs_threads_set(simulation->deck->options.n_threads);
+}
+
+hs_code hs_simulation_get_variable(hs_simulation *simulation, const char *name, double *value)
+{
+    hs_status status = hs_api_begin(simulation);
+    if (status == HS_OK) {
+        hs_api_take_over(simulation);
+        hs_env *env = &simulation->deck->sim->env;
+        status = env->variable_value(env->deck, name, value, &simulation->error);
+    }
+    return hs_api_finish(simulation, status);
+}
+
+hs_code hs_simulation_deck_file(hs_simulation *simulation, const char *path)
+{
+    hs_error *err = &simulation->error;
+    hs_status status = hs_api_begin(simulation);
+    if (status == HS_OK) {
+        hs_api_take_over(simulation);
+        status = hs_deck_check(simulation->deck, path, err);
+    }
+    if (status == HS_OK) status = hs_deck_run(simulation->deck, path, err);
+    return hs_api_finish(simulation, status);
+}
+
+hs_code hs_simulation_deck_text(hs_simulation *simulation, const char *text)
+{
+    hs_error *err = &simulation->error;
+    hs_status status = hs_api_begin(simulation);
+    if (status == HS_OK) {
+        hs_api_take_over(simulation);
+        /* The interpreter keeps standard input in memory for its two passes: the text takes that place. */
+        hs_text_clear(&simulation->deck->input);
+        status = hs_text_append(&simulation->deck->input, text, strlen(text), err);
+        simulation->deck->input_is_read = true;
+    }
+    if (status == HS_OK) status = hs_deck_check(simulation->deck, "-", err);
+    if (status == HS_OK) status = hs_deck_run(simulation->deck, "-", err);
+    if (simulation->deck != NULL) {
+        hs_text_clear(&simulation->deck->input);
+        simulation->deck->input_is_read = false;
+    }
+    return hs_api_finish(simulation, status);
+}
+
+hs_code hs_simulation_command(hs_simulation *simulation, const char *line)
+{
+    hs_status status = hs_api_begin(simulation);
+    if (status == HS_OK) {
+        hs_api_take_over(simulation);
+        status = hs_deck_command(simulation->deck, line, &simulation->error);
+    }
+    return hs_api_finish(simulation, status);
+}
+
+hs_code hs_simulation_run(hs_simulation *simulation, int64_t n_steps)
+{
+    char line[48];
+    snprintf(line, sizeof line, "run %lld", (long long)n_steps);
+    return hs_simulation_command(simulation, line);
+}
+
+void hs_simulation_stop(hs_simulation *simulation)
+{
+    if (simulation != NULL) simulation->stop_requested = 1;
+}
+
+int64_t hs_simulation_step(const hs_simulation *simulation)
+{
+    return simulation != NULL && simulation->deck != NULL ? simulation->deck->sim->env.step : 0;
+}
+
+int64_t hs_simulation_n_atoms(const hs_simulation *simulation)
+{
+    return simulation != NULL && simulation->deck != NULL ? simulation->deck->sim->atoms.n_all : 0;
+}
+
+int hs_simulation_n_types(const hs_simulation *simulation)
+{
+    return simulation != NULL && simulation->deck != NULL ? simulation->deck->sim->atoms.n_types : 0;
+}
+
+hs_status hs_api_need_forces(hs_simulation *simulation)
+{
+    hs_sim *sim = simulation->deck->sim;
+    hs_api_take_over(simulation);
+    if (sim->is_initialized && sim->env.energy_step == sim->env.step) return HS_OK;
+    return hs_sim_setup(sim, &simulation->error);
+}
+
+hs_code hs_simulation_thermo(hs_simulation *simulation, const char *keyword, double *value)
+{
+    hs_status status = hs_api_begin(simulation);
+    bool found = false;
+    if (status == HS_OK) status = hs_api_need_forces(simulation);
+    if (status == HS_OK)
+        status = hs_thermo_keyword(simulation->deck->sim->thermo, keyword, value, &found, &simulation->error);
+    if (status == HS_OK && !found) {
+        const char *names[256];
+        size_t n = 0;
+        for (; hs_thermo_keywords[2 * n] != NULL && n < sizeof names / sizeof names[0]; ++n)
+            names[n] = hs_thermo_keywords[2 * n];
+        const char *nearest = hs_text_nearest(keyword, names, n);
+        status = hs_fail(&simulation->error, HS_ERROR_INPUT, "'%s' is not a thermo keyword%s%s%s", keyword,
+                         nearest != NULL ? "; did you mean '" : "", nearest != NULL ? nearest : "",
+                         nearest != NULL ? "'?" : "");
+    }
+    return hs_api_finish(simulation, status);
+}
+
+hs_code hs_simulation_box(hs_simulation *simulation, double lo[3], double hi[3], int periodic[3])
+{
+    hs_status status = hs_api_begin(simulation);
+    if (status == HS_OK) status = hs_sim_need_box(simulation->deck->sim, "hs_simulation_box", &simulation->error);
+    for (int axis = 0; status == HS_OK && axis < 3; ++axis) {
+        const hs_box *box = &simulation->deck->sim->box;
+        if (lo != NULL) lo[axis] = box->lo[axis];
+        if (hi != NULL) hi[axis] = box->hi[axis];
+        if (periodic != NULL) periodic[axis] = box->periodic[axis];
+    }
+    return hs_api_finish(simulation, status);
+}
