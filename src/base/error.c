@@ -3,7 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
-hs_status hs_fail(hs_error *err, hs_status status, const char *fmt, ...)
+hs_status (hs_fail)(hs_error *err, hs_status status, const char *fmt, ...)
 {
     if (err->status != HS_OK) return err->status;
     err->status = status;

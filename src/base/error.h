@@ -31,6 +31,14 @@ typedef struct hs_error {
 /** Fill @p err (kept if it already holds an error) and return @p status, so that one can write `return hs_fail(...)`. */
 hs_status hs_fail(hs_error *err, hs_status status, const char *fmt, ...) HS_PRINTF(3, 4);
 
+/* A failure is never HS_OK. Told so, the compiler can follow which results are set after HS_TRY, and warns of nothing else. */
+static inline hs_status hs_failed(hs_status status)
+{
+    if (status == HS_OK) __builtin_unreachable();
+    return status;
+}
+#define hs_fail(err, status, ...) hs_failed((hs_fail)((err), (status), __VA_ARGS__))
+
 /** Add the place to an error that has none yet. Does nothing when @p err holds no error or has a place. */
 void hs_error_locate(hs_error *err, const char *file, long line);
 
