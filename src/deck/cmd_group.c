@@ -122,7 +122,7 @@ static hs_status select_by_number(const hs_atoms *atoms, group_style style, cons
 {
     if (is_comparison(args->word[2])) return select_by_comparison(atoms, style, args, bit, err);
     for (int k = 2; k < args->n; ++k) {
-        range r;
+        range r = {0, 0, 1};
         HS_TRY(read_range(args, k, &r, err));
         for (int i = 0; i < atoms->n_local; ++i) {
             const int64_t number = number_of(atoms, style, i);
