@@ -124,6 +124,7 @@ static hs_status work_cell(hs_force_buffer *buffer, const hs_force_job *job, int
     const int64_t n_room = (int64_t)job->atoms->n_local + job->atoms->n_halo + HS_ATOMS_PAD;
     int group;
     const hs_cluster_kernel kernel = choose_kernel(job, &group);
+    const hs_cluster_search search = hs_isa_search(job->isa);
     hs_kernel_output out = {.f = {buffer->f[0], buffer->f[1], buffer->f[2]}};
     int64_t begin, end;
     hs_thread_range(local->n, 1, thread, n_threads, &begin, &end);
@@ -132,9 +133,9 @@ static hs_status work_cell(hs_force_buffer *buffer, const hs_force_job *job, int
     for (int ci = (int)begin; ci < end; ++ci) {
         while (local->column_begin[column + 1] <= ci) ++column;
         entries->n = 0;
-        HS_TRY(hs_clusters_find(job->clusters, job->cells, ci, column, job->cutoff_max, entries, &buffer->error));
+        HS_TRY(search(job->clusters, job->cells, ci, column, job->cutoff_max, entries, &buffer->error));
         if (entries->n == 0) continue;
-        const int first = local->first[ci];
+        const int first = local->entry[ci].first;
         HS_TRY(hs_entry_list_pad(entries, 0, group, first, &buffer->error));
         touch(buffer, first, n_room);
         touch(buffer, first + HS_CLUSTER - 1, n_room);

@@ -3,7 +3,7 @@
 #define HS_KERNEL_KERNEL_H
 
 #include "base/error.h"
-#include "neighbor/clusters.h"
+#include "neighbor/cluster_search.h"
 
 /** Instruction sets kernels are compiled for, from plain to wide. */
 typedef enum { HS_ISA_PORTABLE, HS_ISA_SSE2, HS_ISA_AVX2, HS_ISA_AVX512, HS_N_ISAS } hs_isa;
@@ -13,6 +13,9 @@ extern const char *const hs_isa_names[];   /**< ended by NULL */
 hs_isa hs_isa_best(void);
 /** By name ("avx2"); an error when there is none of that name or the machine lacks it. "auto" or "" is the best. */
 HS_MUST_USE hs_status hs_isa_get(const char *name, hs_isa *isa, hs_error *err);
+
+/** The search for cluster pairs compiled for that instruction set. */
+hs_cluster_search hs_isa_search(hs_isa isa);
 
 /** Parameters of all type pairs as kernels read them. Row (i, j), both from 0 (0 is unused by types from 1 on), starts
  *  at values[(i * n_types + j) * stride]: first the squared cutoff (0 or less: no interaction), then the evaluator's. */

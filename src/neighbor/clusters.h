@@ -26,7 +26,7 @@ typedef struct hs_entry_list {
 typedef struct hs_cluster_part {
     int n;                   /**< clusters */
     int first_atom;          /**< index of the part's first atom */
-    int32_t *first;          /**< owned [n]: index of each cluster's first atom */
+    hs_cluster_entry *entry; /**< owned [n + padding]: first atom, and all pairs with the atoms it has */
     unsigned char *size;     /**< owned [n]: 1 .. 4 */
     float *box[6];           /**< owned [n + padding]: bounding box lo, hi along the grid axes, relative to the grid */
     int32_t *column_begin;   /**< owned [n_columns + 1]: first cluster of each column (by rank) */
@@ -40,6 +40,11 @@ typedef struct hs_clusters {
     uint64_t generation;        /**< of the atoms these clusters belong to */
 } hs_clusters;
 
+/** Mask with the lanes (j-atoms) below `size` set, in all four rows. */
+static inline uint32_t hs_cluster_lanes(int size) { return ((1u << size) - 1u) * 0x1111u; }
+/** Mask with all lanes of the rows (i-atoms) below `size` set. */
+static inline uint32_t hs_cluster_rows(int size) { return (1u << 4 * size) - 1u; }
+
 /** Cut sorted atoms into clusters and bound them. */
 HS_MUST_USE hs_status hs_clusters_build(hs_clusters *clusters, const hs_cells *cells, const hs_atoms *atoms, hs_error *err);
 void hs_clusters_fini(hs_clusters *clusters);
@@ -47,12 +52,8 @@ void hs_clusters_fini(hs_clusters *clusters);
 /** Width of columns that makes clusters of atoms at this number density roughly cubic, at most `reach`. */
 double hs_clusters_width(int dimension, double density, double reach);
 
-/** Find the j-clusters with an atom possibly within `reach` of an atom of local cluster ci: local clusters of the upper
- *  half (each pair of clusters is found once, from one side) and halo clusters all around. Masks leave out pairs of an
- *  atom with itself, pairs met twice within a cluster, and lanes beyond a ragged end. Appends to *entries, growing it.
- *  @p column is the rank of the cluster's column. Not collective; thread-safe for separate lists. */
-HS_MUST_USE hs_status hs_clusters_find(const hs_clusters *clusters, const hs_cells *cells, int ci, int column, double reach,
-                                       hs_entry_list *entries, hs_error *err);
+/** Make room for n_more entries. */
+HS_MUST_USE hs_status hs_entry_list_reserve(hs_entry_list *entries, int n_more, hs_error *err);
 /** Fill the list from place @p begin on up to a multiple of @p group with entries that do nothing (mask 0). */
 HS_MUST_USE hs_status hs_entry_list_pad(hs_entry_list *entries, int begin, int group, int first, hs_error *err);
 /** Rank of the column that local cluster ci belongs to. */
