@@ -20,6 +20,18 @@ double hs_box_volume(const hs_box *box)
     return box->dimension == 2 ? area : area * hs_box_length(box, 2);
 }
 
+void hs_box_settle_faces(hs_box *box)
+{
+    for (int axis = 0; axis < 3; ++axis) {
+        const double margin = 1.0e-4 * (box->hi[axis] - box->lo[axis]);
+        const double face[2] = {box->lo[axis], box->hi[axis]};
+        if (box->boundary[axis][0] == HS_BOUNDARY_SHRINK) box->lo[axis] -= margin;
+        if (box->boundary[axis][1] == HS_BOUNDARY_SHRINK) box->hi[axis] += margin;
+        for (int end = 0; end < 2; ++end)
+            if (box->boundary[axis][end] == HS_BOUNDARY_SHRINK_MIN) box->shrink_limit[axis][end] = face[end];
+    }
+}
+
 void hs_box_wrap(const hs_box *box, double x[3], int32_t image[3])
 {
     for (int axis = 0; axis < 3; ++axis) {

@@ -27,6 +27,9 @@ void hs_box_init(hs_box *box);
 double hs_box_length(const hs_box *box, int axis);
 /** Volume, or area in 2D (LAMMPS counts the z extent out of 2D volumes). */
 double hs_box_volume(const hs_box *box);
+/** Finish a box that was just given its bounds: shrink-wrapped faces start a ten-thousandth of the box outside, as in
+ *  LAMMPS, so that atoms on the bounds are within; 'm' faces remember their place. */
+void hs_box_settle_faces(hs_box *box);
 /** Bring x into the box along periodic axes and count the crossings in image. Exact when x is inside already. */
 void hs_box_wrap(const hs_box *box, double x[3], int32_t image[3]);
 

@@ -168,20 +168,6 @@ static hs_status create_box_check(const hs_args *args, bool has_variables, hs_er
     return hs_syntax_check(&syntax, args, has_variables, err);
 }
 
-/** Shrink-wrapped faces start a ten-thousandth of the box outside of the region, as in LAMMPS, so that atoms on its
- *  faces are within; 'm' faces remember their place. */
-static void settle_faces(hs_box *box)
-{
-    for (int axis = 0; axis < 3; ++axis) {
-        const double margin = 1.0e-4 * (box->hi[axis] - box->lo[axis]);
-        const double face[2] = {box->lo[axis], box->hi[axis]};
-        if (box->boundary[axis][0] == HS_BOUNDARY_SHRINK) box->lo[axis] -= margin;
-        if (box->boundary[axis][1] == HS_BOUNDARY_SHRINK) box->hi[axis] += margin;
-        for (int end = 0; end < 2; ++end)
-            if (box->boundary[axis][end] == HS_BOUNDARY_SHRINK_MIN) box->shrink_limit[axis][end] = face[end];
-    }
-}
-
 static hs_status check_box_region(hs_sim *sim, const hs_args *args, const hs_region **region, hs_error *err)
 {
     *region = hs_sim_find_region(sim, args->word[1]);
@@ -232,7 +218,7 @@ static hs_status create_box_run(hs_deck *deck, const hs_args *args, hs_error *er
     hs_say(deck->out, "Created orthogonal box = (%#.8g %#.8g %#.8g) to (%#.8g %#.8g %#.8g)\n", box->lo[0], box->lo[1],
            box->lo[2], box->hi[0], box->hi[1], box->hi[2]);
     hs_say(deck->out, "  %d by 1 by 1 MPI processor grid\n", sim->parallel.n_ranks > 1 ? sim->parallel.n_ranks : 1);
-    settle_faces(box);
+    hs_box_settle_faces(box);
     hs_sim_atoms_changed(sim);
     return HS_OK;
 }

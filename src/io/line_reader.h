@@ -1,0 +1,33 @@
+/** Lines of a text file, plain or compressed by gzip, that nobody has checked yet. */
+#ifndef HS_IO_LINE_READER_H
+#define HS_IO_LINE_READER_H
+
+#include "base/text.h"
+
+enum { HS_LINE_WORDS_MAX = 64, HS_LINE_BYTES_MAX = 65536 };
+
+/** A file being read line by line. Zero it before hs_lines_open. */
+typedef struct hs_lines {
+    const char *path;       /**< borrowed */
+    void *file;             /**< owned */
+    long number;            /**< of the present line, from 1 */
+    bool at_end;            /**< there was no further line */
+    bool is_held;           /**< hs_lines_next gives the present line once more */
+    hs_text text;           /**< the present line without its comment; the words point into it */
+    char comment[64];       /**< first word after #, "" when there is none; cut if longer */
+    int n_words;
+    const char *word[HS_LINE_WORDS_MAX];
+} hs_lines;
+
+/** Open for reading; fails with the reason when it is not a readable file. */
+HS_MUST_USE hs_status hs_lines_open(hs_lines *lines, const char *path, hs_error *err);
+void hs_lines_close(hs_lines *lines);
+/** Read and split the next line, blank ones too. At the end of the file at_end is set and n_words is 0. Lines that are too
+ *  long, have too many words, or hold bytes that are no text are errors. */
+HS_MUST_USE hs_status hs_lines_next(hs_lines *lines, hs_error *err);
+/** The next line with words. */
+HS_MUST_USE hs_status hs_lines_next_filled(hs_lines *lines, hs_error *err);
+/** Give the present line back. */
+static inline void hs_lines_hold(hs_lines *lines) { lines->is_held = true; }
+
+#endif
