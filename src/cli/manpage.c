@@ -110,6 +110,7 @@ hs_status hs_manpage_write(FILE *stream, hs_error *err)
         fputc('\n', stream);
     }
     fputs(".SH ENVIRONMENT\n.TP\n\\fBOMP_NUM_THREADS\\fR\nThreads of each rank where \\-threads does not say.\n"
+          ".TP\n\\fBHALFSHELL_ISA\\fR\nInstruction set of the kernels where \\-isa does not say.\n"
           ".SH FILES\n.TP\n\\fIlog.halfshell\\fR\nThe log of a run, in the working directory.\n", stream);
     return HS_OK;
 }

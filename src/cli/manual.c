@@ -133,6 +133,8 @@ static hs_status write_command_line(const char *directory, hs_error *err)
     fputs("`halfshell --help` prints this in short, `halfshell --version` the version.\n\n"
           "The values of `-var` end at the next option, so a deck named after them belongs before them or behind `-in`.\n"
           "Without a deck, and with standard input not a terminal, the deck is read from there: `halfshell < deck.in`.\n\n"
+          "The environment's `OMP_NUM_THREADS` and `HALFSHELL_ISA` stand in for `-threads` and `-isa` where those are not "
+          "given.\n\n"
           "Errors go to standard error as `DECK:LINE: error: what, why, what would be right`; see "
           "[exit codes](exit-codes.md).\n", page);
     return close_page(page, err);
