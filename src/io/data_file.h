@@ -35,7 +35,7 @@ typedef enum { HS_DATA_PAIR_NONE, HS_DATA_PAIR_II, HS_DATA_PAIR_IJ } hs_data_pai
 typedef struct hs_data_write_options {
     hs_data_pair pair;
     const char *pair_style;    /**< NULL: no coefficients */
-    /** Append the coefficients of types i <= j, with a space before each word. */
+    /** Append the coefficients of types i <= j, separated by spaces. */
     HS_MUST_USE hs_status (*write_coeff)(void *context, int i, int j, hs_text *words, hs_error *err);
     void *context;
 } hs_data_write_options;

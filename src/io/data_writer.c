@@ -43,8 +43,8 @@ static hs_status write_coefficients(const hs_env *env, hs_writer *writer, const 
         for (int j = i; j <= (is_ij ? n_types : i) && status == HS_OK; ++j) {
             hs_text_clear(&words);
             status = options->write_coeff(options->context, i, j, &words, err);
-            if (status == HS_OK && is_ij) status = hs_writer_printf(writer, err, "%d %d%s\n", i, j, hs_text_get(&words));
-            if (status == HS_OK && !is_ij) status = hs_writer_printf(writer, err, "%d%s\n", i, hs_text_get(&words));
+            if (status == HS_OK && is_ij) status = hs_writer_printf(writer, err, "%d %d %s\n", i, j, hs_text_get(&words));
+            if (status == HS_OK && !is_ij) status = hs_writer_printf(writer, err, "%d %s\n", i, hs_text_get(&words));
         }
     hs_text_fini(&words);
     return status;

@@ -102,7 +102,10 @@ static hs_status make_formats(hs_dump *dump, hs_error *err)
     return status;
 }
 
-static bool is_file_per_step(const hs_dump *dump) { return strchr(dump->file, '*') != NULL; }
+static bool is_file_per_step(const hs_dump *dump)
+{
+    return strchr(dump->file, '*') != NULL || ((const hs_dump_table *)dump->state)->is_single;
+}
 
 hs_status hs_dump_table_init(hs_dump *dump, hs_error *err)
 {
