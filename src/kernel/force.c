@@ -12,6 +12,7 @@ static void fini_buffer(hs_force_buffer *buffer, bool owns_forces)
     for (int axis = 0; axis < 3 && owns_forces; ++axis) HS_FREE(buffer->f[axis]);
     HS_FREE(buffer->touched);
     HS_FREE(buffer->entries.entry);
+    hs_cluster_search_fini(&buffer->search);
 }
 
 void hs_force_space_fini(hs_force_space *space)
@@ -124,16 +125,17 @@ static hs_status work_cell(hs_force_buffer *buffer, const hs_force_job *job, int
     const int64_t n_room = (int64_t)job->atoms->n_local + job->atoms->n_halo + HS_ATOMS_PAD;
     int group;
     const hs_cluster_kernel kernel = choose_kernel(job, &group);
-    const hs_cluster_search search = hs_isa_search(job->isa);
+    const hs_cluster_find find = hs_isa_find(job->isa);
     hs_kernel_output out = {.f = {buffer->f[0], buffer->f[1], buffer->f[2]}};
     int64_t begin, end;
     hs_thread_range(local->n, 1, thread, n_threads, &begin, &end);
     int column = begin < end ? hs_clusters_column(job->clusters, job->cells, (int)begin) : 0;
     hs_entry_list *entries = &buffer->entries;
+    hs_cluster_search_begin(&buffer->search, job->clusters, job->cells, job->cutoff_max);
     for (int ci = (int)begin; ci < end; ++ci) {
         while (local->column_begin[column + 1] <= ci) ++column;
         entries->n = 0;
-        HS_TRY(search(job->clusters, job->cells, ci, column, job->cutoff_max, entries, &buffer->error));
+        HS_TRY(find(&buffer->search, ci, column, entries, &buffer->error));
         if (entries->n == 0) continue;
         const int first = local->entry[ci].first;
         HS_TRY(hs_entry_list_pad(entries, 0, group, first, &buffer->error));

@@ -11,6 +11,7 @@ typedef struct hs_force_buffer {
     double *f[3];              /**< owned (borrowed from atoms for thread 0): [n_local + n_halo + pad] */
     unsigned char *touched;    /**< owned: block b of HS_FORCE_BLOCK atoms was written to (and cleared before) */
     hs_entry_list entries;     /**< owned: list of the i-cluster at hand (method cell), or all of the thread's (cluster) */
+    hs_search search;
     hs_error error;            /**< what went wrong on this thread */
     double energy, virial[6];
 } hs_force_buffer;

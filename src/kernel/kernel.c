@@ -48,15 +48,15 @@ hs_status hs_isa_get(const char *name, hs_isa *isa, hs_error *err)
                    nearest != NULL ? nearest : "auto");
 }
 
-hs_cluster_search hs_isa_search(hs_isa isa)
+hs_cluster_find hs_isa_find(hs_isa isa)
 {
     switch (isa) {
 #if defined(__x86_64__)
-    case HS_ISA_AVX512: return hs_cluster_search_avx512;
-    case HS_ISA_AVX2: return hs_cluster_search_avx2;
-    case HS_ISA_SSE2: return hs_cluster_search_sse2;
+    case HS_ISA_AVX512: return hs_cluster_find_avx512;
+    case HS_ISA_AVX2: return hs_cluster_find_avx2;
+    case HS_ISA_SSE2: return hs_cluster_find_sse2;
 #endif
-    default: return hs_cluster_search_portable;
+    default: return hs_cluster_find_portable;
     }
 }
 

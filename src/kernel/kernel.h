@@ -15,7 +15,7 @@ hs_isa hs_isa_best(void);
 HS_MUST_USE hs_status hs_isa_get(const char *name, hs_isa *isa, hs_error *err);
 
 /** The search for cluster pairs compiled for that instruction set. */
-hs_cluster_search hs_isa_search(hs_isa isa);
+hs_cluster_find hs_isa_find(hs_isa isa);
 
 /** Parameters of all type pairs as kernels read them. Row (i, j), both from 0 (0 is unused by types from 1 on), starts
  *  at values[(i * n_types + j) * stride]: first the squared cutoff (0 or less: no interaction), then the evaluator's. */

@@ -1,6 +1,5 @@
 #include "neighbor/cluster_search.h"
 
-#include <float.h>
 #include <math.h>
 
 #if defined(HS_SIMD_AVX512) || defined(HS_SIMD_AVX2)
@@ -18,25 +17,6 @@ typedef struct probe {
 
 /* Pairs within one cluster: j > i only. */
 static const uint32_t self_mask = 0x8ceu;
-
-static probe make_probe(const hs_clusters *clusters, const hs_cells *cells, int ci, double reach)
-{
-    const hs_cluster_part *local = &clusters->local;
-    probe p;
-    float extent = 0.0f;
-    for (int a = 0; a < 3; ++a) {
-        p.lo[a] = local->box[a][ci];
-        p.hi[a] = local->box[a + 3][ci];
-        const float length = (float)(cells->pitch[a] * cells->n[a]);
-        extent = length > extent ? length : extent;
-    }
-    /* Boxes are rounded to float: a margin of several units in the last place of the largest coordinate keeps the
-       search from missing a pair. */
-    p.reach = (float)reach + 8.0f * FLT_EPSILON * (extent + (float)reach);
-    p.reach2 = p.reach * p.reach;
-    p.rows = hs_cluster_rows(local->size[ci]);
-    return p;
-}
 
 static inline float gap(float lo_i, float hi_i, float lo_j, float hi_j)
 {
@@ -137,52 +117,42 @@ static void test_run(const hs_cluster_part *part, const probe *p, int begin, int
     entries->n = n;
 }
 
-/** Clusters of one column whose atoms can be within dz of the probe along the run axis. */
-static void cluster_range(const hs_cluster_part *part, const hs_cells *cells, const int32_t *start, int column,
-                          const probe *p, float dz, int *begin, int *end)
+/** Cells of every listed column that the probe can reach; cell_hi < cell_lo where the column is too far. A plain loop that
+ *  compilers turn into vector code. */
+static void reach_cells(const hs_cells *cells, const probe *p, hs_column_list *list)
 {
-    const float inv = (float)cells->inv_pitch[2];
-    const float z_lo = (p->lo[2] - dz) * inv, z_hi = (p->hi[2] + dz) * inv;
-    const int n2 = cells->n[2];
-    /* one cell more on each side than the float arithmetic says, against its rounding */
-    const int c_lo = z_lo <= 1.0f ? 0 : z_lo >= (float)n2 ? n2 - 1 : (int)z_lo - (z_lo - (float)(int)z_lo < 1e-3f);
-    const int c_hi = z_hi <= 0.0f ? 0 : z_hi >= (float)(n2 - 1) ? n2 - 1 : (int)z_hi + (z_hi - (float)(int)z_hi > 0.999f);
-    const int32_t *cell = start + (int64_t)column * n2;
-    const int a_begin = cell[c_lo] - cell[0], a_end = cell[c_hi + 1] - cell[0];
-    *begin = part->column_begin[column] + a_begin / HS_CLUSTER;
-    *end = part->column_begin[column] + (a_end + HS_CLUSTER - 1) / HS_CLUSTER;
-    if (a_begin >= a_end) *end = *begin;
+    const float inv = (float)cells->inv_pitch[2], last = (float)(cells->n[2] - 1);
+    const float *lo0 = list->bound[0], *hi0 = list->bound[1], *lo1 = list->bound[2], *hi1 = list->bound[3];
+    int32_t *restrict cell_lo = list->cell_lo, *restrict cell_hi = list->cell_hi;
+    for (int k = 0; k < list->n; ++k) {
+        const float d0 = gap(p->lo[0], p->hi[0], lo0[k], hi0[k]), d1 = gap(p->lo[1], p->hi[1], lo1[k], hi1[k]);
+        const float rest2 = p->reach2 - d0 * d0 - d1 * d1;
+        const float dz = sqrtf(rest2 > 0.0f ? rest2 : 0.0f);
+        /* a thousandth of a cell more on each side than the float arithmetic says, against its rounding */
+        const float first = (p->lo[2] - dz) * inv - 1e-3f, final = (p->hi[2] + dz) * inv + 1e-3f;
+        cell_lo[k] = (int32_t)(first < 0.0f ? 0.0f : first > last ? last : first);
+        const int32_t hi = (int32_t)(final < 0.0f ? 0.0f : final > last ? last : final);
+        cell_hi[k] = rest2 >= 0.0f ? hi : -1;
+    }
 }
 
-static inline int clamp(int value, int last) { return value < 0 ? 0 : value > last ? last : value; }
-
-/** Search one part in the columns around the probe. For the local part (own_column >= 0) only the upper half of them. */
-static hs_status search(const hs_clusters *clusters, const hs_cells *cells, const hs_cluster_part *part, const int32_t *start,
-                        const probe *p, int ci, int own_column, hs_entry_list *entries, hs_error *err)
+/** Test the clusters of all listed columns. */
+static hs_status test_columns(const hs_search *search, const hs_cluster_part *part, const int32_t *start,
+                              const hs_column_list *list, const probe *p, int ci, hs_entry_list *entries, hs_error *err)
 {
-    const bool is_local = own_column >= 0;
-    const float pitch0 = (float)cells->pitch[0], pitch1 = (float)cells->pitch[1];
-    const int n1 = cells->n[1];
-    const int own0 = is_local ? clusters->column_at[own_column] / n1 : -1;
-    const int own1 = is_local ? clusters->column_at[own_column] % n1 : -1;
-    const int first0 = is_local ? own0 : clamp((int)floorf((p->lo[0] - p->reach) / pitch0), cells->n[0] - 1);
-    const int last0 = clamp((int)floorf((p->hi[0] + p->reach) / pitch0), cells->n[0] - 1);
-    const int first1 = clamp((int)floorf((p->lo[1] - p->reach) / pitch1), n1 - 1);
-    const int last1 = clamp((int)floorf((p->hi[1] + p->reach) / pitch1), n1 - 1);
-    for (int c0 = first0; c0 <= last0; ++c0) {
-        const float d0 = gap(p->lo[0], p->hi[0], (float)c0 * pitch0, (float)(c0 + 1) * pitch0);
-        for (int c1 = c0 == own0 ? own1 : first1; c1 <= last1; ++c1) {
-            const float d1 = gap(p->lo[1], p->hi[1], (float)c1 * pitch1, (float)(c1 + 1) * pitch1);
-            const float rest2 = p->reach2 - d0 * d0 - d1 * d1;
-            if (rest2 <= 0.0f) continue;
-            const int column = cells->column_rank[c0 * n1 + c1];
-            int begin, end;
-            cluster_range(part, cells, start, column, p, sqrtf(rest2), &begin, &end);
-            if (column == own_column && begin <= ci) begin = ci + 1;
-            if (begin >= end) continue;
+    const int n2 = search->cells->n[2];
+    for (int k = 0; k < list->n; ++k) {
+        if (list->cell_hi[k] < list->cell_lo[k]) continue;
+        const int column = list->column[k];
+        const int32_t *cell = start + (int64_t)column * n2;
+        const int first_atom = cell[0], a_begin = cell[list->cell_lo[k]], a_end = cell[list->cell_hi[k] + 1];
+        if (a_begin == a_end) continue;
+        int begin = part->column_begin[column] + (a_begin - first_atom) / HS_CLUSTER;
+        const int end = part->column_begin[column] + (a_end - first_atom + HS_CLUSTER - 1) / HS_CLUSTER;
+        if (begin <= ci && column == search->column && list == &search->local) begin = ci + 1;
+        if (entries->n + end - begin + TEST_LANES > entries->capacity)
             HS_TRY(hs_entry_list_reserve(entries, end - begin + TEST_LANES, err));
-            test_run(part, p, begin, end, entries);
-        }
+        test_run(part, p, begin, end, entries);
     }
     return HS_OK;
 }
@@ -195,20 +165,28 @@ static bool is_near_halo(const hs_cells *cells, const probe *p)
     return false;
 }
 
-static hs_status find(const hs_clusters *clusters, const hs_cells *cells, int ci, int column, double reach,
-                           hs_entry_list *entries, hs_error *err)
+static hs_status find(hs_search *search, int ci, int column, hs_entry_list *entries, hs_error *err)
 {
-    const probe p = make_probe(clusters, cells, ci, reach);
-    const int size = clusters->local.size[ci];
+    const hs_clusters *clusters = search->clusters;
+    const hs_cells *cells = search->cells;
+    const hs_cluster_part *local = &clusters->local;
+    if (column != search->column) HS_TRY(hs_cluster_search_column(search, column, err));
+    probe p = {.reach = search->reach, .reach2 = search->reach * search->reach, .rows = hs_cluster_rows(local->size[ci])};
+    for (int a = 0; a < 3; ++a) {
+        p.lo[a] = local->box[a][ci];
+        p.hi[a] = local->box[a + 3][ci];
+    }
     HS_TRY(hs_entry_list_reserve(entries, 1, err));
-    if (size > 1)
+    if (local->size[ci] > 1)
         entries->entry[entries->n++] =
-            (hs_cluster_entry){clusters->local.entry[ci].first, self_mask & p.rows & hs_cluster_lanes(size)};
-    HS_TRY(search(clusters, cells, &clusters->local, cells->start_local, &p, ci, column, entries, err));
-    if (clusters->halo.n == 0 || !is_near_halo(cells, &p)) return HS_OK;
-    return search(clusters, cells, &clusters->halo, cells->start_halo, &p, ci, -1, entries, err);
+            (hs_cluster_entry){local->entry[ci].first, self_mask & p.rows & hs_cluster_lanes(local->size[ci])};
+    reach_cells(cells, &p, &search->local);
+    HS_TRY(test_columns(search, local, cells->start_local, &search->local, &p, ci, entries, err));
+    if (search->halo.n == 0 || !is_near_halo(cells, &p)) return HS_OK;
+    reach_cells(cells, &p, &search->halo);
+    return test_columns(search, &clusters->halo, cells->start_halo, &search->halo, &p, ci, entries, err);
 }
 
 #define PASTE_(a, b) a##b
 #define PASTE(a, b) PASTE_(a, b)
-const hs_cluster_search PASTE(hs_cluster_search_, HS_KERNEL_ISA) = find;
+const hs_cluster_find PASTE(hs_cluster_find_, HS_KERNEL_ISA) = find;

@@ -4,14 +4,36 @@
 
 #include "neighbor/clusters.h"
 
-/** Find the j-clusters with an atom possibly within `reach` of an atom of local cluster ci: local clusters of the upper
- *  half (each pair of clusters is found once, from one side) and halo clusters all around. Masks leave out pairs of an
- *  atom with itself, pairs met twice within a cluster, and lanes beyond a ragged end. Appends to *entries, growing it.
- *  @p column is the rank of the cluster's column. Not collective; thread-safe for separate lists. */
-typedef hs_status (*hs_cluster_search)(const hs_clusters *clusters, const hs_cells *cells, int ci, int column, double reach,
-                                       hs_entry_list *entries, hs_error *err);
+/** Columns of one part around the column whose clusters are searched for: arrays of n, padded to whole vectors. */
+typedef struct hs_column_list {
+    float *bound[4];          /**< owned: lower, upper bound along grid axis 0, then 1; relative to the grid */
+    int32_t *cell_lo, *cell_hi;   /**< owned scratch: cells of the column that the cluster at hand can reach */
+    int32_t *column;          /**< owned: rank */
+    int n, capacity;
+} hs_column_list;
 
-extern const hs_cluster_search hs_cluster_search_portable, hs_cluster_search_sse2, hs_cluster_search_avx2,
-    hs_cluster_search_avx512;
+/** A search in progress on one thread. Zero it before first use; free with hs_cluster_search_fini. */
+typedef struct hs_search {
+    const hs_clusters *clusters;   /**< borrowed, as all inputs, until the next begin */
+    const hs_cells *cells;
+    float reach;                   /**< with a margin for float rounding */
+    int column;                    /**< rank of the column at hand, -1 for none */
+    hs_column_list local, halo;    /**< upper half of the local columns; all halo columns around */
+} hs_search;
+
+/** Start searching pairs of clusters with atoms closer than `reach`. */
+void hs_cluster_search_begin(hs_search *search, const hs_clusters *clusters, const hs_cells *cells, double reach);
+void hs_cluster_search_fini(hs_search *search);
+
+/** List the columns around a column; called by hs_cluster_find when the column changes. */
+HS_MUST_USE hs_status hs_cluster_search_column(hs_search *search, int column, hs_error *err);
+
+/** Find the j-clusters with an atom possibly within reach of an atom of local cluster ci (which is in the column of rank
+ *  `column`): local clusters of the upper half, so that each pair of clusters is found once, from one side, and halo
+ *  clusters all around. Masks leave out pairs of an atom with itself, pairs met twice within a cluster, and lanes beyond a
+ *  ragged end. Appends to *entries, growing it. Clusters should come column by column. Not collective. */
+typedef hs_status (*hs_cluster_find)(hs_search *search, int ci, int column, hs_entry_list *entries, hs_error *err);
+
+extern const hs_cluster_find hs_cluster_find_portable, hs_cluster_find_sse2, hs_cluster_find_avx2, hs_cluster_find_avx512;
 
 #endif
