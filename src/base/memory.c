@@ -14,7 +14,7 @@ hs_status hs_memory_alloc(void **array, size_t n, size_t size, hs_error *err)
 {
     *array = NULL;
     const size_t overhead = HS_ALIGNMENT + sizeof(void *);
-    if (n > (SIZE_MAX - overhead) / size)
+    if (size != 0 && n > (SIZE_MAX - overhead) / size)
         return hs_fail(err, HS_ERROR_MEMORY, "an array of %zu elements of %zu bytes is larger than memory can be", n, size);
     void *block = calloc(1, n * size + overhead);
     if (block == NULL)
