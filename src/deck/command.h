@@ -21,5 +21,7 @@ extern const hs_command *const hs_command_families[];
 
 /** The command of that name, or NULL. */
 const hs_command *hs_command_find(const char *name);
+/** Refuse a name that is no command: as one of LAMMPS's that is not supported, or with the nearest that is. */
+HS_MUST_USE hs_status hs_command_refuse(const char *name, hs_error *err);
 
 #endif

@@ -17,9 +17,14 @@ typedef struct hs_deck {
     struct hs_source *source;          /**< owned stack of files being read; deck/interpreter.c */
     bool echo_screen, echo_log;
     FILE *log_opened;                  /**< log file opened by -log or the command `log`; owned; NULL: out->log is not ours */
-    const char *label_wanted;          /**< skipping to this label (jump) */
+    char *label_wanted;                /**< owned; skipping to this label (jump); NULL: not skipping */
+    bool jump_skipped;                 /**< `next` has come to its end: the next jump does nothing */
     bool quit;                         /**< the command quit was met */
-    int exit_code;
+    int exit_code;                     /**< given with quit */
+    bool is_running;                   /**< within hs_sim_run: functions of time since the run's start have a value */
+    int depth;                         /**< commands within commands (if, run every) being carried out */
+    hs_text input;                     /**< owned; standard input, read once for both passes */
+    bool input_is_read;
 } hs_deck;
 
 /** New deck interpreter with an empty simulation. @p out is borrowed. */
@@ -34,7 +39,7 @@ HS_MUST_USE hs_status hs_deck_set_variable(hs_deck *deck, const char *name, int 
 HS_MUST_USE hs_status hs_deck_check(hs_deck *deck, const char *file, hs_error *err);
 /** Second pass: run the deck. hs_deck_check must have passed. */
 HS_MUST_USE hs_status hs_deck_run(hs_deck *deck, const char *file, hs_error *err);
-/** Run one command line given as text (public API, `if`, `run every`): substitution, echo, the command. */
+/** Run one command line given as text (public API, `if`, `run every`): substitution, echo, the command. Collective. */
 HS_MUST_USE hs_status hs_deck_command(hs_deck *deck, const char *line, hs_error *err);
 
 #endif

@@ -1,0 +1,261 @@
+/** The first pass: what can be said about a deck before anything runs. */
+#include <stdio.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "base/memory.h"
+#include "deck/boolean.h"
+#include "deck/branches.h"
+#include "deck/check_names.h"
+#include "deck/command.h"
+#include "deck/formula.h"
+#include "deck/interpreter.h"
+#include "deck/lexer.h"
+#include "deck/source.h"
+#include "deck/substitute.h"
+#include "deck/variables.h"
+
+enum { NESTING_MAX = 32 };
+
+/** A file that is being checked. */
+typedef struct file {
+    const char *name;
+    const hs_text *text;
+    const struct file *above;   /**< the file that includes it; NULL for the deck */
+    bool is_certain;            /**< every include down to this file is outside of `if` */
+    bool may_end;               /**< a jump or a quit may keep an include from being reached again */
+    bool is_dead;               /**< behind a `quit` that is always met: nothing up to the next label can run */
+} file;
+
+typedef struct checker {
+    hs_deck *deck;
+    hs_check_names names;
+    int depth;                  /**< files within files */
+    int nesting;                /**< commands within commands */
+    hs_error *err;
+} checker;
+
+static hs_status check_line(checker *c, file *f, const char *text);
+static hs_status check_file(checker *c, const char *name, const file *above, bool is_certain);
+
+static bool is_open(const char *word) { return strchr(word, '$') != NULL; }
+
+static bool any_open(const hs_args *args)
+{
+    for (int i = 0; i < args->n; ++i)
+        if (is_open(args->word[i])) return true;
+    return false;
+}
+
+/** Check the `$` expressions of a line, and make the blanks in $(a + b) dashes, so that each stays one word. */
+static hs_status check_dollars(checker *c, char *line)
+{
+    for (const char *at = hs_dollar_find(line); at != NULL; at = hs_dollar_find(at)) {
+        hs_dollar dollar;
+        HS_TRY(hs_dollar_read(at, &dollar, c->err));
+        if (dollar.kind == HS_DOLLAR_FORMULA) {
+            char *text = NULL, *format = NULL;
+            hs_formula *formula = NULL;
+            HS_TRY(hs_dollar_formula(&dollar, &text, &format, c->err));
+            hs_status status = hs_formula_parse(&formula, text, false, c->err);
+            hs_formula_destroy(&formula);
+            HS_FREE(text);
+            HS_FREE(format);
+            HS_TRY(status);
+            for (size_t i = 0; i < dollar.length; ++i) {
+                char *byte = line + (at - line) + i;
+                if (strchr(" \t\v\f\r\n'\"", *byte) != NULL) *byte = '-';
+            }
+        }
+        at += dollar.length;
+    }
+    return HS_OK;
+}
+
+/* ---- Files ---- */
+
+/** Whether rank 0 can read the file (collective). */
+static bool is_readable(const hs_deck *deck, const char *name)
+{
+    double there = deck->sim->parallel.rank == 0 && access(name, R_OK) == 0;
+    hs_parallel_sum_double(&deck->sim->parallel, &there, 1);
+    return there > 0.0;
+}
+
+/** Files that a word may name. One name only: it must be there. */
+static hs_status check_files(checker *c, const file *f, const char *word, bool is_certain, const char *label)
+{
+    hs_name_list files = {0};
+    hs_status status = hs_check_names_expand(&c->names, word, &files, c->err);
+    for (int i = 0; i < files.n && status == HS_OK; ++i) {
+        const char *name = files.name[i];
+        const bool is_there = is_readable(c->deck, name);
+        if (!is_there && (files.n > 1 || !is_certain || hs_name_list_has(&c->names.written, name))) continue;
+        bool may_end = false;
+        for (const file *above = f; above != NULL; above = above->above) may_end = may_end || above->may_end;
+        for (const file *above = f; above != NULL && status == HS_OK && is_certain && label == NULL; above = above->above)
+            if (strcmp(above->name, name) == 0 && !may_end)
+                status = hs_fail(c->err, HS_ERROR_INPUT, "include: '%.400s' includes itself without an end", name);
+        if (status == HS_OK) status = check_file(c, name, f, is_certain && label == NULL);
+        hs_text text = {0};
+        if (status == HS_OK && label != NULL && label[0] != '\0') {
+            status = hs_source_read(c->deck, name, &text, c->err);
+            if (status == HS_OK && !hs_source_has_label(text.data, text.length, label))
+                status = hs_fail(c->err, HS_ERROR_INPUT, "jump: there is no 'label %s' in %.400s", label, name);
+        }
+        hs_text_fini(&text);
+    }
+    hs_name_list_fini(&files);
+    return status;
+}
+
+static hs_status check_jump(checker *c, const file *f, const hs_args *args, bool is_certain)
+{
+    const char *label = args->n > 1 ? args->word[1] : "";
+    if (is_open(label)) label = "";
+    if (strcmp(args->word[0], "SELF") != 0) return check_files(c, f, args->word[0], is_certain, label);
+    if (label[0] == '\0' || hs_source_has_label(f->text->data, f->text->length, label)) return HS_OK;
+    return hs_fail(c->err, HS_ERROR_INPUT, "jump: there is no 'label %s' in %s", label, f->name);
+}
+
+/* ---- Commands within commands ---- */
+
+static hs_status check_nested(checker *c, file *f, const hs_args *args, int first, int end)
+{
+    if (c->nesting >= NESTING_MAX)
+        return hs_fail(c->err, HS_ERROR_INPUT, "more than %d commands within one another (if, run every)", NESTING_MAX);
+    hs_status status = HS_OK;
+    ++c->nesting;
+    for (int i = first; i < end && status == HS_OK; ++i) status = check_line(c, f, args->word[i]);
+    --c->nesting;
+    return status;
+}
+
+static hs_status check_if(checker *c, file *f, const hs_args *args)
+{
+    hs_branch branch;
+    bool found = true;
+    for (int at = 0; found;) {
+        hs_error unsure = {0};
+        const bool is_unsure = any_open(args);
+        hs_status status = hs_branches_next(args, &at, &branch, &found, is_unsure ? &unsure : c->err);
+        if (status != HS_OK) return is_unsure ? HS_OK : status;
+        if (!found) return HS_OK;
+        bool holds;
+        if (branch.condition != NULL && !is_open(branch.condition)) HS_TRY(hs_boolean_eval(branch.condition, &holds, c->err));
+        HS_TRY(check_nested(c, f, args, branch.first, branch.end));
+    }
+    return HS_OK;
+}
+
+/** The commands of `run N every M "command" ...`. */
+static hs_status check_run(checker *c, file *f, const hs_args *args)
+{
+    for (int i = 0; i < args->n; ++i)
+        if (strcmp(args->word[i], "every") == 0 && i + 2 < args->n && strcmp(args->word[i + 2], "NULL") != 0)
+            return check_nested(c, f, args, i + 2, args->n);
+    return HS_OK;
+}
+
+/** What a command tells about others: variables, files, labels, commands within it. */
+static hs_status check_meaning(checker *c, file *f, const hs_args *args)
+{
+    const bool is_certain = f->is_certain && c->nesting == 0;
+    if (strcmp(args->command, "jump") == 0 || strcmp(args->command, "quit") == 0) f->may_end = true;
+    if (strcmp(args->command, "if") == 0) return check_if(c, f, args);
+    if (strcmp(args->command, "run") == 0) return check_run(c, f, args);
+    if (strcmp(args->command, "variable") == 0) return hs_check_names_define(&c->names, args, c->err);
+    if (strcmp(args->command, "include") == 0) return check_files(c, f, args->word[0], is_certain, NULL);
+    if (strcmp(args->command, "jump") == 0) return check_jump(c, f, args, is_certain);
+    if (strcmp(args->command, "quit") == 0 && c->nesting == 0) f->is_dead = true;
+    if (strcmp(args->command, "write_data") == 0 && args->n > 0)
+        return hs_name_list_add(&c->names.written, args->word[0], c->err);
+    for (int i = 0; strcmp(args->command, "print") == 0 && i + 1 < args->n; ++i)
+        if (strcmp(args->word[i], "file") == 0 || strcmp(args->word[i], "append") == 0)
+            HS_TRY(hs_name_list_add(&c->names.written, args->word[i + 1], c->err));
+    return HS_OK;
+}
+
+static hs_status check_words(checker *c, file *f, const hs_words *words)
+{
+    if (strcmp(words->word[0], "label") == 0) f->is_dead = false;
+    if (f->is_dead || is_open(words->word[0])) return HS_OK;
+    const hs_command *command = hs_command_find(words->word[0]);
+    if (command == NULL) return hs_command_refuse(words->word[0], c->err);
+    const hs_args args = {.command = words->word[0], .n = words->n - 1, .word = words->word + 1};
+    const bool has_variables = any_open(&args);
+    HS_TRY(hs_syntax_check(&command->about.syntax, &args, has_variables, c->err));
+    if (command->check != NULL && (!has_variables || args.n >= command->about.syntax.n_min))
+        HS_TRY(command->check(&args, has_variables, c->err));
+    return check_meaning(c, f, &args);
+}
+
+static hs_status check_line(checker *c, file *f, const char *text)
+{
+    hs_text line = {0};
+    hs_words words = {0};
+    hs_status status = hs_text_append(&line, text, strlen(text), c->err);
+    if (status == HS_OK) {
+        hs_lexer_strip_comment(line.data);
+        if (!f->is_dead) status = check_dollars(c, line.data);
+    }
+    if (status == HS_OK) status = hs_words_split(&words, line.data, c->err);
+    if (status == HS_OK && words.n > 0) status = check_words(c, f, &words);
+    /* Behind a quit there may be anything, notes too. */
+    if (status != HS_OK && f->is_dead) {
+        hs_error_clear(c->err);
+        status = HS_OK;
+    }
+    hs_words_fini(&words);
+    hs_text_fini(&line);
+    return status;
+}
+
+static hs_status check_text(checker *c, file *f)
+{
+    hs_cursor cursor = {0};
+    hs_text line = {0};
+    hs_status status = HS_OK;
+    bool found = true;
+    while (status == HS_OK) {
+        long first;
+        status = hs_lexer_line(f->text->data, f->text->length, &cursor, &line, &first, &found, c->err);
+        if (status == HS_OK && !found) break;
+        if (status == HS_OK) status = check_line(c, f, hs_text_get(&line));
+        if (status != HS_OK) hs_error_locate(c->err, f->name, first);
+    }
+    hs_text_fini(&line);
+    return status;
+}
+
+/** Check a file and what it includes; a file that was checked before is not checked again. */
+static hs_status check_file(checker *c, const char *name, const file *above, bool is_certain)
+{
+    if (hs_name_list_has(&c->names.visited, hs_source_name(name))) return HS_OK;
+    if (c->depth >= HS_SOURCES_MAX && above != NULL && is_certain)
+        return hs_fail(c->err, HS_ERROR_INPUT, "include: '%.400s' would be file number %d within one another (at most %d)", name,
+                       c->depth + 1, HS_SOURCES_MAX);
+    if (c->depth >= 2 * HS_SOURCES_MAX) return HS_OK;
+    hs_text text = {0};
+    hs_status status = hs_source_read(c->deck, name, &text, c->err);
+    if (status == HS_OK) status = hs_name_list_add(&c->names.visited, hs_source_name(name), c->err);
+    file f = {.name = hs_source_name(name), .text = &text, .above = above, .is_certain = is_certain};
+    const int nesting = c->nesting;
+    c->nesting = 0;
+    ++c->depth;
+    if (status == HS_OK) status = check_text(c, &f);
+    --c->depth;
+    c->nesting = nesting;
+    hs_text_fini(&text);
+    return status;
+}
+
+hs_status hs_deck_check(hs_deck *deck, const char *name, hs_error *err)
+{
+    checker c = {.deck = deck, .err = err};
+    hs_status status = hs_check_names_init(&c.names, deck->variables, err);
+    if (status == HS_OK) status = check_file(&c, name, NULL, true);
+    hs_check_names_fini(&c.names);
+    hs_deck_make_printable(err->text);
+    return status;
+}

@@ -1,0 +1,259 @@
+/** Evaluation of formulas: node by node, operands first. */
+#include <math.h>
+#include <string.h>
+
+#include "base/memory.h"
+#include "deck/formula_nodes.h"
+#include "deck/variables.h"
+#include "sim/thermo.h"
+
+/** Value of a node: one number, or one for every local atom. */
+typedef struct result {
+    double number;
+    double *array;   /**< owned [n_local]; NULL: one number */
+} result;
+
+double hs_formula_attribute(const hs_sim *sim, int attribute, int i)
+{
+    const hs_atoms *atoms = &sim->atoms;
+    switch (attribute) {
+    case 0: return (double)atoms->id[i];
+    case 1: return atoms->mass[atoms->type[i]];
+    case 2: return (double)atoms->type[i];
+    case 3: case 4: case 5: return atoms->x[attribute - 3][i];
+    case 6: case 7: case 8: return atoms->v[attribute - 6][i];
+    default: return atoms->f[attribute - 9][i];
+    }
+}
+
+static hs_status apply_binary(const hs_formula *formula, hs_node_kind kind, double a, double b, double *value, hs_error *err)
+{
+    switch (kind) {
+    case HS_NODE_ADD: *value = a + b; break;
+    case HS_NODE_SUBTRACT: *value = a - b; break;
+    case HS_NODE_MULTIPLY: *value = a * b; break;
+    case HS_NODE_DIVIDE:
+        if (b == 0.0) return hs_fail(err, HS_ERROR_INPUT, "formula '%.400s': division by zero", formula->text);
+        *value = a / b;
+        break;
+    case HS_NODE_MODULO:
+        if (b == 0.0) return hs_fail(err, HS_ERROR_INPUT, "formula '%.400s': modulo (%%) by zero", formula->text);
+        *value = fmod(a, b);
+        break;
+    case HS_NODE_POWER:
+        if (a == 0.0 && b < 0.0)
+            return hs_fail(err, HS_ERROR_INPUT, "formula '%.400s': 0 to the negative power %g", formula->text, b);
+        if (a < 0.0 && b != floor(b))
+            return hs_fail(err, HS_ERROR_INPUT, "formula '%.400s': the negative number %g to the broken power %g", formula->text,
+                           a, b);
+        *value = b == 0.0 ? 1.0 : pow(a, b);
+        break;
+    case HS_NODE_EQUAL: *value = a == b; break;
+    case HS_NODE_NOT_EQUAL: *value = a != b; break;
+    case HS_NODE_LESS: *value = a < b; break;
+    case HS_NODE_LESS_EQUAL: *value = a <= b; break;
+    case HS_NODE_GREATER: *value = a > b; break;
+    case HS_NODE_GREATER_EQUAL: *value = a >= b; break;
+    case HS_NODE_AND: *value = a != 0.0 && b != 0.0; break;
+    case HS_NODE_OR: *value = a != 0.0 || b != 0.0; break;
+    case HS_NODE_XOR: *value = (a != 0.0) != (b != 0.0); break;
+    default: return hs_fail(err, HS_ERROR_RUN, "formula '%.400s': no such operator %d", formula->text, (int)kind);
+    }
+    return HS_OK;
+}
+
+/** Value of an operation on numbers. */
+static hs_status apply(const hs_formula *formula, const hs_node *node, const double *arg, const hs_call *place, double *value,
+                       hs_error *err)
+{
+    if (node->kind == HS_NODE_NEGATE) {
+        *value = -arg[0];
+    } else if (node->kind == HS_NODE_NOT) {
+        *value = arg[0] == 0.0;
+    } else if (node->kind == HS_NODE_FUNCTION) {
+        hs_call call = *place;
+        call.function = node->function;
+        call.arg = arg;
+        HS_TRY(node->function->eval(&call, value, err));
+    } else {
+        HS_TRY(apply_binary(formula, node->kind, arg[0], arg[1], value, err));
+    }
+    if (isfinite(*value)) return HS_OK;
+    return hs_fail(err, HS_ERROR_INPUT, "formula '%.400s': a result is too large for a number (not finite)", formula->text);
+}
+
+/** An operation whose operands are known; per atom as soon as one operand is. */
+static hs_status eval_operation(const hs_formula *formula, const hs_node *node, hs_deck *deck, bool per_atom, result *results,
+                                result *out, hs_error *err)
+{
+    double arg[HS_FUNCTION_ARGS_MAX];
+    const bool is_random = node->kind == HS_NODE_FUNCTION && node->function->is_random && per_atom;
+    hs_call place = {.deck = deck, .draw = is_random ? deck->variables->n_draws++ : 0};
+    bool has_array = is_random;
+    for (int a = 0; a < node->n_args; ++a) {
+        arg[a] = results[node->arg[a]].number;
+        has_array = has_array || results[node->arg[a]].array != NULL;
+    }
+    if (!has_array) return apply(formula, node, arg, &place, &out->number, err);
+    const hs_atoms *atoms = &deck->sim->atoms;
+    hs_status status = HS_ALLOC(out->array, (size_t)atoms->n_local, err);
+    for (int i = 0; i < atoms->n_local && status == HS_OK; ++i) {
+        for (int a = 0; a < node->n_args; ++a)
+            if (results[node->arg[a]].array != NULL) arg[a] = results[node->arg[a]].array[i];
+        place.atom = is_random ? atoms->id[i] : 0;
+        status = apply(formula, node, arg, &place, &out->array[i], err);
+    }
+    /* One rank's atom may be the only one that fails: all must stop before the next collective call. */
+    return hs_parallel_agree(&deck->sim->parallel, err);
+}
+
+static hs_status eval_compute(const hs_node *node, hs_deck *deck, const result *results, double *value, hs_error *err)
+{
+    hs_compute *compute = hs_sim_find_compute(deck->sim, node->text);
+    if (compute == NULL)
+        return hs_fail(err, HS_ERROR_INPUT, "c_%s: there is no compute '%s': the command 'compute' makes one", node->text, node->text);
+    if (node->n_args == 0) return hs_compute_scalar(compute, value, err);
+    if (node->n_args == 2)
+        return hs_fail(err, HS_ERROR_INPUT, "c_%s[i][j]: the compute has no array; its style is %s", node->text,
+                       compute->style->about.name);
+    const double index = results[node->arg[0]].number;
+    if (compute->style->vector == NULL || !(index >= 1.0) || index > (double)compute->n_vector)
+        return hs_fail(err, HS_ERROR_INPUT, "c_%s[%.0f]: the compute has %d elements", node->text, index,
+                       compute->style->vector == NULL ? 0 : compute->n_vector);
+    return hs_compute_vector(compute, (int)index - 1, value, err);
+}
+
+static hs_status eval_fix(const hs_node *node, hs_deck *deck, const result *results, double *value, hs_error *err)
+{
+    hs_fix *fix = hs_sim_find_fix(deck->sim, node->text);
+    if (fix == NULL)
+        return hs_fail(err, HS_ERROR_INPUT, "f_%s: there is no fix '%s': the command 'fix' makes one", node->text, node->text);
+    if (node->n_args == 0) {
+        if (fix->style->scalar != NULL) return fix->style->scalar(fix, value, err);
+        return hs_fail(err, HS_ERROR_INPUT, "f_%s: the fix has no value; its style is %s", node->text, fix->style->about.name);
+    }
+    if (node->n_args == 2)
+        return hs_fail(err, HS_ERROR_INPUT, "f_%s[i][j]: the fix has no array; its style is %s", node->text, fix->style->about.name);
+    const double index = results[node->arg[0]].number;
+    const int n = fix->style->vector == NULL ? 0 : fix->style->n_vector;
+    if (!(index >= 1.0) || index > (double)n)
+        return hs_fail(err, HS_ERROR_INPUT, "f_%s[%.0f]: the fix has %d elements", node->text, index, n);
+    return fix->style->vector(fix, (int)index - 1, value, err);
+}
+
+static hs_status eval_keyword(const hs_node *node, hs_deck *deck, double *value, hs_error *err)
+{
+    static const char *const without_box[] = {"step", "dt", "time", "cpu", "atoms"};
+    bool needs_box = true, found = false;
+    for (size_t i = 0; i < sizeof without_box / sizeof without_box[0]; ++i)
+        if (strcmp(node->text, without_box[i]) == 0) needs_box = false;
+    if (needs_box && !deck->sim->box.exists)
+        return hs_fail(err, HS_ERROR_INPUT, "the thermo keyword '%s' has no value before the box exists (create_box, read_data)",
+                       node->text);
+    HS_TRY(hs_thermo_keyword(deck->sim->thermo, node->text, value, &found, err));
+    if (!found) return hs_fail(err, HS_ERROR_INPUT, "the thermo keyword '%s' has no value", node->text);
+    return HS_OK;
+}
+
+/** x[ID]: the rank that owns the atom tells the others. */
+static hs_status eval_atom_value(const hs_node *node, hs_deck *deck, const result *results, double *value, hs_error *err)
+{
+    const hs_sim *sim = deck->sim;
+    const double id = results[node->arg[0]].number;
+    double found[2] = {0.0, 0.0};
+    for (int i = 0; i < sim->atoms.n_local; ++i) {
+        if ((double)sim->atoms.id[i] != id) continue;
+        found[0] = 1.0;
+        found[1] = hs_formula_attribute(sim, node->attribute, i);
+    }
+    hs_parallel_sum_double(&sim->parallel, found, 2);
+    *value = found[1];
+    if (found[0] == 1.0) return HS_OK;
+    return hs_fail(err, HS_ERROR_INPUT, "%s[%.15g]: there is no atom of that ID", hs_formula_attributes[node->attribute], id);
+}
+
+static hs_status eval_attribute(const hs_node *node, const hs_sim *sim, result *out, hs_error *err)
+{
+    HS_TRY(HS_ALLOC(out->array, (size_t)sim->atoms.n_local, err));
+    for (int i = 0; i < sim->atoms.n_local; ++i) out->array[i] = hs_formula_attribute(sim, node->attribute, i);
+    return HS_OK;
+}
+
+static hs_status eval_variable(const hs_node *node, hs_deck *deck, bool per_atom, result *out, hs_error *err)
+{
+    const hs_variable *variable = hs_variables_find(deck->variables, node->text);
+    if (variable == NULL || variable->style != HS_VARIABLE_ATOM)
+        return hs_variables_rounded(deck, node->text, &out->number, err);
+    if (!per_atom)
+        return hs_fail(err, HS_ERROR_INPUT, "v_%s is an atom-style variable: it has one value per atom, and this formula needs one "
+                       "number", node->text);
+    HS_TRY(HS_ALLOC(out->array, (size_t)deck->sim->atoms.n_local, err));
+    return hs_variables_atoms(deck, node->text, out->array, err);
+}
+
+static hs_status eval_words(const hs_node *node, hs_deck *deck, result *out, hs_error *err)
+{
+    const hs_word_function *function = node->words_of;
+    if (function->value != NULL) return function->value(deck, node, &out->number, err);
+    HS_TRY(HS_ALLOC(out->array, (size_t)deck->sim->atoms.n_local, err));
+    return function->atoms(deck, node, out->array, err);
+}
+
+static hs_status eval_node(const hs_formula *formula, int n, hs_deck *deck, bool per_atom, result *results, hs_error *err)
+{
+    const hs_node *node = &formula->node[n];
+    result *out = &results[n];
+    switch (node->kind) {
+    case HS_NODE_NUMBER: out->number = node->number; return HS_OK;
+    case HS_NODE_VARIABLE: return eval_variable(node, deck, per_atom, out, err);
+    case HS_NODE_COMPUTE: return eval_compute(node, deck, results, &out->number, err);
+    case HS_NODE_FIX: return eval_fix(node, deck, results, &out->number, err);
+    case HS_NODE_KEYWORD: return eval_keyword(node, deck, &out->number, err);
+    case HS_NODE_ATTRIBUTE: return eval_attribute(node, deck->sim, out, err);
+    case HS_NODE_ATOM_VALUE: return eval_atom_value(node, deck, results, &out->number, err);
+    case HS_NODE_GROUP:
+    case HS_NODE_SPECIAL: return eval_words(node, deck, out, err);
+    default: return eval_operation(formula, node, deck, per_atom, results, out, err);
+    }
+}
+
+/** Evaluate all nodes; values is NULL for a single number. */
+static hs_status evaluate(const hs_formula *formula, hs_deck *deck, double *number, double *values, hs_error *err)
+{
+    result *results = NULL;
+    HS_TRY(HS_ALLOC(results, (size_t)formula->n_nodes, err));
+    hs_status status = HS_OK;
+    for (int n = 0; n < formula->n_nodes && status == HS_OK; ++n) {
+        status = eval_node(formula, n, deck, values != NULL, results, err);
+        /* An operand serves one node only: its array can go. */
+        for (int a = 0; a < formula->node[n].n_args; ++a) HS_FREE(results[formula->node[n].arg[a]].array);
+    }
+    const result *last = &results[formula->n_nodes - 1];
+    if (status == HS_OK && values == NULL) *number = last->number;
+    if (status == HS_OK && values != NULL)
+        for (int i = 0; i < deck->sim->atoms.n_local; ++i) values[i] = last->array != NULL ? last->array[i] : last->number;
+    for (int n = 0; n < formula->n_nodes; ++n) HS_FREE(results[n].array);
+    HS_FREE(results);
+    return status;
+}
+
+hs_status hs_formula_value(const hs_formula *formula, hs_deck *deck, double *value, hs_error *err)
+{
+    return evaluate(formula, deck, value, NULL, err);
+}
+
+hs_status hs_formula_atoms(const hs_formula *formula, hs_deck *deck, double *values, hs_error *err)
+{
+    /* On a rank without atoms the caller's array may be NULL, which would mean a single number. */
+    double nothing;
+    return evaluate(formula, deck, NULL, values != NULL ? values : &nothing, err);
+}
+
+hs_status hs_formula_once(hs_deck *deck, const char *text, double *value, hs_error *err)
+{
+    hs_formula *formula = NULL;
+    HS_TRY(hs_formula_parse(&formula, text, false, err));
+    hs_status status = hs_formula_value(formula, deck, value, err);
+    hs_formula_destroy(&formula);
+    return status;
+}

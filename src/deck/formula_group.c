@@ -1,0 +1,276 @@
+/** Group functions of formulas: sums over the atoms of a group, and optionally within a region. Collective. */
+#include <math.h>
+#include <string.h>
+
+#include "deck/formula_nodes.h"
+
+/** The atoms a function is about. */
+typedef struct selection {
+    const hs_sim *sim;
+    uint32_t mask;
+    const hs_region *region;   /**< NULL: everywhere */
+} selection;
+
+static hs_status select_atoms(hs_deck *deck, const hs_node *node, selection *chosen, hs_error *err)
+{
+    hs_sim *sim = deck->sim;
+    int bit;
+    HS_TRY(hs_sim_need_box(sim, node->words_of->usage, err));
+    HS_TRY(hs_groups_get(&sim->groups, node->words[0], &bit, err));
+    *chosen = (selection){.sim = sim, .mask = hs_group_mask(bit)};
+    if (node->n_words < node->words_of->n_max) return HS_OK;
+    const char *region = node->words[node->n_words - 1];
+    chosen->region = hs_sim_find_region(sim, region);
+    if (chosen->region != NULL) return HS_OK;
+    return hs_fail(err, HS_ERROR_INPUT, "%s: there is no region '%s': the command 'region' makes one", node->words_of->usage,
+                   region);
+}
+
+static bool is_chosen(const selection *chosen, int i)
+{
+    const hs_atoms *atoms = &chosen->sim->atoms;
+    if ((atoms->mask[i] & chosen->mask) == 0) return false;
+    const double x[3] = {atoms->x[0][i], atoms->x[1][i], atoms->x[2][i]};
+    return chosen->region == NULL || hs_region_contains(chosen->region, x);
+}
+
+/** Place of an atom with the box lengths it has crossed added. */
+static void unwrap(const hs_sim *sim, int i, double x[3])
+{
+    for (int d = 0; d < 3; ++d)
+        x[d] = sim->atoms.x[d][i] + sim->atoms.image[d][i] * hs_box_length(&sim->box, d);
+}
+
+static hs_status need_mass(double mass, const hs_node *node, hs_error *err)
+{
+    if (mass > 0.0) return HS_OK;
+    return hs_fail(err, HS_ERROR_INPUT, "%s: the group '%s' has no atoms here, or they have no mass", node->words_of->usage,
+                   node->words[0]);
+}
+
+static hs_status axis_of(const hs_node *node, const char *word, int *axis, hs_error *err)
+{
+    if (strlen(word) == 1 && word[0] >= 'x' && word[0] <= 'z') {
+        *axis = word[0] - 'x';
+        return HS_OK;
+    }
+    return hs_fail(err, HS_ERROR_INPUT, "%s: '%s' must be x, y or z", node->words_of->usage, word);
+}
+
+static hs_status do_count(hs_deck *deck, const hs_node *node, double *value, hs_error *err)
+{
+    selection chosen;
+    HS_TRY(select_atoms(deck, node, &chosen, err));
+    int64_t n = 0;
+    for (int i = 0; i < chosen.sim->atoms.n_local; ++i) n += is_chosen(&chosen, i);
+    hs_parallel_sum_int64(&chosen.sim->parallel, &n, 1);
+    *value = (double)n;
+    return HS_OK;
+}
+
+/** Sums of m, m x, m y, m z of the unwrapped places: sums[4]. */
+static void sum_mass(const selection *chosen, double sums[4])
+{
+    const hs_atoms *atoms = &chosen->sim->atoms;
+    sums[0] = sums[1] = sums[2] = sums[3] = 0.0;
+    for (int i = 0; i < atoms->n_local; ++i) {
+        if (!is_chosen(chosen, i)) continue;
+        double x[3];
+        unwrap(chosen->sim, i, x);
+        const double mass = atoms->mass[atoms->type[i]];
+        sums[0] += mass;
+        for (int d = 0; d < 3; ++d) sums[1 + d] += x[d] * mass;
+    }
+    hs_parallel_sum_double(&chosen->sim->parallel, sums, 4);
+}
+
+static hs_status do_mass(hs_deck *deck, const hs_node *node, double *value, hs_error *err)
+{
+    selection chosen;
+    double sums[4];
+    HS_TRY(select_atoms(deck, node, &chosen, err));
+    sum_mass(&chosen, sums);
+    *value = sums[0];
+    return HS_OK;
+}
+
+static hs_status do_xcm(hs_deck *deck, const hs_node *node, double *value, hs_error *err)
+{
+    selection chosen;
+    double sums[4];
+    int axis;
+    HS_TRY(axis_of(node, node->words[1], &axis, err));
+    HS_TRY(select_atoms(deck, node, &chosen, err));
+    sum_mass(&chosen, sums);
+    HS_TRY(need_mass(sums[0], node, err));
+    *value = sums[1 + axis] / sums[0];
+    return HS_OK;
+}
+
+static hs_status do_vcm(hs_deck *deck, const hs_node *node, double *value, hs_error *err)
+{
+    selection chosen;
+    int axis;
+    HS_TRY(axis_of(node, node->words[1], &axis, err));
+    HS_TRY(select_atoms(deck, node, &chosen, err));
+    const hs_atoms *atoms = &chosen.sim->atoms;
+    double sums[2] = {0.0, 0.0};
+    for (int i = 0; i < atoms->n_local; ++i) {
+        if (!is_chosen(&chosen, i)) continue;
+        const double mass = atoms->mass[atoms->type[i]];
+        sums[0] += mass;
+        sums[1] += atoms->v[axis][i] * mass;
+    }
+    hs_parallel_sum_double(&chosen.sim->parallel, sums, 2);
+    HS_TRY(need_mass(sums[0], node, err));
+    *value = sums[1] / sums[0];
+    return HS_OK;
+}
+
+static hs_status do_fcm(hs_deck *deck, const hs_node *node, double *value, hs_error *err)
+{
+    selection chosen;
+    int axis;
+    HS_TRY(axis_of(node, node->words[1], &axis, err));
+    HS_TRY(select_atoms(deck, node, &chosen, err));
+    *value = 0.0;
+    for (int i = 0; i < chosen.sim->atoms.n_local; ++i)
+        if (is_chosen(&chosen, i)) *value += chosen.sim->atoms.f[axis][i];
+    hs_parallel_sum_double(&chosen.sim->parallel, value, 1);
+    return HS_OK;
+}
+
+static hs_status do_bound(hs_deck *deck, const hs_node *node, double *value, hs_error *err)
+{
+    const char *word = node->words[1];
+    selection chosen;
+    if (strlen(word) != 4 || word[0] < 'x' || word[0] > 'z' || (strcmp(word + 1, "min") != 0 && strcmp(word + 1, "max") != 0))
+        return hs_fail(err, HS_ERROR_INPUT, "%s: '%s' must be xmin, xmax, ymin, ymax, zmin or zmax", node->words_of->usage, word);
+    HS_TRY(select_atoms(deck, node, &chosen, err));
+    const double *x = chosen.sim->atoms.x[word[0] - 'x'], sign = word[2] == 'a' ? 1.0 : -1.0;
+    /* The minimum is the maximum of the negatives. */
+    double largest = -INFINITY;
+    for (int i = 0; i < chosen.sim->atoms.n_local; ++i)
+        if (is_chosen(&chosen, i) && sign * x[i] > largest) largest = sign * x[i];
+    hs_parallel_max_double(&chosen.sim->parallel, &largest, 1);
+    *value = sign * largest;
+    if (isfinite(*value)) return HS_OK;
+    return hs_fail(err, HS_ERROR_INPUT, "%s: the group '%s' has no atoms here", node->words_of->usage, node->words[0]);
+}
+
+static hs_status do_ke(hs_deck *deck, const hs_node *node, double *value, hs_error *err)
+{
+    selection chosen;
+    HS_TRY(select_atoms(deck, node, &chosen, err));
+    const hs_atoms *atoms = &chosen.sim->atoms;
+    double sum = 0.0;
+    for (int i = 0; i < atoms->n_local; ++i)
+        if (is_chosen(&chosen, i))
+            sum += (atoms->v[0][i] * atoms->v[0][i] + atoms->v[1][i] * atoms->v[1][i] + atoms->v[2][i] * atoms->v[2][i]) *
+                   atoms->mass[atoms->type[i]];
+    hs_parallel_sum_double(&chosen.sim->parallel, &sum, 1);
+    *value = 0.5 * chosen.sim->env.units->mvv2e * sum;
+    return HS_OK;
+}
+
+/** Centre of mass of the selection; an error without mass. */
+static hs_status find_centre(const selection *chosen, const hs_node *node, double centre[3], double *mass, hs_error *err)
+{
+    double sums[4];
+    sum_mass(chosen, sums);
+    HS_TRY(need_mass(sums[0], node, err));
+    for (int d = 0; d < 3; ++d) centre[d] = sums[1 + d] / sums[0];
+    *mass = sums[0];
+    return HS_OK;
+}
+
+static hs_status do_gyration(hs_deck *deck, const hs_node *node, double *value, hs_error *err)
+{
+    selection chosen;
+    double centre[3], mass, sum = 0.0;
+    HS_TRY(select_atoms(deck, node, &chosen, err));
+    HS_TRY(find_centre(&chosen, node, centre, &mass, err));
+    const hs_atoms *atoms = &chosen.sim->atoms;
+    for (int i = 0; i < atoms->n_local; ++i) {
+        if (!is_chosen(&chosen, i)) continue;
+        double x[3];
+        unwrap(chosen.sim, i, x);
+        const double dx = x[0] - centre[0], dy = x[1] - centre[1], dz = x[2] - centre[2];
+        sum += (dx * dx + dy * dy + dz * dz) * atoms->mass[atoms->type[i]];
+    }
+    hs_parallel_sum_double(&chosen.sim->parallel, &sum, 1);
+    *value = sqrt(sum / mass);
+    return HS_OK;
+}
+
+/** Component of the sum over atoms of (x - centre) cross (m v or f). */
+static hs_status sum_moment(hs_deck *deck, const hs_node *node, bool of_forces, double *value, hs_error *err)
+{
+    selection chosen;
+    double centre[3], mass;
+    int axis;
+    HS_TRY(axis_of(node, node->words[1], &axis, err));
+    HS_TRY(select_atoms(deck, node, &chosen, err));
+    HS_TRY(find_centre(&chosen, node, centre, &mass, err));
+    const hs_atoms *atoms = &chosen.sim->atoms;
+    const int a = (axis + 1) % 3, b = (axis + 2) % 3;
+    double *const *vector = of_forces ? (double *const *)atoms->f : (double *const *)atoms->v;
+    *value = 0.0;
+    for (int i = 0; i < atoms->n_local; ++i) {
+        if (!is_chosen(&chosen, i)) continue;
+        double x[3];
+        unwrap(chosen.sim, i, x);
+        const double weight = of_forces ? 1.0 : atoms->mass[atoms->type[i]];
+        *value += weight * ((x[a] - centre[a]) * vector[b][i] - (x[b] - centre[b]) * vector[a][i]);
+    }
+    hs_parallel_sum_double(&chosen.sim->parallel, value, 1);
+    return HS_OK;
+}
+
+static hs_status do_angmom(hs_deck *deck, const hs_node *node, double *value, hs_error *err)
+{
+    return sum_moment(deck, node, false, value, err);
+}
+
+static hs_status do_torque(hs_deck *deck, const hs_node *node, double *value, hs_error *err)
+{
+    return sum_moment(deck, node, true, value, err);
+}
+
+static hs_status do_inertia(hs_deck *deck, const hs_node *node, double *value, hs_error *err)
+{
+    selection chosen;
+    double centre[3], mass;
+    const char *word = node->words[1];
+    if (strlen(word) != 2 || word[0] < 'x' || word[0] > 'z' || word[1] < 'x' || word[1] > 'z')
+        return hs_fail(err, HS_ERROR_INPUT, "%s: '%s' must be xx, yy, zz, xy, yz or xz", node->words_of->usage, word);
+    const int a = word[0] - 'x', b = word[1] - 'x';
+    HS_TRY(select_atoms(deck, node, &chosen, err));
+    HS_TRY(find_centre(&chosen, node, centre, &mass, err));
+    const hs_atoms *atoms = &chosen.sim->atoms;
+    *value = 0.0;
+    for (int i = 0; i < atoms->n_local; ++i) {
+        if (!is_chosen(&chosen, i)) continue;
+        double x[3], r2 = 0.0;
+        unwrap(chosen.sim, i, x);
+        for (int d = 0; d < 3; ++d) x[d] -= centre[d], r2 += x[d] * x[d];
+        *value += atoms->mass[atoms->type[i]] * ((a == b ? r2 : 0.0) - x[a] * x[b]);
+    }
+    hs_parallel_sum_double(&chosen.sim->parallel, value, 1);
+    return HS_OK;
+}
+
+const hs_word_function hs_group_functions[] = {
+    {"count", 1, 2, do_count, NULL, "count(group[,region])", "number of atoms"},
+    {"mass", 1, 2, do_mass, NULL, "mass(group[,region])", "total mass"},
+    {"xcm", 2, 3, do_xcm, NULL, "xcm(group,x|y|z[,region])", "centre of mass, unwrapped"},
+    {"vcm", 2, 3, do_vcm, NULL, "vcm(group,x|y|z[,region])", "velocity of the centre of mass"},
+    {"fcm", 2, 3, do_fcm, NULL, "fcm(group,x|y|z[,region])", "total force"},
+    {"bound", 2, 3, do_bound, NULL, "bound(group,xmin|xmax|ymin|...[,region])", "least or greatest coordinate"},
+    {"gyration", 1, 2, do_gyration, NULL, "gyration(group[,region])", "radius of gyration"},
+    {"ke", 1, 2, do_ke, NULL, "ke(group[,region])", "kinetic energy"},
+    {"angmom", 2, 3, do_angmom, NULL, "angmom(group,x|y|z[,region])", "angular momentum about the centre of mass"},
+    {"torque", 2, 3, do_torque, NULL, "torque(group,x|y|z[,region])", "torque about the centre of mass"},
+    {"inertia", 2, 3, do_inertia, NULL, "inertia(group,xx|yy|zz|xy|yz|xz[,region])", "component of the moment of inertia"},
+    {0},
+};

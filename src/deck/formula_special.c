@@ -1,0 +1,145 @@
+/** Special functions of formulas: about vectors of computes and fixes, groups and regions per atom, and what is defined. */
+#include <stdio.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "deck/command.h"
+#include "deck/formula_nodes.h"
+#include "deck/variables.h"
+
+/** A vector named c_ID or f_ID. */
+typedef struct vector {
+    hs_compute *compute;
+    hs_fix *fix;
+    int n;
+} vector;
+
+static hs_status find_vector(hs_deck *deck, const hs_node *node, vector *found, hs_error *err)
+{
+    const char *word = node->words[0], *usage = node->words_of->usage;
+    memset(found, 0, sizeof *found);
+    if (strncmp(word, "c_", 2) == 0) {
+        found->compute = hs_sim_find_compute(deck->sim, word + 2);
+        if (found->compute == NULL) return hs_fail(err, HS_ERROR_INPUT, "%s: there is no compute '%s'", usage, word + 2);
+        found->n = found->compute->style->vector != NULL ? found->compute->n_vector : 0;
+    } else if (strncmp(word, "f_", 2) == 0) {
+        found->fix = hs_sim_find_fix(deck->sim, word + 2);
+        if (found->fix == NULL) return hs_fail(err, HS_ERROR_INPUT, "%s: there is no fix '%s'", usage, word + 2);
+        found->n = found->fix->style->vector != NULL ? found->fix->style->n_vector : 0;
+    } else {
+        return hs_fail(err, HS_ERROR_INPUT, "%s: '%s' must be c_ID or f_ID, the vector of a compute or fix", usage, word);
+    }
+    if (found->n > 0) return HS_OK;
+    return hs_fail(err, HS_ERROR_INPUT, "%s: '%s' has no vector", usage, word);
+}
+
+static hs_status element(const vector *from, int i, double *value, hs_error *err)
+{
+    return from->compute != NULL ? hs_compute_vector(from->compute, i, value, err) : from->fix->style->vector(from->fix, i, value, err);
+}
+
+static hs_status do_vector(hs_deck *deck, const hs_node *node, double *value, hs_error *err)
+{
+    vector from;
+    HS_TRY(find_vector(deck, node, &from, err));
+    const char *name = node->words_of->name;
+    double sum = 0.0, least = 0.0, greatest = 0.0, first = 0.0, last = 0.0, moment = 0.0;
+    for (int i = 0; i < from.n; ++i) {
+        double x;
+        HS_TRY(element(&from, i, &x, err));
+        sum += x;
+        moment += x * (i + 1);
+        if (i == 0 || x < least) least = x;
+        if (i == 0 || x > greatest) greatest = x;
+        if (i == 0) first = x;
+        last = x;
+    }
+    const double n = from.n;
+    if (strcmp(name, "sum") == 0) *value = sum;
+    else if (strcmp(name, "min") == 0) *value = least;
+    else if (strcmp(name, "max") == 0) *value = greatest;
+    else if (strcmp(name, "ave") == 0) *value = sum / n;
+    else if (strcmp(name, "trap") == 0) *value = from.n > 1 ? sum - 0.5 * (first + last) : 0.0;
+    else *value = from.n > 1 ? (moment - 0.5 * (n + 1.0) * sum) / (n * (n * n - 1.0) / 12.0) : 0.0;
+    return HS_OK;
+}
+
+static hs_status do_masks(hs_deck *deck, const hs_node *node, double *values, hs_error *err)
+{
+    hs_sim *sim = deck->sim;
+    const bool has_group = node->words_of->name[0] == 'g', has_region = node->words_of->name[0] == 'r' || node->n_words == 2;
+    int bit = 0;
+    const hs_region *region = NULL;
+    if (has_group) HS_TRY(hs_groups_get(&sim->groups, node->words[0], &bit, err));
+    if (has_region) {
+        const char *id = node->words[node->n_words - 1];
+        region = hs_sim_find_region(sim, id);
+        if (region == NULL) return hs_fail(err, HS_ERROR_INPUT, "%s: there is no region '%s'", node->words_of->usage, id);
+    }
+    for (int i = 0; i < sim->atoms.n_local; ++i) {
+        const double x[3] = {sim->atoms.x[0][i], sim->atoms.x[1][i], sim->atoms.x[2][i]};
+        values[i] = (sim->atoms.mask[i] & hs_group_mask(bit)) != 0 && (region == NULL || hs_region_contains(region, x));
+    }
+    return HS_OK;
+}
+
+static hs_status do_is_defined(hs_deck *deck, const hs_node *node, double *value, hs_error *err)
+{
+    const char *category = node->words[0], *id = node->words[1];
+    if (strcmp(category, "compute") == 0) *value = hs_sim_find_compute(deck->sim, id) != NULL;
+    else if (strcmp(category, "dump") == 0) *value = hs_sim_find_dump(deck->sim, id) != NULL;
+    else if (strcmp(category, "fix") == 0) *value = hs_sim_find_fix(deck->sim, id) != NULL;
+    else if (strcmp(category, "region") == 0) *value = hs_sim_find_region(deck->sim, id) != NULL;
+    else if (strcmp(category, "group") == 0) *value = hs_groups_find(&deck->sim->groups, id) >= 0;
+    else if (strcmp(category, "variable") == 0) *value = hs_variables_find(deck->variables, id) != NULL;
+    else
+        return hs_fail(err, HS_ERROR_INPUT, "%s: '%s' must be compute, dump, fix, group, region or variable",
+                       node->words_of->usage, category);
+    return HS_OK;
+}
+
+#define IS_STYLE(table, id, out)                                                       \
+    for (int k = 0; (table)[k] != NULL; ++k)                                            \
+        if (strcmp((table)[k]->about.name, (id)) == 0) *(out) = 1.0;
+
+static hs_status do_is_available(hs_deck *deck, const hs_node *node, double *value, hs_error *err)
+{
+    (void)deck;
+    const char *category = node->words[0], *id = node->words[1];
+    *value = 0.0;
+    if (strcmp(category, "command") == 0) *value = hs_command_find(id) != NULL;
+    else if (strcmp(category, "pair") == 0) { IS_STYLE(hs_pair_styles, id, value) }
+    else if (strcmp(category, "fix") == 0) { IS_STYLE(hs_fix_styles, id, value) }
+    else if (strcmp(category, "compute") == 0) { IS_STYLE(hs_compute_styles, id, value) }
+    else if (strcmp(category, "region") == 0) { IS_STYLE(hs_region_styles, id, value) }
+    else if (strcmp(category, "dump") == 0) { IS_STYLE(hs_dump_styles, id, value) }
+    else
+        return hs_fail(err, HS_ERROR_INPUT, "%s: '%s' must be command, pair, fix, compute, region or dump", node->words_of->usage,
+                       category);
+    return HS_OK;
+}
+
+static hs_status do_is_file(hs_deck *deck, const hs_node *node, double *value, hs_error *err)
+{
+    (void)err;
+    /* All ranks must agree, and only the first is sure to see the file system of the deck. */
+    *value = deck->sim->parallel.rank == 0 && access(node->words[0], R_OK) == 0;
+    hs_parallel_sum_double(&deck->sim->parallel, value, 1);
+    return HS_OK;
+}
+
+const hs_word_function hs_special_functions[] = {
+    {"sum", 1, 1, do_vector, NULL, "sum(c_ID|f_ID)", "sum of the elements of a vector"},
+    {"min", 1, 1, do_vector, NULL, "min(c_ID|f_ID)", "least element"},
+    {"max", 1, 1, do_vector, NULL, "max(c_ID|f_ID)", "greatest element"},
+    {"ave", 1, 1, do_vector, NULL, "ave(c_ID|f_ID)", "mean of the elements"},
+    {"trap", 1, 1, do_vector, NULL, "trap(c_ID|f_ID)", "integral by the trapezoidal rule, distance 1"},
+    {"slope", 1, 1, do_vector, NULL, "slope(c_ID|f_ID)", "slope of the line fitted to the elements"},
+    {"gmask", 1, 1, NULL, do_masks, "gmask(group)", "1 for atoms of the group, 0 for others (per atom)"},
+    {"rmask", 1, 1, NULL, do_masks, "rmask(region)", "1 for atoms in the region (per atom)"},
+    {"grmask", 2, 2, NULL, do_masks, "grmask(group,region)", "1 for atoms of the group in the region (per atom)"},
+    {"is_defined", 2, 2, do_is_defined, NULL, "is_defined(category,ID)", "whether a compute, dump, fix, group, region or variable exists"},
+    {"is_available", 2, 2, do_is_available, NULL, "is_available(category,name)", "whether a command or style is supported"},
+    {"is_file", 1, 1, do_is_file, NULL, "is_file(name)", "whether a file can be read"},
+    {0},
+};

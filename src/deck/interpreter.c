@@ -1,0 +1,195 @@
+/** Carrying out a deck: line by line, in the order of LAMMPS: echo, comment, variables, words, command. */
+#include <string.h>
+
+#include "base/memory.h"
+#include "deck/command.h"
+#include "deck/interpreter.h"
+#include "deck/lexer.h"
+#include "deck/source.h"
+#include "deck/substitute.h"
+#include "deck/variables.h"
+
+/** Commands within commands (if within if, run every): deeper ones would only end in the stack's overflow. */
+enum { DEPTH_MAX = 32 };
+
+static hs_status variable_value(void *deck, const char *name, double *value, hs_error *err)
+{
+    return hs_variables_number(deck, name, value, err);
+}
+
+static hs_status variable_atoms(void *deck, const char *name, double *values, hs_error *err)
+{
+    return hs_variables_atoms(deck, name, values, err);
+}
+
+static void connect(hs_deck *deck)
+{
+    deck->sim->env.deck = deck;
+    deck->sim->env.variable_value = variable_value;
+    deck->sim->env.variable_atoms = variable_atoms;
+}
+
+hs_status hs_deck_create(hs_deck **deck, const hs_options *options, hs_sink *out, hs_error *err)
+{
+    HS_TRY(HS_ALLOC(*deck, 1, err));
+    (*deck)->options = *options;
+    (*deck)->out = out;
+    (*deck)->echo_log = true;
+    hs_status status = hs_variables_create(&(*deck)->variables, err);
+    if (status == HS_OK) status = hs_sim_create(&(*deck)->sim, options, out, err);
+    if (status == HS_OK) connect(*deck);
+    if (status != HS_OK) hs_deck_destroy(deck);
+    return status;
+}
+
+hs_status hs_deck_clear(hs_deck *deck, hs_error *err)
+{
+    hs_sim *fresh = NULL;
+    HS_TRY(hs_sim_create(&fresh, &deck->options, deck->out, err));
+    fresh->stop_requested = deck->sim->stop_requested;
+    hs_sim_destroy(&deck->sim);
+    deck->sim = fresh;
+    connect(deck);
+    return HS_OK;
+}
+
+void hs_deck_close_log(hs_deck *deck)
+{
+    if (deck->log_opened == NULL) return;
+    if (deck->out->log == deck->log_opened) deck->out->log = NULL;
+    fclose(deck->log_opened);
+    deck->log_opened = NULL;
+}
+
+void hs_deck_destroy(hs_deck **deck)
+{
+    if (*deck == NULL) return;
+    while ((*deck)->source != NULL) hs_source_pop(*deck);
+    hs_sim_destroy(&(*deck)->sim);
+    hs_variables_destroy(&(*deck)->variables);
+    hs_deck_close_log(*deck);
+    hs_text_fini(&(*deck)->input);
+    HS_FREE((*deck)->label_wanted);
+    HS_FREE(*deck);
+}
+
+hs_status hs_deck_set_variable(hs_deck *deck, const char *name, int n, const char *const *values, hs_error *err)
+{
+    return hs_variables_set_index(deck->variables, name, n, values, err);
+}
+
+void hs_deck_make_printable(char *text)
+{
+    for (unsigned char *at = (unsigned char *)text; *at != '\0';) {
+        size_t n = *at < 0x80 ? 1 : (*at & 0xe0) == 0xc0 ? 2 : (*at & 0xf0) == 0xe0 ? 3 : (*at & 0xf8) == 0xf0 ? 4 : 0;
+        bool is_fine = n > 1 || (n == 1 && *at >= ' ' && *at != 0x7f);
+        for (size_t i = 1; i < n && is_fine; ++i) is_fine = (at[i] & 0xc0) == 0x80;
+        if (!is_fine) *at = '?', n = 1;
+        at += n;
+    }
+}
+
+static hs_status stop_if_asked(const hs_deck *deck, hs_error *err)
+{
+    if (deck->sim->stop_requested == NULL || !*deck->sim->stop_requested) return HS_OK;
+    return hs_fail(err, HS_INTERRUPTED, "stopped by a signal before this command");
+}
+
+static void echo(hs_deck *deck, const char *line)
+{
+    if (deck->echo_screen) hs_say_screen(deck->out, "%s\n", line);
+    if (deck->echo_log) hs_say_log(deck->out, "%s\n", line);
+}
+
+static hs_status run_words(hs_deck *deck, const hs_words *words, hs_error *err)
+{
+    const hs_command *command = hs_command_find(words->word[0]);
+    if (command == NULL) return hs_command_refuse(words->word[0], err);
+    const hs_args args = {.command = words->word[0], .n = words->n - 1, .word = words->word + 1};
+    HS_TRY(hs_syntax_check(&command->about.syntax, &args, false, err));
+    if (command->check != NULL) HS_TRY(command->check(&args, false, err));
+    return command->run(deck, &args, err);
+}
+
+/** While a label is looked for nothing is replaced or run but the command `label` itself: variables of skipped lines
+ *  need not exist. */
+static bool is_skipped(const hs_deck *deck, const char *line)
+{
+    if (deck->label_wanted == NULL) return false;
+    line += strspn(line, " \t\v\f\r\n");
+    return strncmp(line, "label", 5) != 0 || line[5] == '\0' || strchr(" \t\v\f\r\n", line[5]) == NULL;
+}
+
+/** One logical line: echo, comment, variables, words, command. */
+static hs_status run_line(hs_deck *deck, const char *text, hs_error *err)
+{
+    if (is_skipped(deck, text)) return HS_OK;
+    const bool is_shown = deck->label_wanted == NULL;
+    hs_text line = {0};
+    hs_words words = {0};
+    if (is_shown) echo(deck, text);
+    hs_status status = hs_text_append(&line, text, strlen(text), err);
+    if (status == HS_OK) {
+        hs_lexer_strip_comment(line.data);
+        line.length = strlen(line.data);
+        status = hs_substitute(deck, &line, is_shown, err);
+    }
+    if (status == HS_OK) status = hs_words_split(&words, hs_text_get(&line), err);
+    if (status == HS_OK && words.n > 0) status = run_words(deck, &words, err);
+    hs_words_fini(&words);
+    hs_text_fini(&line);
+    return status;
+}
+
+static hs_status fail_label(hs_deck *deck, hs_error *err)
+{
+    hs_source *source = deck->source;
+    hs_status status = hs_fail(err, HS_ERROR_INPUT, "jump: there is no 'label %s' in %s", deck->label_wanted, source->name);
+    hs_error_locate(err, source->jump_name, source->jump_line);
+    return status;
+}
+
+hs_status hs_source_run(hs_deck *deck, hs_error *err)
+{
+    hs_text line = {0};
+    hs_status status = HS_OK;
+    while (status == HS_OK && !deck->quit) {
+        hs_source *source = deck->source;
+        bool found;
+        status = hs_lexer_line(source->text.data, source->text.length, &source->cursor, &line, &source->line, &found, err);
+        if (status == HS_OK && !found) {
+            if (deck->label_wanted != NULL) status = fail_label(deck, err);
+            break;
+        }
+        if (status == HS_OK) status = stop_if_asked(deck, err);
+        if (status == HS_OK) status = run_line(deck, hs_text_get(&line), err);
+        if (status != HS_OK) hs_error_locate(err, source->name, source->line);
+    }
+    hs_text_fini(&line);
+    return status;
+}
+
+hs_status hs_deck_run(hs_deck *deck, const char *file, hs_error *err)
+{
+    hs_status status = hs_source_push(deck, file, err);
+    if (status == HS_OK) {
+        status = hs_source_run(deck, err);
+        hs_source_pop(deck);
+    }
+    HS_FREE(deck->label_wanted);
+    deck->depth = 0;
+    hs_deck_make_printable(err->text);
+    return status;
+}
+
+hs_status hs_deck_command(hs_deck *deck, const char *line, hs_error *err)
+{
+    if (deck->depth >= DEPTH_MAX)
+        return hs_fail(err, HS_ERROR_INPUT, "more than %d commands within one another (if, run every)", DEPTH_MAX);
+    if (deck->quit) return HS_OK;
+    ++deck->depth;
+    hs_status status = run_line(deck, line, err);
+    --deck->depth;
+    hs_deck_make_printable(err->text);
+    return status;
+}

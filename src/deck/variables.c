@@ -1,0 +1,358 @@
+#include "deck/variables.h"
+
+#include <ctype.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/memory.h"
+
+/** Formulas within formulas: more would only end in the stack's overflow. */
+enum { DEPTH_MAX = 100 };
+
+const char *const hs_variable_styles[] = {"index", "loop", "string", "format", "getenv", "equal", "atom", "internal", NULL};
+
+hs_status hs_variables_create(hs_variables **variables, hs_error *err) { return HS_ALLOC(*variables, 1, err); }
+
+static void forget(hs_variable *variable)
+{
+    for (int i = 0; i < variable->n_values; ++i) HS_FREE(variable->value[i]);
+    HS_FREE(variable->value);
+    variable->n_values = 0;
+    hs_formula_destroy(&variable->formula);
+}
+
+static void destroy(hs_variable **variable)
+{
+    if (*variable == NULL) return;
+    forget(*variable);
+    HS_FREE((*variable)->name);
+    HS_FREE(*variable);
+}
+
+void hs_variables_destroy(hs_variables **variables)
+{
+    if (*variables == NULL) return;
+    for (int i = 0; i < (*variables)->n; ++i) destroy(&(*variables)->variable[i]);
+    HS_FREE((*variables)->variable);
+    HS_FREE(*variables);
+}
+
+hs_variable *hs_variables_find(const hs_variables *variables, const char *name)
+{
+    for (int i = 0; i < variables->n; ++i)
+        if (strcmp(variables->variable[i]->name, name) == 0) return variables->variable[i];
+    return NULL;
+}
+
+hs_status hs_variables_need(const hs_variables *variables, const char *name, hs_variable **variable, hs_error *err)
+{
+    *variable = hs_variables_find(variables, name);
+    if (*variable != NULL) return HS_OK;
+    enum { MAX = 256 };
+    const char *names[MAX];
+    size_t n = 0;
+    for (int i = 0; i < variables->n && n < MAX; ++i) names[n++] = variables->variable[i]->name;
+    const char *nearest = hs_text_nearest(name, names, n);
+    if (nearest != NULL)
+        return hs_fail(err, HS_ERROR_INPUT, "there is no variable '%.80s'; did you mean '%s'?", name, nearest);
+    return hs_fail(err, HS_ERROR_INPUT, "there is no variable '%.80s': the command 'variable' or the option -var makes one", name);
+}
+
+static hs_status check_name(const char *name, hs_error *err)
+{
+    for (const char *c = name; *c != '\0' || c == name; ++c)
+        if (!isalnum((unsigned char)*c) && *c != '_')
+            return hs_fail(err, HS_ERROR_INPUT, "variable: the name '%.80s' may have only letters, digits and underscores", name);
+    return HS_OK;
+}
+
+static hs_status add(hs_variables *variables, const char *name, hs_variable_style style, hs_variable **variable, hs_error *err)
+{
+    if (variables->n == variables->capacity) {
+        int capacity = variables->capacity == 0 ? 16 : 2 * variables->capacity;
+        HS_TRY(HS_GROW(variables->variable, (size_t)variables->n, (size_t)capacity, err));
+        variables->capacity = capacity;
+    }
+    *variable = NULL;
+    HS_TRY(HS_ALLOC(*variable, 1, err));
+    hs_status status = hs_memory_strdup(&(*variable)->name, name, err);
+    if (status != HS_OK) {
+        HS_FREE(*variable);
+        return status;
+    }
+    (*variable)->style = style;
+    variables->variable[variables->n++] = *variable;
+    return HS_OK;
+}
+
+static void remove_variable(hs_variables *variables, const char *name)
+{
+    for (int i = 0; i < variables->n; ++i) {
+        if (strcmp(variables->variable[i]->name, name) != 0) continue;
+        destroy(&variables->variable[i]);
+        for (--variables->n; i < variables->n; ++i) variables->variable[i] = variables->variable[i + 1];
+        return;
+    }
+}
+
+static hs_status copy_values(hs_variable *variable, int n, const char *const *values, hs_error *err)
+{
+    HS_TRY(HS_ALLOC(variable->value, (size_t)n, err));
+    for (; variable->n_values < n; ++variable->n_values)
+        HS_TRY(hs_memory_strdup(&variable->value[variable->n_values], values[variable->n_values], err));
+    return HS_OK;
+}
+
+hs_status hs_variables_set_index(hs_variables *variables, const char *name, int n, const char *const *values, hs_error *err)
+{
+    hs_variable *variable;
+    HS_TRY(check_name(name, err));
+    if (n < 1) return hs_fail(err, HS_ERROR_INPUT, "-var %s: a value is missing", name);
+    if (hs_variables_find(variables, name) != NULL)
+        return hs_fail(err, HS_ERROR_INPUT, "-var %s: the variable is given twice", name);
+    HS_TRY(add(variables, name, HS_VARIABLE_INDEX, &variable, err));
+    return copy_values(variable, n, values, err);
+}
+
+static hs_status set_loop(hs_variable *variable, const hs_args *args, hs_error *err)
+{
+    int64_t n[2] = {1, 0};
+    bool is_padded = strcmp(args->word[args->n - 1], "pad") == 0;
+    int n_numbers = args->n - 2 - is_padded;
+    HS_TRY(hs_arg_int(args, 2, 0, INT32_MAX, &n[n_numbers == 1 ? 1 : 0], err));
+    if (n_numbers == 2) HS_TRY(hs_arg_int(args, 3, 0, INT32_MAX, &n[1], err));
+    if (n[0] > n[1])
+        return hs_fail(err, HS_ERROR_INPUT, "variable: a loop from %lld to %lld has no values", (long long)n[0], (long long)n[1]);
+    variable->first = variable->which = n[0];
+    variable->last = n[1];
+    variable->width = is_padded ? snprintf(NULL, 0, "%lld", (long long)n[1]) : 0;
+    return HS_OK;
+}
+
+static hs_status set_formula(hs_variable *variable, const hs_args *args, hs_error *err)
+{
+    hs_formula *formula = NULL;
+    HS_TRY(hs_formula_parse(&formula, args->word[2], variable->style == HS_VARIABLE_ATOM, err));
+    hs_formula_destroy(&variable->formula);
+    variable->formula = formula;
+    return HS_OK;
+}
+
+/** Styles whose second definition is ignored, as in LAMMPS: this is how -var wins and how loops keep their place. */
+static bool keeps_first(hs_variable_style style)
+{
+    return style == HS_VARIABLE_INDEX || style == HS_VARIABLE_LOOP || style == HS_VARIABLE_GETENV;
+}
+
+static hs_status fill(hs_variable *variable, const hs_args *args, hs_error *err)
+{
+    switch (variable->style) {
+    case HS_VARIABLE_LOOP: return set_loop(variable, args, err);
+    case HS_VARIABLE_EQUAL:
+    case HS_VARIABLE_ATOM: return set_formula(variable, args, err);
+    case HS_VARIABLE_INTERNAL: return hs_arg_double(args, 2, &variable->number, err);
+    default: forget(variable); return copy_values(variable, args->n - 2, args->word + 2, err);
+    }
+}
+
+hs_status hs_variables_define(hs_deck *deck, const hs_args *args, hs_error *err)
+{
+    hs_variables *variables = deck->variables;
+    HS_TRY(hs_variables_check(args, false, err));
+    if (strcmp(args->word[1], "delete") == 0) {
+        remove_variable(variables, args->word[0]);
+        return HS_OK;
+    }
+    int style;
+    HS_TRY(hs_arg_choice(args, 1, hs_variable_styles, &style, err));
+    hs_variable *variable = hs_variables_find(variables, args->word[0]);
+    if (variable != NULL) {
+        if (keeps_first((hs_variable_style)style)) return HS_OK;
+        if (variable->style != (hs_variable_style)style)
+            return hs_fail(err, HS_ERROR_INPUT, "variable: '%s' exists as %s-style; 'variable %s delete' must come before it can be "
+                           "%s-style", variable->name, hs_variable_styles[variable->style], variable->name,
+                           hs_variable_styles[style]);
+        if (variable->is_evaluating)
+            return hs_fail(err, HS_ERROR_INPUT, "variable: '%s' cannot change while it is being evaluated", variable->name);
+        return fill(variable, args, err);
+    }
+    HS_TRY(add(variables, args->word[0], (hs_variable_style)style, &variable, err));
+    hs_status status = fill(variable, args, err);
+    if (status != HS_OK) remove_variable(variables, args->word[0]);
+    return status;
+}
+
+hs_status hs_variables_set_internal(hs_variables *variables, const char *name, double number, hs_error *err)
+{
+    hs_variable *variable;
+    HS_TRY(hs_variables_need(variables, name, &variable, err));
+    if (variable->style != HS_VARIABLE_INTERNAL)
+        return hs_fail(err, HS_ERROR_INPUT, "the variable '%s' must be internal-style to be set", name);
+    variable->number = number;
+    return HS_OK;
+}
+
+static hs_status check_next(const hs_variables *variables, const hs_args *args, hs_error *err)
+{
+    hs_variable_style style = HS_VARIABLE_INDEX;
+    for (int i = 0; i < args->n; ++i) {
+        hs_variable *variable;
+        HS_TRY(hs_variables_need(variables, args->word[i], &variable, err));
+        if (variable->style != HS_VARIABLE_INDEX && variable->style != HS_VARIABLE_LOOP)
+            return hs_fail(err, HS_ERROR_INPUT, "next: the variable '%s' is %s-style; only index and loop have a next value",
+                           variable->name, hs_variable_styles[variable->style]);
+        if (i > 0 && variable->style != style)
+            return hs_fail(err, HS_ERROR_INPUT, "next: the variables '%s' and '%s' must have the same style", args->word[0],
+                           args->word[i]);
+        style = variable->style;
+    }
+    return HS_OK;
+}
+
+hs_status hs_variables_next(hs_variables *variables, const hs_args *args, bool *exhausted, hs_error *err)
+{
+    HS_TRY(check_next(variables, args, err));
+    *exhausted = false;
+    for (int i = 0; i < args->n; ++i) {
+        hs_variable *variable = hs_variables_find(variables, args->word[i]);
+        const int64_t last = variable->style == HS_VARIABLE_INDEX ? variable->n_values - 1 : variable->last;
+        if (++variable->which > last) *exhausted = true;
+    }
+    for (int i = 0; i < args->n && *exhausted; ++i) remove_variable(variables, args->word[i]);
+    return HS_OK;
+}
+
+/** Put "variable 'NAME': " before an error that was met while evaluating it. */
+static void blame(hs_error *err, const char *name)
+{
+    char text[sizeof err->text];
+    if (err->status == HS_OK || strncmp(err->text, "variable '", 10) == 0) return;
+    snprintf(text, sizeof text, "%s", err->text);
+    snprintf(err->text, sizeof err->text, "variable '%.80s': %.1900s", name, text);
+}
+
+/** Guard an evaluation against variables that use themselves. */
+static hs_status enter(hs_variables *variables, hs_variable *variable, hs_error *err)
+{
+    if (variable->is_evaluating)
+        return hs_fail(err, HS_ERROR_INPUT, "variable '%s': its formula '%.400s' uses the variable itself, directly or through others",
+                       variable->name, hs_formula_text(variable->formula));
+    if (variables->depth >= DEPTH_MAX)
+        return hs_fail(err, HS_ERROR_INPUT, "variable '%s': more than %d variables use one another in a chain", variable->name,
+                       DEPTH_MAX);
+    variable->is_evaluating = true;
+    ++variables->depth;
+    return HS_OK;
+}
+
+static void leave(hs_variables *variables, hs_variable *variable)
+{
+    variable->is_evaluating = false;
+    --variables->depth;
+}
+
+/** Value of an equal-style formula, full precision. */
+static hs_status eval_equal(hs_deck *deck, hs_variable *variable, double *value, hs_error *err)
+{
+    HS_TRY(enter(deck->variables, variable, err));
+    hs_status status = hs_formula_value(variable->formula, deck, value, err);
+    leave(deck->variables, variable);
+    if (status != HS_OK) blame(err, variable->name);
+    return status;
+}
+
+bool hs_format_is_for_double(const char *format)
+{
+    int n = 0;
+    for (const char *at = format; *at != '\0'; ++at) {
+        if (*at != '%') continue;
+        if (*++at == '%') continue;
+        at += strspn(at, "-+ #0");
+        size_t width = strspn(at, "0123456789");
+        at += width;
+        size_t precision = 0;
+        if (*at == '.') {
+            precision = strspn(at + 1, "0123456789");
+            at += 1 + precision;
+        }
+        if (width > 3 || precision > 3 || *at == '\0' || strchr("efgEFGaA", *at) == NULL) return false;
+        ++n;
+    }
+    return n == 1;
+}
+
+static hs_status format_text(hs_deck *deck, const hs_variable *variable, hs_text *text, hs_error *err)
+{
+    double value;
+    HS_TRY(hs_variables_number(deck, variable->value[0], &value, err));
+    return hs_text_printf(text, err, variable->value[1], value);
+}
+
+hs_status hs_variables_text(hs_deck *deck, const char *name, hs_text *text, hs_error *err)
+{
+    hs_variable *variable;
+    double value;
+    hs_text_clear(text);
+    HS_TRY(hs_variables_need(deck->variables, name, &variable, err));
+    switch (variable->style) {
+    case HS_VARIABLE_INDEX: return hs_text_printf(text, err, "%s", variable->value[variable->which]);
+    case HS_VARIABLE_LOOP: return hs_text_printf(text, err, "%0*lld", variable->width, (long long)variable->which);
+    case HS_VARIABLE_STRING: return hs_text_printf(text, err, "%s", variable->value[0]);
+    case HS_VARIABLE_FORMAT: return format_text(deck, variable, text, err);
+    case HS_VARIABLE_GETENV: {
+        const char *found = getenv(variable->value[0]);
+        return hs_text_printf(text, err, "%s", found != NULL ? found : "");
+    }
+    case HS_VARIABLE_EQUAL:
+        HS_TRY(eval_equal(deck, variable, &value, err));
+        return hs_text_printf(text, err, "%.15g", value);
+    case HS_VARIABLE_INTERNAL: return hs_text_printf(text, err, "%.15g", variable->number);
+    default:
+        return hs_fail(err, HS_ERROR_INPUT, "the variable '%s' is atom-style: it has one value per atom and no text", variable->name);
+    }
+}
+
+hs_status hs_variables_rounded(hs_deck *deck, const char *name, double *value, hs_error *err)
+{
+    const hs_variable *variable = hs_variables_find(deck->variables, name);
+    if (variable != NULL && variable->style == HS_VARIABLE_INTERNAL) {
+        *value = variable->number;
+        return HS_OK;
+    }
+    hs_text text = {0};
+    hs_status status = hs_variables_text(deck, name, &text, err);
+    const char *word = hs_text_get(&text);
+    while (isspace((unsigned char)*word)) ++word;
+    if (status == HS_OK && !hs_text_to_double(word, value))
+        status = hs_fail(err, HS_ERROR_INPUT, "the value '%.80s' of the variable '%s' is not a number", hs_text_get(&text), name);
+    hs_text_fini(&text);
+    return status;
+}
+
+hs_status hs_variables_number(hs_deck *deck, const char *name, double *value, hs_error *err)
+{
+    hs_variable *variable;
+    HS_TRY(hs_variables_need(deck->variables, name, &variable, err));
+    if (variable->style == HS_VARIABLE_EQUAL) return eval_equal(deck, variable, value, err);
+    return hs_variables_rounded(deck, name, value, err);
+}
+
+hs_status hs_variables_atoms(hs_deck *deck, const char *name, double *values, hs_error *err)
+{
+    hs_variable *variable;
+    HS_TRY(hs_variables_need(deck->variables, name, &variable, err));
+    if (variable->style != HS_VARIABLE_ATOM) {
+        double value;
+        HS_TRY(hs_variables_number(deck, name, &value, err));
+        for (int i = 0; i < deck->sim->atoms.n_local; ++i) values[i] = value;
+        return HS_OK;
+    }
+    HS_TRY(hs_sim_need_box(deck->sim, "atom-style variables", err));
+    HS_TRY(enter(deck->variables, variable, err));
+    hs_status status = hs_formula_atoms(variable->formula, deck, values, err);
+    leave(deck->variables, variable);
+    if (status != HS_OK) blame(err, variable->name);
+    return status;
+}

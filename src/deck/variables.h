@@ -1,0 +1,79 @@
+/** The variables of a deck. */
+#ifndef HS_DECK_VARIABLES_H
+#define HS_DECK_VARIABLES_H
+
+#include "deck/deck.h"
+#include "deck/formula.h"
+#include "deck/marsaglia.h"
+
+typedef enum {
+    HS_VARIABLE_INDEX,
+    HS_VARIABLE_LOOP,
+    HS_VARIABLE_STRING,
+    HS_VARIABLE_FORMAT,
+    HS_VARIABLE_GETENV,
+    HS_VARIABLE_EQUAL,
+    HS_VARIABLE_ATOM,
+    HS_VARIABLE_INTERNAL
+} hs_variable_style;
+
+/** Names of the styles in that order, ended by NULL. */
+extern const char *const hs_variable_styles[];
+/** LAMMPS's other styles, each followed by why it is refused; ended by NULL. */
+extern const char *const hs_variable_styles_refused[];
+
+typedef struct hs_variable {
+    char *name;                 /**< owned */
+    hs_variable_style style;
+    char **value;               /**< owned [n_values]: index: all values; string; format: variable and format; getenv: name */
+    int n_values;
+    int64_t which;              /**< index: place of the present value; loop: the present number */
+    int64_t first, last;        /**< loop */
+    int width;                  /**< loop: digits to pad to, 0 without pad */
+    double number;              /**< internal */
+    hs_formula *formula;        /**< owned; equal, atom */
+    bool is_evaluating;         /**< guards against formulas that use themselves */
+} hs_variable;
+
+typedef struct hs_variables {
+    hs_variable **variable;     /**< owned [n] */
+    int n, capacity;
+    hs_marsaglia generator;     /**< random() and normal() of equal-style formulas */
+    int64_t n_draws;            /**< evaluations of random functions per atom so far */
+    int depth;                  /**< formulas within formulas being evaluated */
+} hs_variables;
+
+HS_MUST_USE hs_status hs_variables_create(hs_variables **variables, hs_error *err);
+void hs_variables_destroy(hs_variables **variables);
+/** NULL when there is none. */
+hs_variable *hs_variables_find(const hs_variables *variables, const char *name);
+/** Fail with the nearest name. */
+HS_MUST_USE hs_status hs_variables_need(const hs_variables *variables, const char *name, hs_variable **variable, hs_error *err);
+
+/** The command `variable`; the words after it. */
+HS_MUST_USE hs_status hs_variables_define(hs_deck *deck, const hs_args *args, hs_error *err);
+/** What of it can be checked without values: style, counts, formulas. In the first pass words that hold `$` are not yet
+ *  known and pass. */
+HS_MUST_USE hs_status hs_variables_check(const hs_args *args, bool first_pass, hs_error *err);
+/** -var: an index variable that later definitions in the deck do not change. */
+HS_MUST_USE hs_status hs_variables_set_index(hs_variables *variables, const char *name, int n, const char *const *values,
+                                             hs_error *err);
+/** The command `next`: advance them all; at the end all are deleted and *exhausted is true. */
+HS_MUST_USE hs_status hs_variables_next(hs_variables *variables, const hs_args *args, bool *exhausted, hs_error *err);
+/** Give an internal variable its number. */
+HS_MUST_USE hs_status hs_variables_set_internal(hs_variables *variables, const char *name, double number, hs_error *err);
+
+/** The text that ${name} becomes (collective for formulas). Replaces what is in @p text. */
+HS_MUST_USE hs_status hs_variables_text(hs_deck *deck, const char *name, hs_text *text, hs_error *err);
+/** The number of a variable: of a formula in full precision, of the others their text read as a number (collective). */
+HS_MUST_USE hs_status hs_variables_number(hs_deck *deck, const char *name, double *value, hs_error *err);
+/** The same as formulas see it: a formula's value passes through %.15g, as in LAMMPS. */
+HS_MUST_USE hs_status hs_variables_rounded(hs_deck *deck, const char *name, double *value, hs_error *err);
+/** Values of an atom-style variable (or one number for all): values[n_local] (collective). */
+HS_MUST_USE hs_status hs_variables_atoms(hs_deck *deck, const char *name, double *values, hs_error *err);
+
+/** Whether a format has exactly one conversion, for a double: %[flags][width][.precision] and one of e f g E F G a A.
+ *  Text around it and %% are allowed. */
+bool hs_format_is_for_double(const char *format);
+
+#endif
