@@ -125,7 +125,7 @@ static hs_status build(hs_region *region, const hs_args *args, hs_error *err)
     const hs_args own = {.command = args->command, .n = n_own, .word = args->word};
     const hs_args rest = hs_args_from(args, n_own, NULL);
     apply_keywords(region, &rest);
-    HS_TRY(hs_memory_alloc(&region->state, 1, style->state_size, err));
+    if (style->state_size > 0) HS_TRY(hs_memory_alloc(&region->state, 1, style->state_size, err));
     HS_TRY(style->create(region, &own, err));
     if (region->is_outside) region->has_extent = false;
     return HS_OK;
@@ -153,7 +153,7 @@ hs_status hs_region_create(hs_region **region, hs_env *env, const char *id, cons
 void hs_region_destroy(hs_region **region)
 {
     if (*region == NULL) return;
-    if ((*region)->state != NULL && (*region)->style->destroy != NULL) (*region)->style->destroy(*region);
+    if ((*region)->style->destroy != NULL && (*region)->state != NULL) (*region)->style->destroy(*region);
     HS_FREE((*region)->state);
     HS_FREE((*region)->id);
     HS_FREE(*region);
