@@ -80,7 +80,7 @@ static void compare(const char *name)
     ck_assert(feof(file));
     fclose(file);
     ck_assert_msg(n == deck->sim->atoms.n_local, "%s: %d atoms, LAMMPS has %d", name, deck->sim->atoms.n_local, n);
-    hs_deck_destroy(deck);
+    hs_deck_destroy(&deck);
 }
 
 static const char *const names[] = {"fcc_geom", "bcc_two_masses", "hex_2d", "diamond_orient", "fcc_111", "custom", "sq2_ramp",
