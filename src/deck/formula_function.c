@@ -6,7 +6,7 @@
 
 static const double pi = 3.14159265358979323846;
 /** "No further step", as LAMMPS has it. */
-static const double never = 9.0e18;
+static const double never = 0x1p63;
 
 hs_status hs_formula_whole(const char *what, double value, int64_t *whole, hs_error *err)
 {
@@ -48,7 +48,8 @@ PLAIN(atan, atan(x))
 PLAIN(atan2, atan2(x, call->arg[1]))
 PLAIN(ceil, ceil(x))
 PLAIN(floor, floor(x))
-PLAIN(round, round(x))
+/* Halves go up, also below 0, as in LAMMPS. */
+PLAIN(round, x - floor(x) >= 0.5 ? ceil(x) : floor(x))
 GUARDED(sqrt, x >= 0.0, "the square root of a negative number does not exist", sqrt(x))
 GUARDED(ln, x > 0.0, "the logarithm exists for positive numbers only", log(x))
 GUARDED(log, x > 0.0, "the logarithm exists for positive numbers only", log10(x))
@@ -103,17 +104,17 @@ static hs_status do_ramp(const hs_call *call, double *value, hs_error *err)
 {
     HS_TRY(need_run(call, err));
     const hs_env *env = &call->deck->sim->env;
-    double delta = (double)(env->step - env->first_step);
-    if (delta != 0.0 && env->last_step != env->first_step) delta /= (double)(env->last_step - env->first_step);
+    double delta = (double)(env->step - env->ramp_start);
+    if (delta != 0.0) delta /= (double)(env->ramp_stop - env->ramp_start);
     *value = call->arg[0] + delta * (call->arg[1] - call->arg[0]);
     return HS_OK;
 }
 
-/** Time since the run's first step. */
+/** Time since the run's first step, or that of its series (run start). */
 static double elapsed(const hs_call *call)
 {
     const hs_env *env = &call->deck->sim->env;
-    return (double)(env->step - env->first_step) * env->dt;
+    return (double)(env->step - env->ramp_start) * env->dt;
 }
 
 static hs_status do_vdisplace(const hs_call *call, double *value, hs_error *err)
@@ -244,8 +245,12 @@ static hs_status do_stride2(const hs_call *call, double *value, hs_error *err)
     } else {
         next = step - (step - n[3]) % n[5] + n[5];
         if (next > n[4]) next = n[4] - (n[4] - n[0]) % n[2] + n[2];
+        if (next > n[1]) {
+            *value = never;
+            return HS_OK;
+        }
     }
-    *value = next > n[1] ? never : (double)next;
+    *value = (double)next;
     return HS_OK;
 }
 

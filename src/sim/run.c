@@ -79,6 +79,8 @@ static hs_status begin_run(hs_sim *sim, const hs_run_plan *plan, hs_error *err)
 {
     sim->env.first_step = sim->env.step;
     sim->env.last_step = sim->env.step + plan->n_steps;
+    sim->env.ramp_start = plan->start;
+    sim->env.ramp_stop = plan->stop;
     if (plan->pre || !sim->is_initialized) {
         HS_TRY(hs_sim_setup(sim, err));
         if (!plan->is_quiet) hs_report_setup(sim);

@@ -103,10 +103,11 @@ static hs_status find_next_due(hs_thermo *thermo, hs_error *err)
     if (env->variable_value == NULL)
         return hs_fail(err, HS_ERROR_INPUT, "thermo: there is no variable '%s'", thermo->every_variable);
     HS_TRY(env->variable_value(env->deck, thermo->every_variable, &next, err));
-    if (!(next > (double)env->step && next < 9e18))
+    if (!(next > (double)env->step))
         return hs_fail(err, HS_ERROR_INPUT, "thermo: the variable '%s' gave %g as the step of the next row, which must be "
                        "greater than the present step, %lld", thermo->every_variable, next, (long long)env->step);
-    thermo->next_due = (int64_t)next;
+    /* stride() and the like say "never" with 2^63, which no integer holds. */
+    thermo->next_due = next < 9e18 ? (int64_t)next : INT64_MAX;
     return HS_OK;
 }
 

@@ -28,6 +28,7 @@ typedef struct hs_env {
     int64_t first_step;    /**< step at which the present (or next) run began */
     int64_t last_step;     /**< step at which it ends */
     int64_t ramp_start;    /**< step at which a series of runs began (run start); else first_step */
+    int64_t ramp_stop;     /**< step at which the series ends (run stop); else last_step */
     double dt;             /**< timestep, time */
     double time_origin;    /**< simulated time at step time_origin_step: set when dt changes, so that time goes on */
     int64_t time_origin_step;
