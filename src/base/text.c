@@ -84,25 +84,30 @@ bool hs_text_to_int64(const char *word, int64_t *value)
     return true;
 }
 
-/** Edit distance of two words, at most @p limit; words longer than 63 bytes count as far away. */
+static int smaller(int a, int b) { return a < b ? a : b; }
+
+/** Edit distance of two words, at most @p limit: letters replaced, inserted, deleted, or two neighbors swapped. Words
+ *  longer than 63 bytes count as far away. */
 static int edit_distance(const char *a, const char *b, int limit)
 {
     enum { MAX = 64 };
     size_t n_a = strlen(a), n_b = strlen(b);
     if (n_a >= MAX || n_b >= MAX) return limit;
-    int row[MAX];
-    for (size_t j = 0; j <= n_b; ++j) row[j] = (int)j;
+    int rows[3][MAX];   /* of the last two letters of a, and of the present one */
+    for (size_t j = 0; j <= n_b; ++j) rows[0][j] = (int)j;
     for (size_t i = 1; i <= n_a; ++i) {
-        int diagonal = row[0];
+        int *row = rows[i % 3];
+        const int *above = rows[(i + 2) % 3], *two_above = rows[(i + 1) % 3];
         row[0] = (int)i;
         for (size_t j = 1; j <= n_b; ++j) {
-            int replace = diagonal + (tolower((unsigned char)a[i - 1]) != tolower((unsigned char)b[j - 1]));
-            diagonal = row[j];
-            int insert_or_delete = (row[j] < row[j - 1] ? row[j] : row[j - 1]) + 1;
-            row[j] = replace < insert_or_delete ? replace : insert_or_delete;
+            const int letter_a = tolower((unsigned char)a[i - 1]), letter_b = tolower((unsigned char)b[j - 1]);
+            row[j] = smaller(above[j - 1] + (letter_a != letter_b), smaller(row[j - 1], above[j]) + 1);
+            if (i > 1 && j > 1 && letter_a == tolower((unsigned char)b[j - 2]) &&
+                letter_b == tolower((unsigned char)a[i - 2]))
+                row[j] = smaller(row[j], two_above[j - 2] + 1);
         }
     }
-    return row[n_b] < limit ? row[n_b] : limit;
+    return smaller(rows[n_a % 3][n_b], limit);
 }
 
 const char *hs_text_nearest(const char *word, const char *const *words, size_t n)

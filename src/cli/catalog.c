@@ -119,3 +119,11 @@ void hs_catalog_syntax(FILE *stream, const hs_catalog_entry *entry)
     put_word(stream, entry->about.syntax.usage);
     fputc('\n', stream);
 }
+
+void hs_catalog_coeff_syntax(FILE *stream, const hs_catalog_entry *entry)
+{
+    if (entry->coeff == NULL) return;
+    fputs("pair_coeff <I> <J>", stream);
+    put_word(stream, entry->coeff->usage);
+    fputc('\n', stream);
+}

@@ -30,6 +30,8 @@ HS_MUST_USE hs_status hs_catalog_list(const hs_catalog *family, hs_catalog_entry
 
 /** A deck line of the entry: "fix <ID> <group-ID> nve". */
 void hs_catalog_syntax(FILE *stream, const hs_catalog_entry *entry);
+/** Its pair_coeff line; nothing for other families. */
+void hs_catalog_coeff_syntax(FILE *stream, const hs_catalog_entry *entry);
 
 /** Rows of docs/reference/exit-codes: code, meaning, ended by NULL. */
 extern const char *const hs_exit_code_meanings[];

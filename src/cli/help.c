@@ -71,7 +71,8 @@ static void show_entry(FILE *stream, const hs_catalog_entry *entry)
     if (entry->family->before == NULL) return;
     fputs("    ", stream);
     hs_catalog_syntax(stream, entry);
-    if (entry->coeff != NULL && entry->coeff->usage != NULL) fprintf(stream, "    pair_coeff <I> <J> %s\n", entry->coeff->usage);
+    if (entry->coeff != NULL) fputs("    ", stream);
+    hs_catalog_coeff_syntax(stream, entry);
     fputc('\n', stream);
     if (about->details != NULL) fprintf(stream, "%s\n\n", about->details);
     show_keywords(stream, about->syntax.keywords);

@@ -66,7 +66,7 @@ static void put_entry(FILE *page, const hs_catalog_entry *entry)
     const hs_description *about = &entry->about;
     fprintf(page, "## %s\n\n%s\n\n```\n", about->name, about->summary);
     hs_catalog_syntax(page, entry);
-    if (entry->coeff != NULL && entry->coeff->usage != NULL) fprintf(page, "pair_coeff <I> <J> %s\n", entry->coeff->usage);
+    hs_catalog_coeff_syntax(page, entry);
     fputs("```\n\n", page);
     if (about->details != NULL) fprintf(page, "%s\n\n", about->details);
     put_keywords(page, about->syntax.keywords);
