@@ -113,6 +113,7 @@ static hs_status count_types(hs_sim *sim, hs_error *err)
 hs_status hs_sim_setup_pair(hs_sim *sim, hs_error *err)
 {
     HS_TRY(hs_sim_need_pair(sim, "run", err));
+    HS_TRY(hs_sim_fit_pair(sim, err));
     HS_TRY(complete_coefficients(sim, err));
     HS_TRY(count_types(sim, err));
     int groups[HS_GROUPS_MAX];

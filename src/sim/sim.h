@@ -36,6 +36,7 @@ typedef struct hs_sim {
     hs_lattice lattice;
 
     hs_pair *pair;            /**< owned; NULL until pair_style */
+    hs_text pair_words;       /**< the words after pair_style, each with its zero, to make the style anew; owned */
     hs_region **region;       /**< owned [n_regions] */
     int n_regions;
     hs_fix **fix;             /**< owned [n_fixes], in the deck's order */
@@ -86,6 +87,8 @@ hs_compute *hs_sim_find_compute(hs_sim *sim, const char *id);
 hs_region *hs_sim_find_region(hs_sim *sim, const char *id);
 hs_dump *hs_sim_find_dump(hs_sim *sim, const char *id);
 
+/** A pair style that was given before the box: make it anew for the number of types there are now.  sim/styles.c */
+HS_MUST_USE hs_status hs_sim_fit_pair(hs_sim *sim, hs_error *err);
 /** Fail unless there is a pair style. */
 HS_MUST_USE hs_status hs_sim_need_pair(const hs_sim *sim, const char *command, hs_error *err);
 

@@ -41,6 +41,7 @@ void hs_sim_destroy_styles(hs_sim *sim)
     HS_FREE(sim->compute);
     HS_FREE(sim->region);
     destroy_pair(sim);
+    hs_text_fini(&sim->pair_words);
 }
 
 /** Error for a style name that is not in a table. */
@@ -89,6 +90,15 @@ static hs_status create_pair(hs_sim *sim, const hs_pair_style *style, hs_error *
     return HS_ALLOC(pair->cutoff, n, err);
 }
 
+/** Remember the words of pair_style, one after the other with their zeros. */
+static hs_status keep_pair_words(hs_sim *sim, const hs_args *args, hs_error *err)
+{
+    hs_text_clear(&sim->pair_words);
+    for (int i = 0; i < args->n; ++i)
+        HS_TRY(hs_text_append(&sim->pair_words, args->word[i], strlen(args->word[i]) + 1, err));
+    return HS_OK;
+}
+
 hs_status hs_sim_set_pair(hs_sim *sim, const char *name, const hs_args *args, hs_error *err)
 {
     const hs_pair_style *style;
@@ -96,15 +106,34 @@ hs_status hs_sim_set_pair(hs_sim *sim, const char *name, const hs_args *args, hs
     hs_args named;
     LOOK_UP(hs_pair_styles, "pair_style", name, style, err);
     HS_TRY(check_words("pair_style", &style->about, args, command, sizeof command, &named, err));
-    HS_TRY(hs_sim_need_box(sim, "pair_style", err));
+    HS_TRY(keep_pair_words(sim, &named, err));
     if (sim->pair == NULL || sim->pair->style != style) HS_TRY(create_pair(sim, style, err));
     sim->is_initialized = false;
     return style->settings(sim->pair, &named, err);
 }
 
+hs_status hs_sim_fit_pair(hs_sim *sim, hs_error *err)
+{
+    enum { WORDS_MAX = 256 };
+    const hs_pair *pair = sim->pair;
+    const char *words[WORDS_MAX];
+    if (pair == NULL || pair->n_types == sim->atoms.n_types) return HS_OK;
+    hs_args args = {.command = "pair_style", .n = 0, .word = words};
+    const char *const end = sim->pair_words.data + sim->pair_words.length;
+    for (const char *at = sim->pair_words.data; at < end && args.n < WORDS_MAX; at += strlen(at) + 1) words[args.n++] = at;
+    const hs_pair before = *pair;
+    HS_TRY(create_pair(sim, before.style, err));
+    sim->pair->shift = before.shift;
+    sim->pair->tail = before.tail;
+    sim->pair->mix = before.mix;
+    return before.style->settings(sim->pair, &args, err);
+}
+
 hs_status hs_sim_pair_coeff(hs_sim *sim, const hs_args *args, hs_error *err)
 {
+    HS_TRY(hs_sim_need_box(sim, "pair_coeff", err));
     HS_TRY(hs_sim_need_pair(sim, "pair_coeff", err));
+    HS_TRY(hs_sim_fit_pair(sim, err));
     hs_pair *pair = sim->pair;
     int i_lo, i_hi, j_lo, j_hi, n_set = 0;
     HS_TRY(hs_arg_range(args, 0, pair->n_types, &i_lo, &i_hi, err));
