@@ -39,13 +39,21 @@ hs_status hs_groups_get(const hs_groups *groups, const char *name, int *bit, hs_
     return hs_fail(err, HS_ERROR_INPUT, "there is no group '%s': the command 'group' makes one", name);
 }
 
+static bool has_blank(const char *name)
+{
+    for (const char *c = name; *c != '\0'; ++c)
+        if (!isgraph((unsigned char)*c)) return true;
+    return false;
+}
+
 hs_status hs_groups_add(hs_groups *groups, const char *name, int *bit, hs_error *err)
 {
     *bit = hs_groups_find(groups, name);
     if (*bit >= 0) return HS_OK;
-    for (const char *c = name; *c != '\0' || c == name; ++c)
-        if (!isalnum((unsigned char)*c) && *c != '_')
-            return hs_fail(err, HS_ERROR_INPUT, "the group name '%s' may have only letters, digits and underscores", name);
+    /* LAMMPS lets names have any characters; those that could not be told apart within formulas are refused */
+    if (name[0] == '\0' || strpbrk(name, "()[],$&#'\"*") != NULL || has_blank(name))
+        return hs_fail(err, HS_ERROR_INPUT, "the group name '%s' may not be empty or have blanks, quotes, brackets, commas or "
+                       "any of $ & # *", name);
     for (int i = 0; i < HS_GROUPS_MAX; ++i) {
         if (groups->name[i] != NULL) continue;
         *bit = i;

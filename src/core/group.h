@@ -19,7 +19,8 @@ void hs_groups_fini(hs_groups *groups);
 int hs_groups_find(const hs_groups *groups, const char *name);
 /** Bit number of a group; an error naming the nearest group when there is none. */
 HS_MUST_USE hs_status hs_groups_get(const hs_groups *groups, const char *name, int *bit, hs_error *err);
-/** Bit number of a group, made if new; an error when all 32 are taken or the name is not of letters, digits and _. */
+/** Bit number of a group, made if new; an error when all 32 are taken or the name is empty or has blanks,
+ *  quotes, brackets, commas or any of $ & # *. */
 HS_MUST_USE hs_status hs_groups_add(hs_groups *groups, const char *name, int *bit, hs_error *err);
 void hs_groups_remove(hs_groups *groups, int bit);
 static inline uint32_t hs_group_mask(int bit) { return UINT32_C(1) << bit; }

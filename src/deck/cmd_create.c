@@ -75,6 +75,17 @@ static hs_status find_region(hs_sim *sim, const hs_args *args, int i, const hs_r
                    args->word[i]);
 }
 
+static hs_status read_type(const hs_sim *sim, const hs_args *args, int i, int *type, hs_error *err)
+{
+    int64_t number = 0;
+    if (!hs_text_to_int64(args->word[i], &number)) return hs_arg_refuse(args, i, "an atom type", NULL, err);
+    if (number < 1 || number > sim->atoms.n_types)
+        return hs_fail(err, HS_ERROR_INPUT, "%s: there is no atom type %s; the box was made with %d", args->command,
+                       args->word[i], sim->atoms.n_types);
+    *type = (int)number;
+    return HS_OK;
+}
+
 /** ratio and subset. */
 static hs_status read_subset(creation *c, const hs_args *args, int i, hs_error *err)
 {
@@ -99,15 +110,14 @@ static hs_status read_keyword(creation *c, const hs_args *args, int *i, hs_error
 {
     const char *keyword = args->word[*i];
     static const char *const axes[] = {"x", "y", "z", NULL};
-    int64_t number, type;
+    int64_t number;
     int axis;
     if (strcmp(keyword, "basis") == 0) {
         if (!c->sim->lattice.is_set)
             return hs_fail(err, HS_ERROR_INPUT, "create_atoms: 'basis' needs a lattice: the command 'lattice' comes "
                            "first");
         HS_TRY(hs_arg_int(args, *i + 1, 1, c->sim->lattice.n_basis, &number, err));
-        HS_TRY(hs_arg_int(args, *i + 2, 1, c->sim->atoms.n_types, &type, err));
-        c->basis_type[number - 1] = (int)type;
+        HS_TRY(read_type(c->sim, args, *i + 2, &c->basis_type[number - 1], err));
         *i += 2;
     } else if (strcmp(keyword, "ratio") == 0 || strcmp(keyword, "subset") == 0) {
         HS_TRY(read_subset(c, args, *i, err));
@@ -147,11 +157,9 @@ static hs_status read_style(creation *c, const hs_args *args, hs_error *err)
 static hs_status read_words(creation *c, const hs_args *args, hs_error *err)
 {
     int style;
-    int64_t type;
     HS_TRY(hs_arg_choice(args, 1, create_styles, &style, err));
     c->style = (create_style)style;
-    HS_TRY(hs_arg_int(args, 0, 1, c->sim->atoms.n_types, &type, err));
-    c->type = (int)type;
+    HS_TRY(read_type(c->sim, args, 0, &c->type, err));
     HS_TRY(read_style(c, args, err));
     const int n_basis = c->sim->lattice.n_basis;
     HS_TRY(HS_ALLOC(c->basis_type, (size_t)n_basis, err));

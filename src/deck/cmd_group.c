@@ -97,14 +97,15 @@ static hs_status select_by_comparison(const hs_atoms *atoms, group_style style, 
                                       hs_error *err)
 {
     int comparison;
-    int64_t a, b = 0;
+    int64_t a = 0, b = 0;
     HS_TRY(hs_arg_choice(args, 2, comparisons, &comparison, err));
     const int n_words = strcmp(comparisons[comparison], "<>") == 0 ? 5 : 4;
     if (args->n != n_words)
         return hs_fail(err, HS_ERROR_INPUT, "group: after '%s' there must be %s", args->word[2],
                        n_words == 5 ? "two numbers, the least and the greatest" : "one number");
-    HS_TRY(hs_arg_int(args, 3, INT64_MIN, INT64_MAX, &a, err));
-    if (n_words == 5) HS_TRY(hs_arg_int(args, 4, INT64_MIN, INT64_MAX, &b, err));
+    if (!hs_text_to_int64(args->word[3], &a)) return hs_arg_refuse(args, 3, "a whole number", NULL, err);
+    if (n_words == 5 && !hs_text_to_int64(args->word[4], &b)) return hs_arg_refuse(args, 4, "a whole number", NULL,
+                                                                                   err);
     for (int i = 0; i < atoms->n_local; ++i)
         if (compares(comparison, number_of(atoms, style, i), a, b)) atoms->mask[i] |= bit;
     return HS_OK;

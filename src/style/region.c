@@ -1,5 +1,6 @@
 #include "style/region.h"
 
+#include <stdio.h>
 #include <string.h>
 
 #include "base/memory.h"
@@ -99,7 +100,9 @@ hs_status hs_region_check(const hs_args *args, bool has_variables, hs_error *err
     if (strchr(args->word[0], '$') != NULL) return HS_OK;
     const hs_region_style *style = hs_region_style_find(args->word[0]);
     if (style == NULL) return refuse_style(args->command, args->word[0], err);
-    const hs_args words = hs_args_from(args, 1, NULL);
+    char command[96];
+    snprintf(command, sizeof command, "%.40s %.40s", args->command, args->word[0]);
+    const hs_args words = hs_args_from(args, 1, command);
     /* a variable may stand for several words: then counts mean nothing */
     if (has_variables && has_dollar(&words)) return HS_OK;
     return check_words(style, &words, has_variables, err);

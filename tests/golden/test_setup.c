@@ -28,7 +28,8 @@ static void check_box(const char *name, const hs_box *box, FILE *file)
     for (int axis = 0; axis < 3; ++axis) {
         double lo, hi;
         ck_assert_int_eq(fscanf(file, "%lf %lf", &lo, &hi), 2);
-        ck_assert_msg(box->lo[axis] == lo && box->hi[axis] == hi, "%s: box along %c is %.17g %.17g, LAMMPS has %.17g %.17g",
+        ck_assert_msg(box->lo[axis] == lo && box->hi[axis] == hi, "%s: box along %c is %.17g %.17g, LAMMPS has %.17g "
+                      "%.17g",
                       name, "xyz"[axis], box->lo[axis], box->hi[axis], lo, hi);
     }
 }
@@ -42,7 +43,8 @@ static int find_atom(const hs_atoms *atoms, int64_t id)
 
 static bool read_row(FILE *file, row *r)
 {
-    return fscanf(file, "%" SCNd64 " %d %lf %lf %lf %lf %lf %lf %d %d %d", &r->id, &r->type, &r->x[0], &r->x[1], &r->x[2],
+    return fscanf(file, "%" SCNd64 " %d %lf %lf %lf %lf %lf %lf %d %d %d", &r->id, &r->type, &r->x[0], &r->x[1],
+                  &r->x[2],
                   &r->v[0], &r->v[1], &r->v[2], &r->image[0], &r->image[1], &r->image[2]) == 11;
 }
 
@@ -50,13 +52,17 @@ static void check_atom(const char *name, const hs_atoms *atoms, const row *r)
 {
     const int i = find_atom(atoms, r->id);
     ck_assert_msg(i >= 0, "%s: atom %" PRId64 " is missing", name, r->id);
-    ck_assert_msg(atoms->type[i] == r->type, "%s: atom %" PRId64 " has type %d, LAMMPS %d", name, r->id, atoms->type[i], r->type);
+    ck_assert_msg(atoms->type[i] == r->type, "%s: atom %" PRId64 " has type %d, LAMMPS %d", name, r->id,
+                  atoms->type[i], r->type);
     for (int axis = 0; axis < 3; ++axis) {
-        ck_assert_msg(atoms->x[axis][i] == r->x[axis], "%s: atom %" PRId64 ": %c is %.17g, LAMMPS has %.17g", name, r->id,
+        ck_assert_msg(atoms->x[axis][i] == r->x[axis], "%s: atom %" PRId64 ": %c is %.17g, LAMMPS has %.17g", name,
+                      r->id,
                       "xyz"[axis], atoms->x[axis][i], r->x[axis]);
-        ck_assert_msg(atoms->v[axis][i] == r->v[axis], "%s: atom %" PRId64 ": v%c is %.17g, LAMMPS has %.17g", name, r->id,
+        ck_assert_msg(atoms->v[axis][i] == r->v[axis], "%s: atom %" PRId64 ": v%c is %.17g, LAMMPS has %.17g", name,
+                      r->id,
                       "xyz"[axis], atoms->v[axis][i], r->v[axis]);
-        ck_assert_msg(atoms->image[axis][i] == r->image[axis], "%s: atom %" PRId64 ": i%c is %d, LAMMPS has %d", name, r->id,
+        ck_assert_msg(atoms->image[axis][i] == r->image[axis], "%s: atom %" PRId64 ": i%c is %d, LAMMPS has %d", name,
+                      r->id,
                       "xyz"[axis], atoms->image[axis][i], r->image[axis]);
     }
 }
@@ -83,8 +89,10 @@ static void compare(const char *name)
     hs_deck_destroy(&deck);
 }
 
-static const char *const names[] = {"fcc_geom", "bcc_two_masses", "hex_2d", "diamond_orient", "fcc_111", "custom", "sq2_ramp",
-                                    "hcp_real", "random_3d", "random_2d", "shrink", "regions", "random_types", "variables"};
+static const char *const names[] = {"fcc_geom", "bcc_two_masses", "hex_2d", "diamond_orient", "fcc_111", "custom",
+                                    "sq2_ramp",
+                                    "hcp_real", "random_3d", "random_2d", "shrink", "regions", "random_types",
+                                    "variables"};
 
 START_TEST(test_same_bits)
 {

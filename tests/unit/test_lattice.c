@@ -49,7 +49,8 @@ START_TEST(test_density)
         double volume = 1.0;
         for (int axis = 0; axis < cases[k].dimension; ++axis) volume *= n[axis] * lattice.spacing[axis];
         const int count = count_sites(&lattice, n);
-        ck_assert_msg(fabs(count / volume - 0.8442) < 1e-13, "%s: %d sites, density %.17g", cases[k].style, count, count / volume);
+        ck_assert_msg(fabs(count / volume - 0.8442) < 1e-13, "%s: %d sites, density %.17g", cases[k].style, count,
+                      count / volume);
         hs_lattice_fini(&lattice);
     }
 }

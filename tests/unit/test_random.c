@@ -81,7 +81,8 @@ END_TEST
 
 START_TEST(test_place_against_lammps)
 {
-    /* lmp: one type of mass 1, `velocity all create 1 87287 loop geom mom no`, atoms at 0 0 0 and 0.5 0.5 0: the velocities
+    /* lmp: one type of mass 1, `velocity all create 1 87287 loop geom mom no`,
+        atoms at 0 0 0 and 0.5 0.5 0: the velocities
        are the numbers drawn times one factor, so their ratios are those of the numbers. Values of lmp, %.17g. */
     static const double x[2][3] = {{0.0, 0.0, 0.0}, {0.5, 0.5, 0.0}};
     static const double v[2][3] = {{-0.099989125319485436, -0.4432793353623341, -1.3242315847715747},
@@ -94,7 +95,8 @@ START_TEST(test_place_against_lammps)
     }
     for (int k = 0; k < 2; ++k)
         for (int axis = 0; axis < 3; ++axis)
-            ck_assert_double_eq_tol(v[k][axis] / v[0][0], drawn[k][axis] / drawn[0][0], 1.0e-14 * fabs(v[k][axis] / v[0][0]));
+            ck_assert_double_eq_tol(v[k][axis] / v[0][0], drawn[k][axis] / drawn[0][0],
+                                    1.0e-14 * fabs(v[k][axis] / v[0][0]));
 }
 END_TEST
 
