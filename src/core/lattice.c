@@ -114,7 +114,8 @@ static hs_status check_2d(const hs_lattice *lattice, hs_error *err)
 {
     if (lattice->origin[2] != 0.0)
         return hs_fail(err, HS_ERROR_INPUT, "lattice: the origin's z must be 0 in two dimensions");
-    if (lattice->orient[0][2] != 0 || lattice->orient[1][2] != 0 || lattice->orient[2][0] != 0 || lattice->orient[2][1] != 0)
+    const int(*orient)[3] = lattice->orient;
+    if (orient[0][2] != 0 || orient[1][2] != 0 || orient[2][0] != 0 || orient[2][1] != 0)
         return hs_fail(err, HS_ERROR_INPUT, "lattice: in two dimensions x and y must be oriented within the plane, z "
                        "along z");
     if (lattice->a[0][2] != 0.0 || lattice->a[1][2] != 0.0 || lattice->a[2][0] != 0.0 || lattice->a[2][1] != 0.0)
@@ -130,8 +131,10 @@ static void to_box(const hs_lattice *lattice, const double u[3], const double sh
         p[c] = lattice->a[0][c] * u[0] + lattice->a[1][c] * u[1] + lattice->a[2][c] * u[2];
         p[c] *= lattice->scale;
     }
-    for (int c = 0; c < 3; ++c)
-        x[c] = (lattice->rotation[c][0] * p[0] + lattice->rotation[c][1] * p[1] + lattice->rotation[c][2] * p[2]) + shift[c];
+    for (int c = 0; c < 3; ++c) {
+        const double *row = lattice->rotation[c];
+        x[c] = (row[0] * p[0] + row[1] * p[1] + row[2] * p[2]) + shift[c];
+    }
 }
 
 /** Spacing: the extent of the scaled and rotated cell. */

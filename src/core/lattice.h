@@ -24,7 +24,7 @@ typedef struct hs_lattice_size {
     double value;            /**< > 0: reduced density, or the length of one lattice unit */
     bool is_density;         /**< units lj: value is N sigma^dim / V */
     int dimension;           /**< 2 or 3 */
-    const double *spacing;   /**< [3] spacings in lattice units from the keyword `spacing`; NULL: the rotated cell's extent */
+    const double *spacing;   /**< [3] from the keyword `spacing`, lattice units; NULL: the rotated cell's extent */
 } hs_lattice_size;
 
 /** Names of the styles, ended by NULL: none, sc, bcc, ..., custom. */
@@ -38,7 +38,8 @@ void hs_lattice_fini(hs_lattice *lattice);
 HS_MUST_USE hs_status hs_lattice_begin(hs_lattice *lattice, const char *style, hs_error *err);
 /** Append a basis atom, fractions of a1, a2, a3. */
 HS_MUST_USE hs_status hs_lattice_add_basis(hs_lattice *lattice, const double fraction[3], hs_error *err);
-/** Check cell, basis, origin and orientation, and set scale, rotation and spacing. Styles may be wrong for the dimension. */
+/** Check cell, basis, origin and orientation, and set scale, rotation and spacing. Whether the style
+ *  fits the dimension is not checked here. */
 HS_MUST_USE hs_status hs_lattice_finish(hs_lattice *lattice, const hs_lattice_size *size, hs_error *err);
 /** Whether a style is for that dimension (none and custom are for both). */
 bool hs_lattice_fits_dimension(const char *style, int dimension);
@@ -47,7 +48,7 @@ bool hs_lattice_fits_dimension(const char *style, int dimension);
 void hs_lattice_site(const hs_lattice *lattice, int i, int j, int k, int b, double x[3]);
 /** Range of cells [lo, hi] per axis that can have sites within the box lo..hi; an error when there are more cells along
  *  an axis than can be counted. */
-HS_MUST_USE hs_status hs_lattice_range(const hs_lattice *lattice, const double box_lo[3], const double box_hi[3], int lo[3],
-                                       int hi[3], hs_error *err);
+HS_MUST_USE hs_status hs_lattice_range(const hs_lattice *lattice, const double box_lo[3], const double box_hi[3],
+                                       int lo[3], int hi[3], hs_error *err);
 
 #endif

@@ -1,5 +1,5 @@
-/** Local atoms in the order of their IDs. Commands that draw random numbers or add up velocities go through atoms in this
- *  order, which is LAMMPS's before the first run, and does not depend on how atoms lie in memory or on ranks. */
+/** Local atoms in the order of their IDs. Commands that draw random numbers or add up velocities go through atoms in
+ *  this order, which is LAMMPS's before the first run, and does not depend on how atoms lie in memory or on ranks. */
 #ifndef HS_DECK_BY_ID_H
 #define HS_DECK_BY_ID_H
 

@@ -139,7 +139,8 @@ static hs_status region_check(const hs_args *args, bool has_variables, hs_error 
 static hs_status region_run(hs_deck *deck, const hs_args *args, hs_error *err)
 {
     HS_TRY(region_check(args, false, err));
-    if (strcmp(args->word[1], "delete") == 0 && args->n == 2) return hs_sim_remove_region(deck->sim, args->word[0], err);
+    if (strcmp(args->word[1], "delete") == 0 && args->n == 2)
+        return hs_sim_remove_region(deck->sim, args->word[0], err);
     char command[96];
     snprintf(command, sizeof command, "region %.40s %.40s", args->word[0], args->word[1]);
     const hs_args rest = hs_args_from(args, 2, command);

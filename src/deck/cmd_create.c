@@ -197,8 +197,8 @@ static bool is_within(const creation *c, const double x[3])
     return true;
 }
 
-/** Add an atom with the next ID. All ranks see all atoms; each keeps those of its slice along x until the first exchange
- *  brings them to their owners, so that IDs do not depend on the number of ranks. */
+/** Add an atom with the next ID. All ranks see all atoms; each keeps those of its slice along x until the first
+ *  exchange brings them to their owners, so that IDs do not depend on the number of ranks. */
 static hs_status add_atom(creation *c, int type, const double x[3], hs_error *err)
 {
     const hs_parallel *parallel = &c->sim->parallel;

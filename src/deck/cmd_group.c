@@ -128,8 +128,8 @@ static hs_status select_by_number(const hs_atoms *atoms, group_style style, cons
         for (int i = 0; i < atoms->n_local; ++i) {
             const int64_t number = number_of(atoms, style, i);
             /* unsigned, because the difference of two hostile numbers may not fit */
-            if (number >= r.first && number <= r.last && ((uint64_t)number - (uint64_t)r.first) % (uint64_t)r.stride == 0)
-                atoms->mask[i] |= bit;
+            if (number < r.first || number > r.last) continue;
+            if (((uint64_t)number - (uint64_t)r.first) % (uint64_t)r.stride == 0) atoms->mask[i] |= bit;
         }
     }
     return HS_OK;

@@ -183,7 +183,7 @@ static void rotate_away(double m[3][3], double axes[3][3], int p, int q)
     }
 }
 
-/** Atoms on one line (or one atom) have no moment of inertia along it: solve in the principal axes and leave out those. */
+/** Atoms on one line (or one atom) have no moment of inertia along it: solve in the principal axes without those. */
 static void solve_singular(const double inertia[3][3], const double momentum[3], double omega[3])
 {
     enum { N_SWEEPS = 50 };

@@ -21,8 +21,8 @@ void hs_velocity_group_fini(hs_velocity_group *group);
 double hs_velocity_temperature(const hs_velocity_group *group);
 /** Take the velocity of the center of mass away (collective). An error for an empty group. */
 HS_MUST_USE hs_status hs_velocity_zero_momentum(const hs_velocity_group *group, hs_error *err);
-/** Take the rotation about the center of mass away (collective): omega = I^-1 L of the unwrapped positions. An error for
- *  an empty group. */
+/** Take the rotation about the center of mass away (collective): omega = I^-1 L of the unwrapped positions. An error
+ *  for an empty group. */
 HS_MUST_USE hs_status hs_velocity_zero_rotation(const hs_velocity_group *group, hs_error *err);
 /** Multiply velocities by sqrt(wanted / present). An error when present is 0. */
 HS_MUST_USE hs_status hs_velocity_rescale(const hs_velocity_group *group, double present, double wanted, hs_error *err);

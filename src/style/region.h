@@ -38,7 +38,7 @@ bool hs_region_contains(const hs_region *region, const double x[3]);
 bool hs_region_uses(const hs_region *region, const hs_region *other);
 
 /** A new region from the words after `region ID style`: the style's own, then the common keywords. Not yet in any list:
- *  the caller keeps it and gives it to hs_region_destroy. The ID is copied. Not collective (same result on all ranks). */
+ *  the caller keeps it and gives it to hs_region_destroy. The ID is copied. Not collective. */
 HS_MUST_USE hs_status hs_region_create(hs_region **region, hs_env *env, const char *id, const char *style,
                                        const hs_args *args, hs_error *err);
 /** Free a region and clear the pointer; NULL is fine. */

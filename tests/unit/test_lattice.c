@@ -30,7 +30,8 @@ static int count_sites(const hs_lattice *lattice, const double n[3])
                 for (int b = 0; b < lattice->n_basis; ++b) {
                     hs_lattice_site(lattice, i, j, k, b, x);
                     bool is_in = true;
-                    for (int axis = 0; axis < 3; ++axis) is_in = is_in && x[axis] >= box_lo[axis] && x[axis] < box_hi[axis];
+                    for (int axis = 0; axis < 3; ++axis)
+                        is_in = is_in && x[axis] >= box_lo[axis] && x[axis] < box_hi[axis];
                     count += is_in;
                 }
     return count;
