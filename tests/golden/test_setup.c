@@ -89,10 +89,10 @@ static void compare(const char *name)
     hs_deck_destroy(&deck);
 }
 
-static const char *const names[] = {"fcc_geom", "bcc_two_masses", "hex_2d", "diamond_orient", "fcc_111", "custom",
-                                    "sq2_ramp",
-                                    "hcp_real", "random_3d", "random_2d", "shrink", "regions", "random_types",
-                                    "variables"};
+static const char *const names[] = {
+    "fcc_geom", "bcc_two_masses", "hex_2d", "diamond_orient", "fcc_111", "custom", "sq2_ramp", "hcp_real",
+    "random_3d", "random_2d", "shrink", "regions", "random_types", "variables",
+};
 
 START_TEST(test_same_bits)
 {
