@@ -37,16 +37,6 @@ static hs_status set_string(char **target, const char *value, hs_error *err)
     return HS_OK;
 }
 
-/** Words after the keyword at word 0 up to the next keyword. */
-static int count_values(const hs_args *args)
-{
-    int n = 1;
-    for (; n < args->n; ++n)
-        for (const hs_keyword *keyword = hs_dump_modify_keywords; keyword->name != NULL; ++keyword)
-            if (strcmp(keyword->name, args->word[n]) == 0) return n - 1;
-    return n - 1;
-}
-
 static hs_status modify_element(hs_dump *dump, const hs_args *args, int *n_used, hs_error *err)
 {
     hs_dump_table *table = dump->state;
@@ -218,7 +208,6 @@ hs_status hs_dump_table_modify(hs_dump *dump, const hs_args *args, int *n_used, 
     hs_dump_table *table = dump->state;
     const char *keyword = args->word[0];
     bool is_mine;
-    *n_used = 1 + count_values(args);
     if (strcmp(keyword, "element") == 0) return modify_element(dump, args, n_used, err);
     if (strcmp(keyword, "format") == 0) return modify_format(dump, args, n_used, err);
     if (strcmp(keyword, "thresh") == 0) return modify_thresh(dump, args, n_used, err);

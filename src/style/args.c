@@ -61,11 +61,11 @@ static hs_status check_keyword(const hs_syntax *syntax, const hs_args *args, int
 {
     const hs_keyword *keyword = find_keyword(syntax, args->word[*i]);
     if (keyword == NULL) return refuse_keyword(syntax, args, *i, err);
-    if (keyword->n_values < 0) {
-        for (++*i; *i < args->n && find_keyword(syntax, args->word[*i]) == NULL;) ++*i;
+    if (keyword->n_values < 0 && *i + 1 < args->n) {
+        for (*i += 2; *i < args->n && find_keyword(syntax, args->word[*i]) == NULL;) ++*i;
         return HS_OK;
     }
-    if (*i + keyword->n_values >= args->n)
+    if (keyword->n_values < 0 || *i + keyword->n_values >= args->n)
         return hs_fail(err, HS_ERROR_INPUT, "%s: the keyword '%s' needs %s after it: %s", args->command, keyword->name,
                        keyword->n_values == 1 ? "a word" : "more words", keyword->values);
     const char *value = keyword->n_values == 1 ? args->word[*i + 1] : NULL;

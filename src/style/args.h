@@ -12,7 +12,7 @@
 /** A keyword of a command and what follows it. */
 typedef struct hs_keyword {
     const char *name;
-    int n_values;          /**< words after the keyword; -1: any number, up to the next keyword */
+    int n_values;          /**< words after the keyword; -1: one (whatever it is) and any more up to the next keyword */
     const char *values;    /**< what they are: "yes|no" lists the only words allowed (for n_values = 1);
                                 otherwise names for people, "<steps>" or "<lo> <hi>" */
     const char *help;      /**< one line for the manual */

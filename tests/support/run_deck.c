@@ -1,0 +1,44 @@
+#include "support/run_deck.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+char *hs_test_run_deck(const char *deck_text, hs_error *err)
+{
+    char *log = NULL, *lines = strdup(deck_text), *rest = NULL;
+    size_t size;
+    hs_sink sink = {.log = open_memstream(&log, &size)};
+    hs_options options = {.n_threads = 1};
+    hs_deck *deck = NULL;
+    memset(err, 0, sizeof *err);
+    hs_status status = hs_deck_create(&deck, &options, &sink, err);
+    for (char *line = strtok_r(lines, "\n", &rest); line != NULL && status == HS_OK; line = strtok_r(NULL, "\n", &rest))
+        status = hs_deck_command(deck, line, err);
+    hs_deck_destroy(&deck);
+    fclose(sink.log);
+    free(lines);
+    return log;
+}
+
+char *hs_test_read_file(const char *path)
+{
+    char *text = NULL, piece[4096];
+    size_t size, n;
+    FILE *in = fopen(path, "rb");
+    if (in == NULL) return NULL;
+    FILE *out = open_memstream(&text, &size);
+    while ((n = fread(piece, 1, sizeof piece, in)) > 0) fwrite(piece, 1, n, out);
+    fclose(in);
+    fclose(out);
+    return text;
+}
+
+void hs_test_write_file(const char *path, const char *text)
+{
+    FILE *out = fopen(path, "wb");
+    if (out == NULL || fwrite(text, 1, strlen(text), out) != strlen(text) || fclose(out) != 0) {
+        perror(path);
+        abort();
+    }
+}

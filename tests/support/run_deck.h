@@ -1,0 +1,15 @@
+/** Run a deck given as text and get its log. */
+#ifndef HS_TESTS_RUN_DECK_H
+#define HS_TESTS_RUN_DECK_H
+
+#include "deck/deck.h"
+
+/** Carry out the lines of @p deck one by one in a new simulation; what goes to the log is returned (the caller frees it with
+ *  free), up to the first error, which is in @p err. */
+char *hs_test_run_deck(const char *deck, hs_error *err);
+
+/** The file as a string, zero-terminated; the caller frees it with free; NULL when there is none. */
+char *hs_test_read_file(const char *path);
+void hs_test_write_file(const char *path, const char *text);
+
+#endif
