@@ -1,4 +1,5 @@
 /* Commands of pair forces: pair_style, pair_coeff, pair_modify. */
+#include <stdio.h>
 #include <string.h>
 
 #include "deck/command.h"
@@ -18,7 +19,9 @@ static hs_status check_pair_style(const hs_args *args, bool has_variables, hs_er
         const hs_description *about = &hs_pair_styles[k]->about;
         if (n < 256) names[n++] = about->name;
         if (strcmp(about->name, args->word[0]) != 0) continue;
-        const hs_args words = hs_args_from(args, 1, "pair_style");
+        char command[128];
+        snprintf(command, sizeof command, "pair_style %s", about->name);
+        const hs_args words = hs_args_from(args, 1, command);
         return hs_syntax_check(&about->syntax, &words, has_variables, err);
     }
     const char *nearest = hs_text_nearest(args->word[0], names, n);

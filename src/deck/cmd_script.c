@@ -243,7 +243,7 @@ const hs_command hs_commands_script[] = {
     {
         .about = {
             .name = "print",
-            .syntax = {"<text> [keyword value ...]", 1, 1, print_keywords},
+            .syntax = {"\"<text>\" [keyword value ...]", 1, 1, print_keywords},
             .summary = "Print a line to screen, log and files",
             .details = "A text with blanks needs quotes: `'...'`, `\"...\"`, or `\"\"\"...\"\"\"`, which may hold several lines. "
                        "Variables in it are\nreplaced, but not within further quotes inside of the text.\n",
@@ -296,7 +296,7 @@ const hs_command hs_commands_script[] = {
     {
         .about = {
             .name = "if",
-            .syntax = {"<condition> then \"command\" ... [elif <condition> \"command\" ...] [else \"command\" ...]", 3, -1, NULL},
+            .syntax = {"<condition> then \"command\" ... [elif <condition> \"command\" ...] [else \"command\" ...]", 0, -1, NULL},
             .summary = "Carry out commands only if a condition holds",
             .details =
                 "A condition compares numbers with `== != < <= > >=` and words with `==` and `!=`; `&& || |^ !` and parentheses "

@@ -40,8 +40,9 @@ hs_status hs_neighbor_set_method(hs_neighbor *neighbor, const char *name, hs_err
             return HS_OK;
         }
     const char *nearest = hs_text_nearest(name, hs_neighbor_methods, HS_N_METHODS);
-    return hs_fail(err, HS_ERROR_INPUT, "there is no neighbor method '%s'; %s '%s'", name,
-                   nearest != NULL ? "did you mean" : "one that there is:", nearest != NULL ? nearest : "cell");
+    return hs_fail(err, HS_ERROR_INPUT, "there is no neighbor method '%s'; %s '%s'%s", name,
+                   nearest != NULL ? "did you mean" : "one that there is:", nearest != NULL ? nearest : "cell",
+                   nearest != NULL ? "?" : "");
 }
 
 void hs_neighbor_start(hs_neighbor *neighbor)

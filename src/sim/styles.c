@@ -138,7 +138,7 @@ hs_status hs_sim_pair_coeff(hs_sim *sim, const hs_args *args, hs_error *err)
     int i_lo, i_hi, j_lo, j_hi, n_set = 0;
     HS_TRY(hs_arg_range(args, 0, pair->n_types, &i_lo, &i_hi, err));
     HS_TRY(hs_arg_range(args, 1, pair->n_types, &j_lo, &j_hi, err));
-    const hs_args words = hs_args_from(args, 2, NULL);
+    const hs_args words = hs_args_from(args, 2, "pair_coeff <I> <J>");
     HS_TRY(hs_syntax_check(&pair->style->coeff_syntax, &words, false, err));
     for (int i = i_lo; i <= i_hi; ++i)
         for (int j = j_lo > i ? j_lo : i; j <= j_hi; ++j) {

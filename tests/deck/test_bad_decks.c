@@ -1,0 +1,108 @@
+/* Every deck of bad_decks.txt must be refused with exactly the message that stands there.
+ *
+ * With HALFSHELL_PRINT_MESSAGES set, the table is printed with the messages of today: to be read, not just copied. */
+#include <stdio.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "base/text.h"
+#include "deck/deck.h"
+#include "support/harness.h"
+
+enum { N_MIN = 80 };
+
+static char *read_table(void)
+{
+    FILE *stream = fopen(TEST_SOURCE_DIR "/deck/bad_decks.txt", "rb");
+    ck_assert_ptr_nonnull(stream);
+    ck_assert_int_eq(fseek(stream, 0, SEEK_END), 0);
+    long size = ftell(stream);
+    rewind(stream);
+    char *text = calloc(1, (size_t)size + 1);
+    ck_assert_ptr_nonnull(text);
+    ck_assert_uint_eq(fread(text, 1, (size_t)size, stream), (size_t)size);
+    fclose(stream);
+    return text;
+}
+
+static void go_to_empty_folder(void)
+{
+    char folder[] = "/tmp/halfshell_bad_XXXXXX";
+    ck_assert_ptr_nonnull(mkdtemp(folder));
+    ck_assert_int_eq(chdir(folder), 0);
+}
+
+/** What the program says of in.bad: "in.bad:LINE: error: TEXT". */
+static void run_bad(hs_text *message)
+{
+    hs_error err = {0};
+    hs_sink out = {0};
+    const hs_options options = {.n_threads = 1};
+    hs_deck *deck = NULL;
+    hs_status status = hs_deck_create(&deck, &options, &out, &err);
+    if (status == HS_OK) status = hs_deck_check(deck, "in.bad", &err);
+    if (status == HS_OK) status = hs_deck_run(deck, "in.bad", &err);
+    hs_deck_destroy(&deck);
+    hs_error ignored = {0};
+    hs_text_clear(message);
+    if (status == HS_OK)
+        ck_assert_int_eq(hs_text_printf(message, &ignored, "(no error)"), HS_OK);
+    else
+        ck_assert_int_eq(hs_text_printf(message, &ignored, "%s:%ld: error: %s", err.file, err.line, err.text), HS_OK);
+}
+
+/** Write one file of the case; returns the line after it. */
+static char *write_file(const char *name, char *line)
+{
+    FILE *stream = fopen(name, "w");
+    ck_assert_ptr_nonnull(stream);
+    while (line != NULL && strncmp(line, "++ ", 3) != 0 && strncmp(line, "-> ", 3) != 0) {
+        char *end = strchr(line, '\n');
+        ck_assert_msg(end != NULL, "bad_decks.txt ends within a deck");
+        fprintf(stream, "%.*s\n", (int)(end - line), line);
+        line = end + 1;
+    }
+    fclose(stream);
+    return line;
+}
+
+START_TEST(every_deck_is_refused_with_its_message)
+{
+    char *table = read_table();
+    const bool is_printing = getenv("HALFSHELL_PRINT_MESSAGES") != NULL;
+    int n = 0, n_wrong = 0;
+    hs_text message = {0};
+    go_to_empty_folder();
+    for (char *at = strstr(table, "\n== "); at != NULL; at = strstr(at, "\n== ")) {
+        char *name = at + 4, *line = strchr(name, '\n');
+        *line++ = '\0';
+        const char *body = line;
+        line = write_file("in.bad", line);
+        while (strncmp(line, "++ ", 3) == 0) {
+            char *file = line + 3, *end = strchr(file, '\n');
+            char copy[64];
+            snprintf(copy, sizeof copy, "%.*s", (int)(end - file), file);
+            line = write_file(copy, end + 1);
+        }
+        char *end = strchr(line, '\n');
+        ck_assert_msg(end != NULL, "%s: the message must end with a newline", name);
+        *end = '\0';
+        run_bad(&message);
+        ++n;
+        if (is_printing) {
+            printf("\n== %s\n%.*s-> %s\n", name, (int)(line - body), body, hs_text_get(&message));
+        } else if (strcmp(line + 3, hs_text_get(&message)) != 0) {
+            ++n_wrong;
+            fprintf(stderr, "%s\n  expected: %s\n  got:      %s\n", name, line + 3, hs_text_get(&message));
+        }
+        *end = '\n';
+        at = end - 1;
+    }
+    hs_text_fini(&message);
+    free(table);
+    ck_assert_int_eq(n_wrong, 0);
+    ck_assert_int_ge(n, N_MIN);
+}
+END_TEST
+
+HS_TEST_MAIN("bad decks", every_deck_is_refused_with_its_message)
