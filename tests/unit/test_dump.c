@@ -1,0 +1,283 @@
+/* Dump files byte for byte (what LAMMPS of 29 September 2021 wrote for the same decks), their order, selection, and what is
+ * refused. */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+#include <zlib.h>
+
+#include "io/writer.h"
+#include "support/harness.h"
+#include "support/run_deck.h"
+
+static const char head[] = "boundary p p f\nlattice fcc 0.8442\nregion box block 0 1 0 1 0 1\ncreate_box 2 box\n"
+                           "create_atoms 1 box\nmass * 1.5\nset atom 3 type 2\nset atom 2 image 1 -2 0\n"
+                           "velocity all set 0.5 -0.25 0 units box\npair_style zero 1.0\npair_coeff * *\nfix 1 all nve\n";
+
+static const char box_lines[] = "ITEM: BOX BOUNDS pp pp ff\n"
+                                "0.0000000000000000e+00 1.6795961913825073e+00\n"
+                                "0.0000000000000000e+00 1.6795961913825073e+00\n"
+                                "0.0000000000000000e+00 1.6795961913825073e+00\n";
+
+static char directory[64];
+
+static void enter_directory(void)
+{
+    strcpy(directory, "/tmp/halfshell-dump-XXXXXX");
+    ck_assert_ptr_nonnull(mkdtemp(directory));
+    ck_assert_int_eq(chdir(directory), 0);
+}
+
+static void leave_directory(void)
+{
+    char command[128];
+    snprintf(command, sizeof command, "rm -rf '%s'", directory);
+    ck_assert_int_eq(chdir("/"), 0);
+    ck_assert_int_eq(system(command), 0);
+}
+
+static void run(const char *lines, hs_error *err)
+{
+    char deck[8192];
+    snprintf(deck, sizeof deck, "%s%s", head, lines);
+    free(hs_test_run_deck(deck, err));
+}
+
+static void run_good(const char *lines)
+{
+    hs_error err;
+    run(lines, &err);
+    ck_assert_msg(err.status == HS_OK, "%s", err.text);
+}
+
+static void expect_error(const char *lines, const char *text)
+{
+    hs_error err;
+    run(lines, &err);
+    ck_assert_msg(err.status != HS_OK, "no error for: %s", lines);
+    ck_assert_msg(strstr(err.text, text) != NULL, "expected '%s' in '%s'", text, err.text);
+}
+
+static void expect_file(const char *name, const char *expected)
+{
+    char *text = hs_test_read_file(name);
+    ck_assert_msg(text != NULL, "%s is missing", name);
+    ck_assert_str_eq(text, expected);
+    free(text);
+}
+
+static void expect_snapshot(const char *name, long step, int n, const char *columns, const char *rows)
+{
+    char expected[4096];
+    snprintf(expected, sizeof expected, "ITEM: TIMESTEP\n%ld\nITEM: NUMBER OF ATOMS\n%d\n%sITEM: ATOMS %s\n%s", step, n, box_lines,
+             columns, rows);
+    expect_file(name, expected);
+}
+
+START_TEST(test_atom)
+{
+    enter_directory();
+    run_good("dump 1 all atom 10 a\ndump 2 all atom 10 b\ndump_modify 2 scale no image yes\nrun 0\n");
+    expect_snapshot("a", 0, 4, "id type xs ys zs", "1 1 0 0 0\n2 1 0.5 0.5 0\n3 2 0.5 0 0.5\n4 1 0 0.5 0.5\n");
+    expect_snapshot("b", 0, 4, "id type x y z ix iy iz",
+                    "1 1 0 0 0 0 0 0\n2 1 0.839798 0.839798 0 1 -2 0\n3 2 0.839798 0 0.839798 0 0 0\n"
+                    "4 1 0 0.839798 0.839798 0 0 0\n");
+    leave_directory();
+}
+END_TEST
+
+START_TEST(test_custom)
+{
+    enter_directory();
+    run_good("dump 1 all custom 5 c.*.dump id type element mass x xs xu xsu yu ix iy iz vx vy fx proc procp1\n"
+             "dump_modify 1 element Ar Xe pad 6\nrun 5\n");
+    expect_snapshot("c.000000.dump", 0, 4, "id type element mass x xs xu xsu yu ix iy iz vx vy fx proc procp1",
+                    "1 1 Ar 1.5 0 0 0 0 0 0 0 0 0.5 -0.25 0 0 1\n"
+                    "2 1 Ar 1.5 0.839798 0.5 2.51939 1.5 -2.51939 1 -2 0 0.5 -0.25 0 0 1\n"
+                    "3 2 Xe 1.5 0.839798 0.5 0.839798 0.5 0 0 0 0 0.5 -0.25 0 0 1\n"
+                    "4 1 Ar 1.5 0 0 0 0 0.839798 0 0 0 0.5 -0.25 0 0 1\n");
+    ck_assert_int_eq(access("c.000005.dump", F_OK), 0);
+    leave_directory();
+}
+END_TEST
+
+START_TEST(test_xyz)
+{
+    enter_directory();
+    run_good("dump 1 all xyz 5 x.xyz\ndump 2 all xyz 5 y.xyz\ndump_modify 2 element Ar Xe format line \"%s %.2f %.2f %.1f\"\nrun 5\n");
+    expect_file("x.xyz", "4\nAtoms. Timestep: 0\n1 0 0 0\n1 0.839798 0.839798 0\n2 0.839798 0 0.839798\n1 0 0.839798 0.839798\n"
+                         "4\nAtoms. Timestep: 5\n1 0.0125 1.67335 0\n1 0.852298 0.833548 0\n2 0.852298 1.67335 0.839798\n"
+                         "1 0.0125 0.833548 0.839798\n");
+    char *text = hs_test_read_file("y.xyz");
+    ck_assert_int_eq(strncmp(text, "4\nAtoms. Timestep: 0\nAr 0.00 0.00 0.0\nAr 0.84 0.84 0.0\nXe 0.84 0.00 0.8\n", 71), 0);
+    free(text);
+    leave_directory();
+}
+END_TEST
+
+START_TEST(test_formats_and_headers)
+{
+    enter_directory();
+    run_good("dump 1 all custom 5 f id type x vx\n"
+             "dump_modify 1 format line \"%d %3d %12.4f %g\" format int %04d format 3 <%g> time yes units yes\nrun 5\n");
+    char expected[2048];
+    snprintf(expected, sizeof expected,
+             "ITEM: UNITS\nlj\nITEM: TIME\n0\nITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n4\n%sITEM: ATOMS id type x vx\n"
+             "0001 0001 <0> 0.5\n0002 0001 <0.839798> 0.5\n0003 0002 <0.839798> 0.5\n0004 0001 <0> 0.5\n"
+             "ITEM: TIME\n0.025\nITEM: TIMESTEP\n5\nITEM: NUMBER OF ATOMS\n4\n%sITEM: ATOMS id type x vx\n"
+             "0001 0001 <0.0125> 0.5\n0002 0001 <0.852298> 0.5\n0003 0002 <0.852298> 0.5\n0004 0001 <0.0125> 0.5\n",
+             box_lines, box_lines);
+    expect_file("f", expected);
+    leave_directory();
+}
+END_TEST
+
+START_TEST(test_sort_and_selection)
+{
+    enter_directory();
+    run_good("region low block INF INF INF INF 0 0.5 units box\ngroup two id 2 3\nvariable d atom x-z\n"
+             "dump 1 all custom 5 up id x\ndump_modify 1 sort 2\ndump 2 all custom 5 down id x\ndump_modify 2 sort -2\n"
+             "dump 3 all custom 5 low id\ndump_modify 3 region low\ndump 4 all custom 5 thresh id x v_d\n"
+             "dump_modify 4 thresh x > 0.5 thresh type == 1\ndump 5 two custom 5 two id\n"
+             "dump 6 all custom 5 var id\ndump_modify 6 thresh v_d < 0\nrun 0\n");
+    expect_snapshot("up", 0, 4, "id x", "1 0\n4 0\n2 0.839798\n3 0.839798\n");
+    expect_snapshot("down", 0, 4, "id x", "2 0.839798\n3 0.839798\n1 0\n4 0\n");
+    expect_snapshot("low", 0, 2, "id", "1\n2\n");
+    expect_snapshot("thresh", 0, 1, "id x v_d", "2 0.839798 0.839798\n");
+    expect_snapshot("two", 0, 2, "id", "2\n3\n");
+    expect_snapshot("var", 0, 1, "id", "4\n");
+    leave_directory();
+}
+END_TEST
+
+/** Number of snapshots in a file. */
+static int count_snapshots(const char *name)
+{
+    char *text = hs_test_read_file(name);
+    int n = 0;
+    for (const char *at = text; at != NULL && (at = strstr(at, "ITEM: TIMESTEP")) != NULL; ++at) ++n;
+    free(text);
+    return n;
+}
+
+START_TEST(test_when)
+{
+    enter_directory();
+    run_good("reset_timestep 3\ndump 1 all atom 5 plain\ndump 2 all atom 5 first\ndump_modify 2 first yes\n"
+             "dump 3 all atom 5 delay\ndump_modify 3 delay 10\ndump 4 all atom 5 every\ndump_modify 4 every 4\n"
+             "dump 5 all atom 2 max.*\ndump_modify 5 maxfiles 2\nrun 10\nrun 0\nrun 2\nundump 1\nrun 5\n");
+    ck_assert_int_eq(count_snapshots("plain"), 3);      /* 5 10 15 */
+    ck_assert_int_eq(count_snapshots("first"), 6);      /* 3 5 10 13 15 20 */
+    ck_assert_int_eq(count_snapshots("delay"), 3);      /* 10 15 20 */
+    ck_assert_int_eq(count_snapshots("every"), 5);      /* 4 8 12 16 20 */
+    ck_assert_int_ne(access("max.16", F_OK), 0);
+    ck_assert_int_eq(access("max.18", F_OK), 0);
+    ck_assert_int_eq(access("max.20", F_OK), 0);
+    run_good("dump 1 all atom 5 plain\ndump_modify 1 append yes\nrun 0\n");
+    ck_assert_int_eq(count_snapshots("plain"), 4);
+    run_good("dump 1 all atom 5 plain\nrun 0\n");
+    ck_assert_int_eq(count_snapshots("plain"), 1);
+    leave_directory();
+}
+END_TEST
+
+START_TEST(test_gzip_and_write_dump)
+{
+    enter_directory();
+    run_good("dump 1 all custom 5 z.gz id\nrun 5\nwrite_dump all custom w.*.gz id modify sort id\nwrite_dump all xyz w.xyz\n");
+    char text[4096] = "";
+    gzFile file = gzopen("z.gz", "rb");
+    const int n = gzread(file, text, sizeof text - 1);
+    gzclose(file);
+    ck_assert_int_gt(n, 0);
+    ck_assert_ptr_nonnull(strstr(text, "ITEM: ATOMS id\n1\n2\n3\n4\nITEM: TIMESTEP\n5\n"));
+    ck_assert_int_eq(access("w.5.gz", F_OK), 0);
+    ck_assert_int_eq(access("w.xyz", F_OK), 0);
+    ck_assert_int_eq(system("test -z \"$(ls | grep part)\""), 0);   /* no unfinished files */
+    leave_directory();
+}
+END_TEST
+
+START_TEST(test_refusals)
+{
+    enter_directory();
+    expect_error("dump 1 all atmo 5 x\n", "unknown style 'atmo'; did you mean 'atom'?");
+    expect_error("dump 1 all custom 5 x id foo\n", "unknown attribute 'foo'");
+    expect_error("dump 1 all custom 5 x id vxx\n", "did you mean 'vx'?");
+    expect_error("dump 1 all custom 5 x id mol\n", "'mol' needs an atom style with molecules");
+    expect_error("dump 1 all custom 5 x id c_p\n", "no compute or fix of this version has values for each atom");
+    expect_error("dump 1 all custom 5 x\n", "too few words");
+    expect_error("dump 1 all atom 5 x id\n", "unexpected word 'id'");
+    expect_error("dump 1 none atom 5 x\n", "there is no group 'none'");
+    expect_error("dump 1 all atom 0 x\n", "'0' is not a whole number of 1 or more");
+    expect_error("dump 1 all atom 5 x\ndump 1 all atom 5 y\n", "is taken");
+    expect_error("dump_modify 1 sort id\n", "there is no dump '1'");
+    expect_error("undump 1\n", "there is no dump '1'");
+    static const char *const bad[][2] = {
+        {"sort id2", "'id2' is not id, off"}, {"sort 9", "a row has 2 columns"}, {"format line %d", "has 1 words but"},
+        {"format float %d", "wrong kind"}, {"format 1 %s", "wrong kind"}, {"format 7 %d", "the columns are 1 to 2"},
+        {"thresh foo < 1", "unknown attribute 'foo'"}, {"thresh x ~ 1", "'~'"}, {"thresh x < LAST", "LAST is not supported"},
+        {"thresh x < nan", "not a finite number"}, {"element C", "a name for each of the 2 atom types"}, {"color x", "unknown keyword"},
+        {"fileper 2", "unknown keyword"}, {"maxfiles 2", "needs a file name with *"}, {"first maybe", "'maybe'"},
+        {"every 0", "'0'"}, {"scale no", "for dumps of style atom"}, {"region nope", "there is no region 'nope'"},
+        {"pad 99", "'99'"}, {"thresh v_nope < 1", "nope"},
+    };
+    for (size_t k = 0; k < sizeof bad / sizeof bad[0]; ++k) {
+        char lines[256];
+        snprintf(lines, sizeof lines, "dump 1 all custom 5 x id x\ndump_modify 1 %s\nrun 0\n", bad[k][0]);
+        expect_error(lines, bad[k][1]);
+    }
+    expect_error("dump 1 all atom 5 no/such/folder/x\nrun 0\n", "'no/such/folder/x' could not be opened for writing");
+    leave_directory();
+}
+END_TEST
+
+START_TEST(test_writer)
+{
+    hs_error err = {0};
+    hs_writer *writer;
+    enter_directory();
+    hs_test_write_file("kept", "old");
+    ck_assert_hs_ok(hs_writer_open(&writer, "kept", HS_WRITE_WHOLE, &err), err);
+    ck_assert_hs_ok(hs_writer_printf(writer, &err, "%d", 12), err);
+    expect_file("kept", "old");
+    hs_writer_abandon(&writer);
+    expect_file("kept", "old");
+    ck_assert_int_eq(system("test $(ls | wc -l) = 1"), 0);
+    ck_assert_int_eq(symlink("kept", "link"), 0);
+    ck_assert_hs_ok(hs_writer_open(&writer, "link", HS_WRITE_WHOLE, &err), err);
+    ck_assert_hs_ok(hs_writer_printf(writer, &err, "new"), err);
+    ck_assert_hs_ok(hs_writer_close(&writer, &err), err);
+    expect_file("kept", "new");   /* through the link, which stays one */
+    ck_assert_hs_ok(hs_writer_open(&writer, "kept", HS_WRITE_APPEND, &err), err);
+    ck_assert_hs_ok(hs_writer_printf(writer, &err, "er"), err);
+    ck_assert_hs_ok(hs_writer_commit(writer, &err), err);
+    ck_assert_hs_ok(hs_writer_printf(writer, &err, "half"), err);
+    hs_writer_abandon(&writer);
+    expect_file("kept", "newer");
+    /* more than any buffer holds */
+    ck_assert_hs_ok(hs_writer_open(&writer, "big", HS_WRITE_REPLACE, &err), err);
+    for (int k = 0; k < 200000; ++k) ck_assert_hs_ok(hs_writer_printf(writer, &err, "%09d\n", k), err);
+    ck_assert_hs_ok(hs_writer_close(&writer, &err), err);
+    char *text = hs_test_read_file("big");
+    ck_assert_uint_eq(strlen(text), 2000000);
+    ck_assert_int_eq(strncmp(text + 1999990, "000199999\n", 10), 0);
+    free(text);
+    ck_assert_hs_ok(hs_writer_open(&writer, "/dev/null", HS_WRITE_WHOLE, &err), err);
+    ck_assert_hs_ok(hs_writer_close(&writer, &err), err);
+    struct stat info;
+    ck_assert_int_eq(stat("/dev/null", &info), 0);
+    ck_assert(S_ISCHR(info.st_mode));
+    if (access("/dev/full", W_OK) == 0) {
+        ck_assert_hs_ok(hs_writer_open(&writer, "/dev/full", HS_WRITE_REPLACE, &err), err);
+        ck_assert_hs_ok(hs_writer_printf(writer, &err, "x"), err);
+        ck_assert_int_eq(hs_writer_close(&writer, &err), HS_ERROR_IO);
+        ck_assert_ptr_nonnull(strstr(err.text, "No space left"));
+    }
+    leave_directory();
+}
+END_TEST
+
+HS_TEST_MAIN("dump", test_atom, test_custom, test_xyz, test_formats_and_headers, test_sort_and_selection, test_when,
+             test_gzip_and_write_dump, test_refusals, test_writer)
