@@ -229,7 +229,7 @@ hs_status hs_sim_add_compute(hs_sim *sim, const char *id, const char *group, con
 
 hs_status hs_sim_add_region(hs_sim *sim, const char *id, const char *name, const hs_args *args, hs_error *err)
 {
-    HS_TRY(check_id("region", id, err));
+    if (id[0] == '\0') return hs_fail(err, HS_ERROR_INPUT, "region: the ID is empty");
     if (hs_sim_find_region(sim, id) != NULL)
         return hs_fail(err, HS_ERROR_INPUT, "region: the ID '%s' is taken; 'region %s delete' frees it", id, id);
     HS_TRY(HS_GROW(sim->region, (size_t)sim->n_regions, (size_t)sim->n_regions + 1, err));
