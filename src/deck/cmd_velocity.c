@@ -14,9 +14,9 @@ typedef enum { VELOCITY_CREATE, VELOCITY_SET, VELOCITY_SCALE, VELOCITY_RAMP, VEL
 static const char *const velocity_styles[] = {"create", "set", "scale", "ramp", "zero", NULL};
 /** Words after the style's name, and what they are. */
 static const int velocity_words[] = {2, 3, 1, 6, 1};
-static const char *const velocity_usage[] = {"<T> <seed>", "<vx> <vy> <vz>", "<T>", "vx|vy|vz <vlo> <vhi> x|y|z <clo> "
-                                             "<chi>",
-                                             "linear|angular"};
+static const char *const velocity_usage[] = {
+    "<T> <seed>", "<vx> <vy> <vz>", "<T>", "vx|vy|vz <vlo> <vhi> x|y|z <clo> <chi>", "linear|angular",
+};
 
 typedef enum { LOOP_ALL, LOOP_LOCAL, LOOP_GEOM } loop_kind;
 
