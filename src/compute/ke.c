@@ -31,8 +31,9 @@ const hs_compute_style hs_compute_style_ke = {
     .about = {.name = "ke",
               .syntax = {.usage = "", .n_min = 0, .n_max = 0},
               .summary = "kinetic energy of a group",
-              .details = "The scalar `c_ID` is sum(m v^2) / 2 of the group's atoms (energy units). It grows with the number "
-                         "of atoms: under `thermo_modify norm yes` thermo output divides it by the number of all atoms.",
+              .details =
+                  "The scalar `c_ID` is sum(m v^2) / 2 of the group's atoms (energy units). It grows with the number "
+                  "of atoms: under `thermo_modify norm yes` thermo output divides it by the number of all atoms.",
               .example = "compute k all ke"},
     .create = create,
     .scalar = scalar,

@@ -4,7 +4,7 @@
 #include "style/compute.h"
 
 typedef struct pe_state {
-    bool has_pair;   /**< count the pair energy: no keyword, or the keyword pair */
+    bool has_pair; /**< count the pair energy: no keyword, or the keyword pair */
 } pe_state;
 
 static const hs_keyword keywords[] = {
@@ -23,8 +23,8 @@ static hs_status create(hs_compute *compute, const hs_args *args, hs_error *err)
     pe_state *state = compute->state;
     HS_TRY(hs_syntax_check(&compute->style->about.syntax, args, false, err));
     if (compute->group != 0)
-        return hs_fail(err, HS_ERROR_INPUT, "%s: the group must be all: the energy of a pair belongs to no single group",
-                       args->command);
+        return hs_fail(err, HS_ERROR_INPUT,
+                       "%s: the group must be all: the energy of a pair belongs to no single group", args->command);
     state->has_pair = args->n == 0;
     for (int i = 0; i < args->n; ++i)
         if (strcmp(args->word[i], "pair") == 0) state->has_pair = true;
@@ -41,14 +41,17 @@ static hs_status scalar(hs_compute *compute, double *value, hs_error *err)
 
 const hs_compute_style hs_compute_style_pe = {
     .about = {.name = "pe",
-              .syntax = {.usage = "[pair bond angle dihedral improper kspace fix]", .n_min = 0, .n_max = 0,
+              .syntax = {.usage = "[pair bond angle dihedral improper kspace fix]",
+                         .n_min = 0,
+                         .n_max = 0,
                          .keywords = keywords},
               .summary = "potential energy",
-              .details = "The scalar `c_ID` is the potential energy of all atoms (energy units), with the long-range "
-                         "correction of `pair_modify tail yes`. Without keywords everything counts; with keywords only the "
-                         "parts they name. The group must be all. It grows with the number of atoms: under `thermo_modify "
-                         "norm yes` thermo output divides it by the number of atoms. Every simulation has one of these, "
-                         "`thermo_pe`.",
+              .details =
+                  "The scalar `c_ID` is the potential energy of all atoms (energy units), with the long-range "
+                  "correction of `pair_modify tail yes`. Without keywords everything counts; with keywords only the "
+                  "parts they name. The group must be all. It grows with the number of atoms: under `thermo_modify "
+                  "norm yes` thermo output divides it by the number of atoms. Every simulation has one of these, "
+                  "`thermo_pe`.",
               .example = "compute u all pe"},
     .state_size = sizeof(pe_state),
     .create = create,

@@ -7,7 +7,7 @@
 #include "style/compute.h"
 
 typedef struct pressure_state {
-    char *temperature_id;   /**< owned; NULL: no kinetic part */
+    char *temperature_id; /**< owned; NULL: no kinetic part */
     bool has_ke, has_pair;
 } pressure_state;
 
@@ -30,8 +30,9 @@ static hs_status find_temperature(const hs_compute *compute, hs_compute **temper
     const pressure_state *state = compute->state;
     *temperature = compute->env->find_compute(compute->env, state->temperature_id);
     if (*temperature == NULL)
-        return hs_fail(err, HS_ERROR_INPUT, "compute '%s' (pressure): there is no compute '%s' to take the temperature from",
-                       compute->id, state->temperature_id);
+        return hs_fail(err, HS_ERROR_INPUT,
+                       "compute '%s' (pressure): there is no compute '%s' to take the temperature from", compute->id,
+                       state->temperature_id);
     if (!(*temperature)->style->is_temperature)
         return hs_fail(err, HS_ERROR_INPUT, "compute '%s' (pressure): compute '%s' (%s) does not compute a temperature",
                        compute->id, state->temperature_id, (*temperature)->style->about.name);
@@ -43,8 +44,8 @@ static hs_status create(hs_compute *compute, const hs_args *args, hs_error *err)
     pressure_state *state = compute->state;
     HS_TRY(hs_syntax_check(&compute->style->about.syntax, args, false, err));
     if (compute->group != 0)
-        return hs_fail(err, HS_ERROR_INPUT, "%s: the group must be all: the virial of a pair belongs to no single group",
-                       args->command);
+        return hs_fail(err, HS_ERROR_INPUT,
+                       "%s: the group must be all: the virial of a pair belongs to no single group", args->command);
     compute->n_vector = 6;
     HS_TRY(HS_ALLOC(compute->vector, 6, err));
     state->has_ke = state->has_pair = args->n == 1;
@@ -55,8 +56,10 @@ static hs_status create(hs_compute *compute, const hs_args *args, hs_error *err)
     if (strcmp(args->word[0], "NULL") != 0) HS_TRY(hs_memory_strdup(&state->temperature_id, args->word[0], err));
     if (!state->has_ke) return HS_OK;
     if (state->temperature_id == NULL)
-        return hs_fail(err, HS_ERROR_INPUT, "%s: NULL leaves out the kinetic part, so a keyword such as 'virial' must say which "
-                       "parts are wanted; otherwise name a temperature compute, for example thermo_temp", args->command);
+        return hs_fail(err, HS_ERROR_INPUT,
+                       "%s: NULL leaves out the kinetic part, so a keyword such as 'virial' must say which "
+                       "parts are wanted; otherwise name a temperature compute, for example thermo_temp",
+                       args->command);
     hs_compute *temperature;
     return find_temperature(compute, &temperature, err);
 }
@@ -132,14 +135,18 @@ static hs_status vector(hs_compute *compute, hs_error *err)
 
 const hs_compute_style hs_compute_style_pressure = {
     .about = {.name = "pressure",
-              .syntax = {.usage = "<temperature-compute | NULL> [ke pair virial bond angle dihedral improper kspace fix]",
-                         .n_min = 1, .n_max = 1, .keywords = keywords},
+              .syntax = {.usage =
+                             "<temperature-compute | NULL> [ke pair virial bond angle dihedral improper kspace fix]",
+                         .n_min = 1,
+                         .n_max = 1,
+                         .keywords = keywords},
               .summary = "pressure and pressure tensor",
-              .details = "The scalar `c_ID` is (n_dof k T + virial) / (dim V), the vector `c_ID[1]` ... `c_ID[6]` the tensor "
-                         "in the order xx, yy, zz, xy, xz, yz (pressure units; in two dimensions V is the area and zz, xz, yz "
-                         "are 0). The first word names the compute that gives the temperature; NULL leaves the kinetic part "
-                         "out and needs a keyword. Without keywords every part counts; with keywords only the parts they "
-                         "name. The group must be all. Every simulation has one of these, `thermo_press`.",
+              .details =
+                  "The scalar `c_ID` is (n_dof k T + virial) / (dim V), the vector `c_ID[1]` ... `c_ID[6]` the tensor "
+                  "in the order xx, yy, zz, xy, xz, yz (pressure units; in two dimensions V is the area and zz, xz, yz "
+                  "are 0). The first word names the compute that gives the temperature; NULL leaves the kinetic part "
+                  "out and needs a keyword. Without keywords every part counts; with keywords only the parts they "
+                  "name. The group must be all. Every simulation has one of these, `thermo_press`.",
               .reference = "A. P. Thompson, S. J. Plimpton, W. Mattson, J. Chem. Phys. 131, 154107 (2009), "
                            "doi:10.1063/1.3245303",
               .example = "compute w all pressure NULL virial\ncompute p all pressure thermo_temp"},

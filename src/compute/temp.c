@@ -21,8 +21,8 @@ static hs_status init(hs_compute *compute, hs_error *err)
     const int64_t n = hs_atom_count(env->atoms, env->parallel, compute->mask);
     compute->n_dof = (double)dim * (double)n - (double)dim;
     if (compute->n_dof < 0.0 && n > 0)
-        return hs_fail(err, HS_ERROR_INPUT, "compute '%s' (temp): %lld atoms have fewer than 0 degrees of freedom", compute->id,
-                       (long long)n);
+        return hs_fail(err, HS_ERROR_INPUT, "compute '%s' (temp): %lld atoms have fewer than 0 degrees of freedom",
+                       compute->id, (long long)n);
     return HS_OK;
 }
 
@@ -75,11 +75,12 @@ const hs_compute_style hs_compute_style_temp = {
     .about = {.name = "temp",
               .syntax = {.usage = "", .n_min = 0, .n_max = 0},
               .summary = "temperature of a group",
-              .details = "The scalar `c_ID` is the temperature, sum(m v^2) / (n_dof k), with n_dof = dim N - dim degrees of "
-                         "freedom (temperature units). The vector `c_ID[1]` ... `c_ID[6]` is the kinetic-energy tensor "
-                         "sum(m v_a v_b) in the order xx, yy, zz, xy, xz, yz (energy units); under `thermo_modify norm yes` "
-                         "thermo output divides it by the number of atoms. The degrees of freedom are counted at the start "
-                         "of each run. Every simulation has one of these, `thermo_temp`, for group all.",
+              .details =
+                  "The scalar `c_ID` is the temperature, sum(m v^2) / (n_dof k), with n_dof = dim N - dim degrees of "
+                  "freedom (temperature units). The vector `c_ID[1]` ... `c_ID[6]` is the kinetic-energy tensor "
+                  "sum(m v_a v_b) in the order xx, yy, zz, xy, xz, yz (energy units); under `thermo_modify norm yes` "
+                  "thermo output divides it by the number of atoms. The degrees of freedom are counted at the start "
+                  "of each run. Every simulation has one of these, `thermo_temp`, for group all.",
               .example = "compute slow lower temp"},
     .create = create,
     .destroy = destroy,

@@ -8,8 +8,10 @@
 #include "io/writer.h"
 
 static const hs_keyword read_keywords[] = {
-    {"add", 1, "<append | merge | N>", "add to the atoms there are; ids go on after the largest, as they are, or plus N"},
-    {"offset", 5, "<types> <0> <0> <0> <0>", "add this to the atom types of the file; the other four, for bonds, must be 0"},
+    {"add", 1, "<append | merge | N>",
+     "add to the atoms there are; ids go on after the largest, as they are, or plus N"},
+    {"offset", 5, "<types> <0> <0> <0> <0>",
+     "add this to the atom types of the file; the other four, for bonds, must be 0"},
     {"shift", 3, "<x> <y> <z>", "move the atoms and the box of the file, distance"},
     {"extra/atom/types", 1, "<N>", "make N more atom types than the file has"},
     {"group", 1, "<group-ID>", "the new atoms join this group, which is made if need be"},
@@ -59,7 +61,7 @@ static hs_status read_options(hs_deck *deck, const hs_args *args, hs_data_option
             HS_TRY(hs_groups_add(&deck->sim->groups, args->word[++i], &bit, err));
             options->mask |= hs_group_mask(bit);
         } else {
-            options->no_coeffs = true;   /* nocoeff; the syntax allows nothing else */
+            options->no_coeffs = true; /* nocoeff; the syntax allows nothing else */
         }
     }
     return HS_OK;
@@ -74,16 +76,19 @@ static hs_status run_read_data(hs_deck *deck, const hs_args *args, hs_error *err
 {
     hs_sim *sim = deck->sim;
     hs_data_options options = {.pair_style = sim->pair != NULL ? sim->pair->style->about.name : NULL,
-                               .pair_coeff = set_coefficients, .context = sim};
+                               .pair_coeff = set_coefficients,
+                               .context = sim};
     HS_TRY(read_options(deck, args, &options, err));
     if (sim->box.exists && !options.is_added)
-        return hs_fail(err, HS_ERROR_INPUT, "read_data: there is a box already; the keyword 'add' adds to it, 'clear' starts anew");
+        return hs_fail(err, HS_ERROR_INPUT,
+                       "read_data: there is a box already; the keyword 'add' adds to it, 'clear' starts anew");
     if (!sim->box.exists && options.is_added)
         return hs_fail(err, HS_ERROR_INPUT, "read_data: the keyword 'add' needs a box and atoms to add to");
     if (options.is_added && options.n_extra_types > 0)
         return hs_fail(err, HS_ERROR_INPUT, "read_data: extra/atom/types goes with the first file, not with 'add'");
     if (sim->box.dimension == 2 && !sim->box.periodic[2])
-        return hs_fail(err, HS_ERROR_INPUT, "read_data: in two dimensions the boundary of z must be periodic (boundary x y p)");
+        return hs_fail(err, HS_ERROR_INPUT,
+                       "read_data: in two dimensions the boundary of z must be periodic (boundary x y p)");
     HS_TRY(hs_data_read(&sim->env, args->word[0], &options, err));
     hs_sim_atoms_changed(sim);
     return HS_OK;
@@ -109,8 +114,10 @@ static void warn_of_unlike_pairs(const hs_sim *sim)
     for (int i = 1; i <= pair->n_types; ++i)
         for (int j = i + 1; j <= pair->n_types; ++j)
             if (pair->is_set[hs_pair_index(pair, i, j)]) {
-                hs_warn(sim->env.out, "write_data: the coefficients of the types %d %d were given and are not written; 'pair ij' "
-                        "writes all", i, j);
+                hs_warn(sim->env.out,
+                        "write_data: the coefficients of the types %d %d were given and are not written; 'pair ij' "
+                        "writes all",
+                        i, j);
                 return;
             }
 }
@@ -142,22 +149,28 @@ static hs_status run_write_data(hs_deck *deck, const hs_args *args, hs_error *er
 }
 
 const hs_command hs_commands_data[] = {
-    {.about = {.name = "read_data",
-               .syntax = {.usage = "<file> [<keyword> <value> ...]", .n_min = 1, .n_max = 1, .keywords = read_keywords},
-               .summary = "Read box, atoms and coefficients from a LAMMPS data file",
-               .details = "Atom style atomic; the file may be compressed (`.gz`). The header gives `atoms`, `atom types`, `xlo xhi`, "
-                          "`ylo yhi`, `zlo zhi`; counts for bonds and the like must be 0, and tilted boxes are refused. Sections: "
-                          "Masses, Atoms (`id type x y z` and three image flags or none), Velocities, Pair Coeffs, PairIJ Coeffs "
-                          "(these need a pair style before). Every number is checked; a bad one stops the run with file and line. "
-                          "Positions outside of a periodic box are wrapped, outside of another they are an error.",
-               .example = "read_data start.data\nread_data more.data.gz add append shift 20 0 0 group new"},
+    {.about =
+         {.name = "read_data",
+          .syntax = {.usage = "<file> [<keyword> <value> ...]", .n_min = 1, .n_max = 1, .keywords = read_keywords},
+          .summary = "Read box, atoms and coefficients from a LAMMPS data file",
+          .details =
+              "Atom style atomic; the file may be compressed (`.gz`). The header gives `atoms`, `atom types`, `xlo "
+              "xhi`, "
+              "`ylo yhi`, `zlo zhi`; counts for bonds and the like must be 0, and tilted boxes are refused. Sections: "
+              "Masses, Atoms (`id type x y z` and three image flags or none), Velocities, Pair Coeffs, PairIJ Coeffs "
+              "(these need a pair style before). Every number is checked; a bad one stops the run with file and line. "
+              "Positions outside of a periodic box are wrapped, outside of another they are an error.",
+          .example = "read_data start.data\nread_data more.data.gz add append shift 20 0 0 group new"},
      .run = run_read_data},
-    {.about = {.name = "write_data",
-               .syntax = {.usage = "<file> [<keyword> <value> ...]", .n_min = 1, .n_max = 1, .keywords = write_keywords},
-               .summary = "Write box, atoms and coefficients to a LAMMPS data file",
-               .details = "A `*` in the name becomes the step; a name ending in `.gz` is compressed. Numbers have the digits that give "
-                          "the same bits when read. Atoms are in the order of their ids. The file appears whole or not at all.",
-               .example = "write_data end.data\nwrite_data end.*.data pair ij"},
+    {.about =
+         {.name = "write_data",
+          .syntax = {.usage = "<file> [<keyword> <value> ...]", .n_min = 1, .n_max = 1, .keywords = write_keywords},
+          .summary = "Write box, atoms and coefficients to a LAMMPS data file",
+          .details =
+              "A `*` in the name becomes the step; a name ending in `.gz` is compressed. Numbers have the digits that "
+              "give "
+              "the same bits when read. Atoms are in the order of their ids. The file appears whole or not at all.",
+          .example = "write_data end.data\nwrite_data end.*.data pair ij"},
      .run = run_write_data},
     {.run = NULL},
 };

@@ -63,7 +63,8 @@ static hs_status find_dump(hs_deck *deck, const hs_args *args, hs_dump **dump, h
     for (int k = 0; k < deck->sim->n_dumps && n < 256; ++k) names[n++] = deck->sim->dump[k]->id;
     const char *nearest = hs_text_nearest(args->word[0], names, n);
     return hs_fail(err, HS_ERROR_INPUT, "%s: there is no dump '%s'%s%s%s", args->command, args->word[0],
-                   nearest != NULL ? "; did you mean '" : "", nearest != NULL ? nearest : "", nearest != NULL ? "'?" : "");
+                   nearest != NULL ? "; did you mean '" : "", nearest != NULL ? nearest : "",
+                   nearest != NULL ? "'?" : "");
 }
 
 static hs_status run_dump_modify(hs_deck *deck, const hs_args *args, hs_error *err)
@@ -108,7 +109,7 @@ static hs_status run_write_dump(hs_deck *deck, const hs_args *args, hs_error *er
     HS_TRY(hs_sim_need_box(deck->sim, args->command, err));
     HS_TRY(hs_sim_add_dump(deck->sim, id, args->word[0], args->word[1], 1, args->word[2], &words, err));
     hs_dump *dump = hs_sim_find_dump(deck->sim, id);
-    hs_dump_table *table = dump->state;   /* all styles share it */
+    hs_dump_table *table = dump->state; /* all styles share it */
     table->is_single = true;
     hs_status status = hs_dump_modify(dump, &changes, err);
     if (status == HS_OK) status = dump->style->init(dump, err);
@@ -119,22 +120,29 @@ static hs_status run_write_dump(hs_deck *deck, const hs_args *args, hs_error *er
 }
 
 const hs_command hs_commands_dump[] = {
-    {.about = {.name = "dump",
-               .syntax = {.usage = "<ID> <group-ID> <atom | custom | xyz> <N> <file> [words of the style]", .n_min = 5, .n_max = -1},
-               .summary = "Write snapshots of atoms every N steps",
-               .details = "A `*` in the file's name becomes the step: one file a snapshot, which appears whole or not at all. "
-                          "Without it all snapshots go to one file, emptied at the start (`dump_modify append yes` adds to it); "
-                          "only whole snapshots are added. A name ending in `.gz` is compressed. The styles are listed under "
-                          "dumps.",
-               .example = "dump 1 all atom 100 run.dump\ndump 2 mobile custom 1000 run.*.dump.gz id type x y z"},
+    {.about =
+         {.name = "dump",
+          .syntax = {.usage = "<ID> <group-ID> <atom | custom | xyz> <N> <file> [words of the style]",
+                     .n_min = 5,
+                     .n_max = -1},
+          .summary = "Write snapshots of atoms every N steps",
+          .details =
+              "A `*` in the file's name becomes the step: one file a snapshot, which appears whole or not at all. "
+              "Without it all snapshots go to one file, emptied at the start (`dump_modify append yes` adds to it); "
+              "only whole snapshots are added. A name ending in `.gz` is compressed. The styles are listed under "
+              "dumps.",
+          .example = "dump 1 all atom 100 run.dump\ndump 2 mobile custom 1000 run.*.dump.gz id type x y z"},
      .run = run_dump,
      .check = check_dump},
-    {.about = {.name = "dump_modify",
-               .syntax = {.usage = "<dump-ID> <keyword> <value> ...", .n_min = 1, .n_max = 1, .keywords = hs_dump_modify_keywords},
-               .summary = "Change what a dump writes and when",
-               .details = "Formats are those of printf with one conversion; a column's own (`format N`) wins over `format int` and "
-                          "`format float`, these over `format line`. Keywords of LAMMPS that are not listed are refused.",
-               .example = "dump_modify 1 sort id format float %20.15g\ndump_modify 2 element Ar Kr thresh x < 10"},
+    {.about =
+         {.name = "dump_modify",
+          .syntax =
+              {.usage = "<dump-ID> <keyword> <value> ...", .n_min = 1, .n_max = 1, .keywords = hs_dump_modify_keywords},
+          .summary = "Change what a dump writes and when",
+          .details =
+              "Formats are those of printf with one conversion; a column's own (`format N`) wins over `format int` and "
+              "`format float`, these over `format line`. Keywords of LAMMPS that are not listed are refused.",
+          .example = "dump_modify 1 sort id format float %20.15g\ndump_modify 2 element Ar Kr thresh x < 10"},
      .run = run_dump_modify},
     {.about = {.name = "undump",
                .syntax = {.usage = "<dump-ID>", .n_min = 1, .n_max = 1},
@@ -142,12 +150,15 @@ const hs_command hs_commands_dump[] = {
                .details = "The file is closed and the ID is free again.",
                .example = "undump 1"},
      .run = run_undump},
-    {.about = {.name = "write_dump",
-               .syntax = {.usage = "<group-ID> <style> <file> [words of the style] [modify <keyword> <value> ...]", .n_min = 3,
-                          .n_max = -1},
-               .summary = "Write one snapshot of atoms now",
-               .details = "As a dump would, with the keywords of dump_modify after `modify`. The file appears whole or not at all.",
-               .example = "write_dump all custom last.dump id type x y z modify sort id"},
+    {.about =
+         {.name = "write_dump",
+          .syntax = {.usage = "<group-ID> <style> <file> [words of the style] [modify <keyword> <value> ...]",
+                     .n_min = 3,
+                     .n_max = -1},
+          .summary = "Write one snapshot of atoms now",
+          .details =
+              "As a dump would, with the keywords of dump_modify after `modify`. The file appears whole or not at all.",
+          .example = "write_dump all custom last.dump id type x y z modify sort id"},
      .run = run_write_dump,
      .check = check_write_dump},
     {.run = NULL},

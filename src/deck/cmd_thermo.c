@@ -38,17 +38,20 @@ static hs_status check_thermo_style(const hs_args *args, bool has_variables, hs_
     HS_TRY(hs_arg_choice(args, 0, styles, &style, err));
     if (strcmp(args->word[0], "custom") != 0) {
         if (args->n == 1 || strchr(args->word[1], '$') != NULL) return HS_OK;
-        return hs_fail(err, HS_ERROR_INPUT, "thermo_style %s: unexpected word '%s'; only custom takes a list of keywords",
-                       args->word[0], args->word[1]);
+        return hs_fail(err, HS_ERROR_INPUT,
+                       "thermo_style %s: unexpected word '%s'; only custom takes a list of keywords", args->word[0],
+                       args->word[1]);
     }
     for (int i = 1; i < args->n; ++i) {
         const char *nearest = hs_thermo_check_word(args->word[i]);
         if (nearest == NULL) continue;
         if (nearest[0] != '\0')
-            return hs_fail(err, HS_ERROR_INPUT, "thermo_style custom: unknown keyword '%s'; did you mean '%s'?", args->word[i],
-                           nearest);
-        return hs_fail(err, HS_ERROR_INPUT, "thermo_style custom: unknown keyword '%s'; a column is a thermo keyword, c_ID, "
-                       "c_ID[i], f_ID, f_ID[i] or v_name", args->word[i]);
+            return hs_fail(err, HS_ERROR_INPUT, "thermo_style custom: unknown keyword '%s'; did you mean '%s'?",
+                           args->word[i], nearest);
+        return hs_fail(err, HS_ERROR_INPUT,
+                       "thermo_style custom: unknown keyword '%s'; a column is a thermo keyword, c_ID, "
+                       "c_ID[i], f_ID, f_ID[i] or v_name",
+                       args->word[i]);
     }
     return HS_OK;
 }
@@ -59,34 +62,40 @@ static hs_status run_thermo_modify(hs_deck *deck, const hs_args *args, hs_error 
 }
 
 const hs_command hs_commands_thermo[] = {
-    {.about = {.name = "thermo",
-               .syntax = {.usage = "<N | v_name>", .n_min = 1, .n_max = 1},
-               .summary = "Write a row of thermodynamic output every N steps",
-               .details = "The first and the last step of a run always have a row; with N = 0, the default, only they have. With "
-                          "`v_name` the variable gives the step of the next row and is evaluated anew at each row.",
-               .example = "thermo 100\nvariable s equal logfreq(10,3,10)\nthermo v_s"},
+    {.about =
+         {.name = "thermo",
+          .syntax = {.usage = "<N | v_name>", .n_min = 1, .n_max = 1},
+          .summary = "Write a row of thermodynamic output every N steps",
+          .details =
+              "The first and the last step of a run always have a row; with N = 0, the default, only they have. With "
+              "`v_name` the variable gives the step of the next row and is evaluated anew at each row.",
+          .example = "thermo 100\nvariable s equal logfreq(10,3,10)\nthermo v_s"},
      .run = run_thermo,
      .check = check_thermo},
-    {.about = {.name = "thermo_style",
-               .syntax = {.usage = "<one | multi | custom> [<keyword> ...]", .n_min = 1, .n_max = -1},
-               .summary = "Choose the columns of thermodynamic output",
-               .details = "`one` (the default) writes Step, Temp, E_pair, E_mol, TotEng, Press and, when the box can change, "
-                          "Volume on a line. `multi` writes energies, temperature and pressure as name = value on several lines. "
-                          "`custom` writes the columns that the keywords name: thermo keywords (`halfshell help thermo_style` "
-                          "lists them), `c_ID` and `c_ID[i]` of computes, `f_ID` and `f_ID[i]` of fixes, `v_name` of variables; "
-                          "`c_ID[*]` and `c_ID[2*4]` stand for several elements and need the compute to exist. Energies are per "
-                          "atom in lj units (`thermo_modify norm`). The command sets everything of thermo_modify back.",
-               .example = "thermo_style custom step temp pe press c_mine[2] v_ratio"},
+    {.about =
+         {.name = "thermo_style",
+          .syntax = {.usage = "<one | multi | custom> [<keyword> ...]", .n_min = 1, .n_max = -1},
+          .summary = "Choose the columns of thermodynamic output",
+          .details =
+              "`one` (the default) writes Step, Temp, E_pair, E_mol, TotEng, Press and, when the box can change, "
+              "Volume on a line. `multi` writes energies, temperature and pressure as name = value on several lines. "
+              "`custom` writes the columns that the keywords name: thermo keywords (`halfshell help thermo_style` "
+              "lists them), `c_ID` and `c_ID[i]` of computes, `f_ID` and `f_ID[i]` of fixes, `v_name` of variables; "
+              "`c_ID[*]` and `c_ID[2*4]` stand for several elements and need the compute to exist. Energies are per "
+              "atom in lj units (`thermo_modify norm`). The command sets everything of thermo_modify back.",
+          .example = "thermo_style custom step temp pe press c_mine[2] v_ratio"},
      .run = run_thermo_style,
      .check = check_thermo_style},
-    {.about = {.name = "thermo_modify",
-               .syntax = {.usage = "<keyword> <value> ...", .n_min = 0, .n_max = 0, .keywords = hs_thermo_modify_keywords},
-               .summary = "Change numbers, formats and checks of thermodynamic output",
-               .details = "Formats are those of printf with one conversion: `%d` for whole numbers, `%e`, `%f` or `%g` for others. "
-                          "A column's own format (`format N`) wins over `format int` and `format float`, these over `format "
-                          "line`, which has one word for each column. `temp` and `press` name computes; the pressure then uses "
-                          "that temperature.",
-               .example = "thermo_modify norm no flush yes\nthermo_modify format float %15.8g format 1 %10d"},
+    {.about =
+         {.name = "thermo_modify",
+          .syntax = {.usage = "<keyword> <value> ...", .n_min = 0, .n_max = 0, .keywords = hs_thermo_modify_keywords},
+          .summary = "Change numbers, formats and checks of thermodynamic output",
+          .details =
+              "Formats are those of printf with one conversion: `%d` for whole numbers, `%e`, `%f` or `%g` for others. "
+              "A column's own format (`format N`) wins over `format int` and `format float`, these over `format "
+              "line`, which has one word for each column. `temp` and `press` name computes; the pressure then uses "
+              "that temperature.",
+          .example = "thermo_modify norm no flush yes\nthermo_modify format float %15.8g format 1 %10d"},
      .run = run_thermo_modify},
     {.run = NULL},
 };

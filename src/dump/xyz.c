@@ -18,9 +18,10 @@ const hs_dump_style hs_dump_style_xyz = {
     .about = {.name = "xyz",
               .syntax = {.usage = "", .n_min = 0, .n_max = 0},
               .summary = "positions in the xyz format",
-              .details = "For each snapshot the number of atoms, a line with the step, and a row `type x y z` for each atom "
-                         "(distance units). `dump_modify element` gives the types names. Rows are in the order of ids unless "
-                         "`dump_modify sort` says otherwise.",
+              .details =
+                  "For each snapshot the number of atoms, a line with the step, and a row `type x y z` for each atom "
+                  "(distance units). `dump_modify element` gives the types names. Rows are in the order of ids unless "
+                  "`dump_modify sort` says otherwise.",
               .example = "dump d all xyz 100 run.xyz\ndump_modify d element Ar"},
     .state_size = sizeof(hs_dump_table),
     .create = create,

@@ -16,8 +16,8 @@ hs_status hs_data_next_row(hs_data_reader *reader, const char *section, int64_t 
     if (!lines->at_end && hs_text_to_int64(lines->word[0], &number)) return HS_OK;
     if (!lines->at_end && strchr("0123456789+-.", lines->word[0][0]) != NULL)
         return hs_fail(err, HS_ERROR_INPUT, "section %s: '%s' is not a whole number", section, lines->word[0]);
-    return hs_fail(err, HS_ERROR_INPUT, "section %s ends after %lld lines; the header says there are %lld", section, (long long)k,
-                   (long long)n);
+    return hs_fail(err, HS_ERROR_INPUT, "section %s ends after %lld lines; the header says there are %lld", section,
+                   (long long)k, (long long)n);
 }
 
 static hs_status read_doubles(const hs_lines *lines, int first, int n, double *values, const char *what, hs_error *err)
@@ -33,7 +33,8 @@ static hs_status read_id(const hs_data_reader *reader, const char *word, int64_t
     if (!hs_text_to_int64(word, id) || *id < 1)
         return hs_fail(err, HS_ERROR_INPUT, "'%s' is not an atom id (a whole number of 1 or more)", word);
     if (*id > INT64_MAX - reader->id_offset)
-        return hs_fail(err, HS_ERROR_INPUT, "the id '%s' is too large for the offset of %lld", word, (long long)reader->id_offset);
+        return hs_fail(err, HS_ERROR_INPUT, "the id '%s' is too large for the offset of %lld", word,
+                       (long long)reader->id_offset);
     *id += reader->id_offset;
     return HS_OK;
 }
@@ -41,11 +42,12 @@ static hs_status read_id(const hs_data_reader *reader, const char *word, int64_t
 static hs_status read_type(const hs_data_reader *reader, const char *word, int64_t *type, hs_error *err)
 {
     if (!hs_text_to_int64(word, type) || *type < 1 || *type > reader->n_types)
-        return hs_fail(err, HS_ERROR_INPUT, "'%s' is not an atom type from 1 to %lld", word, (long long)reader->n_types);
+        return hs_fail(err, HS_ERROR_INPUT, "'%s' is not an atom type from 1 to %lld", word,
+                       (long long)reader->n_types);
     *type += reader->options->type_offset;
     if (*type <= reader->env->atoms->n_types) return HS_OK;
-    return hs_fail(err, HS_ERROR_INPUT, "type %lld, with the offset, is more than the %d types of this system", (long long)*type,
-                   reader->env->atoms->n_types);
+    return hs_fail(err, HS_ERROR_INPUT, "type %lld, with the offset, is more than the %d types of this system",
+                   (long long)*type, reader->env->atoms->n_types);
 }
 
 static hs_status read_images(const hs_lines *lines, int32_t image[3], hs_error *err)
@@ -63,16 +65,18 @@ static hs_status read_images(const hs_lines *lines, int32_t image[3], hs_error *
 /** Bring x into the box, or refuse a place outside of a box that is not periodic there. */
 static hs_status settle(const hs_box *box, double x[3], int32_t image[3], hs_error *err)
 {
-    const double far = 1000.0;   /* box lengths; further away is a mistake */
+    const double far = 1000.0; /* box lengths; further away is a mistake */
     for (int axis = 0; axis < 3; ++axis) {
         const double lo = box->lo[axis], hi = box->hi[axis], length = hi - lo, away = (x[axis] - lo) / length;
         if (!box->periodic[axis] && (x[axis] < lo || x[axis] > hi))
-            return hs_fail(err, HS_ERROR_INPUT, "the atom's %c = %.10g is outside of the box, %.10g to %.10g, which is not periodic "
-                           "there", "xyz"[axis], x[axis], lo, hi);
+            return hs_fail(err, HS_ERROR_INPUT,
+                           "the atom's %c = %.10g is outside of the box, %.10g to %.10g, which is not periodic "
+                           "there",
+                           "xyz"[axis], x[axis], lo, hi);
         if (!box->periodic[axis]) continue;
         if (!(fabs(away) < far))
-            return hs_fail(err, HS_ERROR_INPUT, "the atom's %c = %.10g is more than %g box lengths outside of the box", "xyz"[axis],
-                           x[axis], far);
+            return hs_fail(err, HS_ERROR_INPUT, "the atom's %c = %.10g is more than %g box lengths outside of the box",
+                           "xyz"[axis], x[axis], far);
         for (; x[axis] < lo; --image[axis]) x[axis] += length;
         for (; x[axis] >= hi; ++image[axis]) x[axis] -= length;
         if (x[axis] < lo) x[axis] = lo;
@@ -88,8 +92,10 @@ static hs_status read_atom(hs_data_reader *reader, hs_error *err)
     double x[3];
     int32_t image[3];
     if (lines->n_words != 5 && lines->n_words != 8)
-        return hs_fail(err, HS_ERROR_INPUT, "a line of Atoms (style atomic) is 'id type x y z' with three image flags or none; this "
-                       "one has %d words", lines->n_words);
+        return hs_fail(err, HS_ERROR_INPUT,
+                       "a line of Atoms (style atomic) is 'id type x y z' with three image flags or none; this "
+                       "one has %d words",
+                       lines->n_words);
     HS_TRY(read_id(reader, lines->word[0], &id, err));
     HS_TRY(read_type(reader, lines->word[1], &type, err));
     HS_TRY(read_doubles(lines, 2, 3, x, "coordinate", err));
@@ -119,7 +125,8 @@ static hs_status check_ids(hs_data_reader *reader, hs_error *err)
         if (a->id != b->id) continue;
         reader->lines.number = b->line;
         if (a->line == 0)
-            return hs_fail(err, HS_ERROR_INPUT, "atom id %lld exists already; 'add append' numbers new atoms on", (long long)b->id);
+            return hs_fail(err, HS_ERROR_INPUT, "atom id %lld exists already; 'add append' numbers new atoms on",
+                           (long long)b->id);
         return hs_fail(err, HS_ERROR_INPUT, "atom id %lld was given on line %ld already", (long long)b->id, a->line);
     }
     return HS_OK;
@@ -144,8 +151,8 @@ hs_status hs_data_read_atoms(hs_data_reader *reader, hs_error *err)
     int capacity = 0;
     if (reader->has_atoms) return hs_fail(err, HS_ERROR_INPUT, "there is a section Atoms already");
     if (reader->lines.comment[0] != '\0' && strcmp(reader->lines.comment, "atomic") != 0)
-        hs_warn(reader->env->out, "%s:%ld: the comment says the atom style is '%s'; it is read as atomic", reader->lines.path,
-                reader->lines.number, reader->lines.comment);
+        hs_warn(reader->env->out, "%s:%ld: the comment says the atom style is '%s'; it is read as atomic",
+                reader->lines.path, reader->lines.number, reader->lines.comment);
     hs_say(reader->env->out, "  reading atoms ...\n");
     for (int i = 0; i < reader->n_before; ++i) HS_TRY(append_id(reader, &capacity, 0, err));
     /* Room grows as lines are read, so that a wrong count in the header costs no memory. */
@@ -168,7 +175,8 @@ static hs_status read_velocity(hs_data_reader *reader, hs_error *err)
     hs_data_id key = {0};
     double v[3];
     if (lines->n_words != 4)
-        return hs_fail(err, HS_ERROR_INPUT, "a line of Velocities is 'id vx vy vz'; this one has %d words", lines->n_words);
+        return hs_fail(err, HS_ERROR_INPUT, "a line of Velocities is 'id vx vy vz'; this one has %d words",
+                       lines->n_words);
     HS_TRY(read_id(reader, lines->word[0], &key.id, err));
     HS_TRY(read_doubles(lines, 1, 3, v, "velocity", err));
     /* line is not compared: every id occurs once */

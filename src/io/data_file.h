@@ -24,9 +24,9 @@ typedef struct hs_data_options {
     void *context;
 } hs_data_options;
 
-/** Read a data file, plain or .gz (not collective: one rank). Makes the box and the types unless options say add; adds the
- *  atoms. Everything is checked; errors name file and line, and leave no atoms behind. The caller then tells the
- *  simulation that atoms have changed. */
+/** Read a data file, plain or .gz (not collective: one rank). Makes the box and the types unless options say add;
+ *  adds the atoms. Everything is checked; errors name file and line, and leave no atoms behind. The caller then tells
+ *  the simulation that atoms have changed. */
 HS_MUST_USE hs_status hs_data_read(hs_env *env, const char *path, const hs_data_options *options, hs_error *err);
 
 /** Which coefficients write_data writes. */
@@ -40,9 +40,10 @@ typedef struct hs_data_write_options {
     void *context;
 } hs_data_write_options;
 
-/** Write a data file that LAMMPS reads too, wholly or not at all: positions in the box, shortest digits that give the same
- *  doubles, atoms in the order of ids. Not collective: one rank. */
-HS_MUST_USE hs_status hs_data_write(const hs_env *env, const char *path, const hs_data_write_options *options, hs_error *err);
+/** Write a data file that LAMMPS reads too, wholly or not at all: positions in the box, shortest digits that give
+ *  the same doubles, atoms in the order of ids. Not collective: one rank. */
+HS_MUST_USE hs_status hs_data_write(const hs_env *env, const char *path, const hs_data_write_options *options,
+                                    hs_error *err);
 
 /** The shortest decimal form of a finite double that reads back as the same bits. */
 enum { HS_SHORTEST_SIZE = 32 };

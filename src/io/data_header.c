@@ -38,7 +38,10 @@ static const struct {
 };
 enum { N_HEADER_LINES = sizeof header_lines / sizeof header_lines[0] };
 
-static bool is_number_like(const char *word) { return isdigit((unsigned char)word[0]) || strchr("+-.", word[0]) != NULL; }
+static bool is_number_like(const char *word)
+{
+    return isdigit((unsigned char)word[0]) || strchr("+-.", word[0]) != NULL;
+}
 
 static hs_status read_count(const hs_lines *lines, int64_t *count, hs_error *err)
 {
@@ -50,10 +53,12 @@ static hs_status read_bounds(hs_data_reader *reader, int axis, hs_error *err)
 {
     const hs_lines *lines = &reader->lines;
     if (!hs_text_to_double(lines->word[0], &reader->lo[axis]) || !hs_text_to_double(lines->word[1], &reader->hi[axis]))
-        return hs_fail(err, HS_ERROR_INPUT, "box bounds must be two finite numbers, not '%s %s'", lines->word[0], lines->word[1]);
+        return hs_fail(err, HS_ERROR_INPUT, "box bounds must be two finite numbers, not '%s %s'", lines->word[0],
+                       lines->word[1]);
     const double length = reader->hi[axis] - reader->lo[axis];
     if (!(length > 0.0 && length < 1e150))
-        return hs_fail(err, HS_ERROR_INPUT, "the box bounds '%s %s' do not leave a box: the first must be less than the second",
+        return hs_fail(err, HS_ERROR_INPUT,
+                       "the box bounds '%s %s' do not leave a box: the first must be less than the second",
                        lines->word[0], lines->word[1]);
     reader->has_bounds[axis] = true;
     return HS_OK;
@@ -63,7 +68,8 @@ static hs_status take_line(hs_data_reader *reader, header_kind kind, const char 
 {
     int64_t count;
     switch (kind) {
-    case ATOMS: return read_count(&reader->lines, &reader->n_atoms, err);
+    case ATOMS:
+        return read_count(&reader->lines, &reader->n_atoms, err);
     case TYPES:
         HS_TRY(read_count(&reader->lines, &reader->n_types, err));
         if (reader->n_types >= 1 && reader->n_types <= HS_DATA_TYPES_MAX) return HS_OK;
@@ -71,7 +77,8 @@ static hs_status take_line(hs_data_reader *reader, header_kind kind, const char 
                        reader->lines.word[0]);
     case XBOUNDS:
     case YBOUNDS:
-    case ZBOUNDS: return read_bounds(reader, (int)kind - XBOUNDS, err);
+    case ZBOUNDS:
+        return read_bounds(reader, (int)kind - XBOUNDS, err);
     case TILT:
         return hs_fail(err, HS_ERROR_INPUT, "'xy xz yz' makes a triclinic box; only orthogonal boxes are supported");
     default:
@@ -98,13 +105,14 @@ static hs_status read_line(hs_data_reader *reader, hs_error *err)
         names[k] = header_lines[k].text;
         if (strcmp(header_lines[k].text, text) != 0) continue;
         if (n_numbers != header_lines[k].n_numbers)
-            return hs_fail(err, HS_ERROR_INPUT, "'%s' needs %d number%s before it, not %d", text, header_lines[k].n_numbers,
-                           header_lines[k].n_numbers == 1 ? "" : "s", n_numbers);
+            return hs_fail(err, HS_ERROR_INPUT, "'%s' needs %d number%s before it, not %d", text,
+                           header_lines[k].n_numbers, header_lines[k].n_numbers == 1 ? "" : "s", n_numbers);
         return take_line(reader, header_lines[k].kind, text, err);
     }
     const char *nearest = hs_text_nearest(text, names, N_HEADER_LINES);
-    return hs_fail(err, HS_ERROR_INPUT, "unknown line '%s' in the header%s%s%s", text, nearest != NULL ? "; did you mean '" : "",
-                   nearest != NULL ? nearest : "", nearest != NULL ? "'?" : "");
+    return hs_fail(err, HS_ERROR_INPUT, "unknown line '%s' in the header%s%s%s", text,
+                   nearest != NULL ? "; did you mean '" : "", nearest != NULL ? nearest : "",
+                   nearest != NULL ? "'?" : "");
 }
 
 static hs_status check_complete(const hs_data_reader *reader, hs_error *err)
@@ -121,7 +129,7 @@ static hs_status check_complete(const hs_data_reader *reader, hs_error *err)
 hs_status hs_data_read_header(hs_data_reader *reader, hs_error *err)
 {
     hs_lines *lines = &reader->lines;
-    HS_TRY(hs_lines_next(lines, err));   /* the title */
+    HS_TRY(hs_lines_next(lines, err)); /* the title */
     for (;;) {
         HS_TRY(hs_lines_next_filled(lines, err));
         if (lines->at_end || !is_number_like(lines->word[0])) break;

@@ -37,6 +37,7 @@ HS_MUST_USE hs_status hs_data_read_header(hs_data_reader *reader, hs_error *err)
 HS_MUST_USE hs_status hs_data_read_atoms(hs_data_reader *reader, hs_error *err);
 HS_MUST_USE hs_status hs_data_read_velocities(hs_data_reader *reader, hs_error *err);
 /** Next line of a section that should have n lines, of which k were read; an error when the section ends early. */
-HS_MUST_USE hs_status hs_data_next_row(hs_data_reader *reader, const char *section, int64_t k, int64_t n, hs_error *err);
+HS_MUST_USE hs_status hs_data_next_row(hs_data_reader *reader, const char *section, int64_t k, int64_t n,
+                                       hs_error *err);
 
 #endif

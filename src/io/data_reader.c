@@ -20,20 +20,21 @@ static hs_status make_box(hs_data_reader *reader, hs_error *err)
             return hs_fail(err, HS_ERROR_INPUT, "the shift along %c leaves no box", "xyz"[axis]);
     }
     if (!options->is_added)
-        hs_say(env->out, "  orthogonal box = (%#.8g %#.8g %#.8g) to (%#.8g %#.8g %#.8g)\n", box.lo[0], box.lo[1], box.lo[2],
-               box.hi[0], box.hi[1], box.hi[2]);
+        hs_say(env->out, "  orthogonal box = (%#.8g %#.8g %#.8g) to (%#.8g %#.8g %#.8g)\n", box.lo[0], box.lo[1],
+               box.lo[2], box.hi[0], box.hi[1], box.hi[2]);
     hs_box_settle_faces(&box);
     if (options->is_added) {
         for (int axis = 0; axis < 3; ++axis) {
             box.lo[axis] = fmin(box.lo[axis], env->box->lo[axis]);
             box.hi[axis] = fmax(box.hi[axis], env->box->hi[axis]);
         }
-        hs_say(env->out, "  orthogonal box = (%#.8g %#.8g %#.8g) to (%#.8g %#.8g %#.8g)\n", box.lo[0], box.lo[1], box.lo[2],
-               box.hi[0], box.hi[1], box.hi[2]);
+        hs_say(env->out, "  orthogonal box = (%#.8g %#.8g %#.8g) to (%#.8g %#.8g %#.8g)\n", box.lo[0], box.lo[1],
+               box.lo[2], box.hi[0], box.hi[1], box.hi[2]);
         if (reader->n_types + options->type_offset > env->atoms->n_types)
-            return hs_fail(err, HS_ERROR_INPUT, "the file has %lld atom types (offset %d), but the system has %d; 'extra/atom/types' "
-                           "of the first read_data makes room for more", (long long)reader->n_types, options->type_offset,
-                           env->atoms->n_types);
+            return hs_fail(err, HS_ERROR_INPUT,
+                           "the file has %lld atom types (offset %d), but the system has %d; 'extra/atom/types' "
+                           "of the first read_data makes room for more",
+                           (long long)reader->n_types, options->type_offset, env->atoms->n_types);
     } else {
         const int64_t n_types = reader->n_types + options->n_extra_types + options->type_offset;
         if (n_types > HS_DATA_TYPES_MAX)
@@ -57,7 +58,8 @@ static hs_status read_masses(hs_data_reader *reader, hs_error *err)
         double mass;
         HS_TRY(hs_data_next_row(reader, "Masses", k, reader->n_types, err));
         if (lines->n_words != 2)
-            return hs_fail(err, HS_ERROR_INPUT, "a line of Masses is 'type mass'; this one has %d words", lines->n_words);
+            return hs_fail(err, HS_ERROR_INPUT, "a line of Masses is 'type mass'; this one has %d words",
+                           lines->n_words);
         if (!hs_text_to_int64(lines->word[0], &type) || type < 1 || type > reader->n_types)
             return hs_fail(err, HS_ERROR_INPUT, "'%s' is not an atom type from 1 to %lld", lines->word[0],
                            (long long)reader->n_types);
@@ -73,7 +75,8 @@ static hs_status shift_type(const hs_data_reader *reader, const char *word, char
 {
     int64_t type;
     if (!hs_text_to_int64(word, &type) || type < 1 || type > reader->n_types)
-        return hs_fail(err, HS_ERROR_INPUT, "'%s' is not an atom type from 1 to %lld", word, (long long)reader->n_types);
+        return hs_fail(err, HS_ERROR_INPUT, "'%s' is not an atom type from 1 to %lld", word,
+                       (long long)reader->n_types);
     snprintf(text, 24, "%lld", (long long)type + reader->options->type_offset);
     return HS_OK;
 }
@@ -86,17 +89,20 @@ static hs_status read_coefficients(hs_data_reader *reader, bool is_ij, hs_error 
     const char *section = is_ij ? "PairIJ Coeffs" : "Pair Coeffs";
     const int64_t n = is_ij ? reader->n_types * (reader->n_types + 1) / 2 : reader->n_types;
     if (!options->no_coeffs && options->pair_style == NULL)
-        return hs_fail(err, HS_ERROR_INPUT, "the section %s needs a pair style: give pair_style before read_data, or the keyword "
-                       "nocoeff to pass over the coefficients", section);
+        return hs_fail(err, HS_ERROR_INPUT,
+                       "the section %s needs a pair style: give pair_style before read_data, or the keyword "
+                       "nocoeff to pass over the coefficients",
+                       section);
     if (!options->no_coeffs && lines->comment[0] != '\0' && strcmp(lines->comment, options->pair_style) != 0)
-        hs_warn(reader->env->out, "%s:%ld: the coefficients are for pair style '%s' but the present one is '%s'", lines->path,
-                lines->number, lines->comment, options->pair_style);
+        hs_warn(reader->env->out, "%s:%ld: the coefficients are for pair style '%s' but the present one is '%s'",
+                lines->path, lines->number, lines->comment, options->pair_style);
     for (int64_t k = 0; k < n; ++k) {
         char first[24], second[24];
         const char *word[HS_LINE_WORDS_MAX + 1] = {first, is_ij ? second : first};
         HS_TRY(hs_data_next_row(reader, section, k, n, err));
         if (options->no_coeffs) continue;
-        if (is_ij && lines->n_words < 2) return hs_fail(err, HS_ERROR_INPUT, "a line of %s begins with two types", section);
+        if (is_ij && lines->n_words < 2)
+            return hs_fail(err, HS_ERROR_INPUT, "a line of %s begins with two types", section);
         HS_TRY(shift_type(reader, lines->word[0], first, err));
         if (is_ij) HS_TRY(shift_type(reader, lines->word[1], second, err));
         const int n_types = is_ij ? 2 : 1;
@@ -113,8 +119,9 @@ enum { MASSES, ATOMS, VELOCITIES, PAIR_COEFFS, PAIRIJ_COEFFS, N_SECTIONS };
 /** Sections that LAMMPS has for other atom styles. */
 static bool is_foreign(const char *name)
 {
-    static const char *const foreign[] = {"Bonds", "Angles", "Dihedrals", "Impropers", "Bond Coeffs", "Angle Coeffs",
-                                          "Dihedral Coeffs", "Improper Coeffs", "Ellipsoids", "Lines", "Triangles", "Bodies"};
+    static const char *const foreign[] = {"Bonds",       "Angles",       "Dihedrals",       "Impropers",
+                                          "Bond Coeffs", "Angle Coeffs", "Dihedral Coeffs", "Improper Coeffs",
+                                          "Ellipsoids",  "Lines",        "Triangles",       "Bodies"};
     for (size_t k = 0; k < sizeof foreign / sizeof foreign[0]; ++k)
         if (strcmp(foreign[k], name) == 0) return true;
     return false;
@@ -129,18 +136,26 @@ static hs_status read_section(hs_data_reader *reader, hs_error *err)
     int section = 0;
     while (section < N_SECTIONS && (lines->n_words > 2 || strcmp(sections[section], name) != 0)) ++section;
     switch (section) {
-    case MASSES: return read_masses(reader, err);
-    case ATOMS: return hs_data_read_atoms(reader, err);
-    case VELOCITIES: return hs_data_read_velocities(reader, err);
-    case PAIR_COEFFS: return read_coefficients(reader, false, err);
-    case PAIRIJ_COEFFS: return read_coefficients(reader, true, err);
-    default: break;
+    case MASSES:
+        return read_masses(reader, err);
+    case ATOMS:
+        return hs_data_read_atoms(reader, err);
+    case VELOCITIES:
+        return hs_data_read_velocities(reader, err);
+    case PAIR_COEFFS:
+        return read_coefficients(reader, false, err);
+    case PAIRIJ_COEFFS:
+        return read_coefficients(reader, true, err);
+    default:
+        break;
     }
     if (is_foreign(name))
         return hs_fail(err, HS_ERROR_INPUT, "the section '%s' is not for atoms of style atomic", name);
     if (strchr("0123456789+-.", name[0]) != NULL)
-        return hs_fail(err, HS_ERROR_INPUT, "a section name was expected, not '%s': the section before has more lines than the "
-                       "header says, or this one has no name", name);
+        return hs_fail(err, HS_ERROR_INPUT,
+                       "a section name was expected, not '%s': the section before has more lines than the "
+                       "header says, or this one has no name",
+                       name);
     const char *nearest = hs_text_nearest(name, sections, N_SECTIONS);
     return hs_fail(err, HS_ERROR_INPUT, "unknown section '%s'%s%s%s", name, nearest != NULL ? "; did you mean '" : "",
                    nearest != NULL ? nearest : "", nearest != NULL ? "'?" : "");

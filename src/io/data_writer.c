@@ -32,18 +32,20 @@ static hs_status write_header(const hs_env *env, hs_writer *writer, hs_error *er
     return HS_OK;
 }
 
-static hs_status write_coefficients(const hs_env *env, hs_writer *writer, const hs_data_write_options *options, hs_error *err)
+static hs_status write_coefficients(const hs_env *env, hs_writer *writer, const hs_data_write_options *options,
+                                    hs_error *err)
 {
     const int n_types = env->atoms->n_types;
     const bool is_ij = options->pair == HS_DATA_PAIR_IJ;
     hs_text words = {0};
-    hs_status status = hs_writer_printf(writer, err, "\n%s # %s\n\n", is_ij ? "PairIJ Coeffs" : "Pair Coeffs",
-                                        options->pair_style);
+    hs_status status =
+        hs_writer_printf(writer, err, "\n%s # %s\n\n", is_ij ? "PairIJ Coeffs" : "Pair Coeffs", options->pair_style);
     for (int i = 1; i <= n_types && status == HS_OK; ++i)
         for (int j = i; j <= (is_ij ? n_types : i) && status == HS_OK; ++j) {
             hs_text_clear(&words);
             status = options->write_coeff(options->context, i, j, &words, err);
-            if (status == HS_OK && is_ij) status = hs_writer_printf(writer, err, "%d %d %s\n", i, j, hs_text_get(&words));
+            if (status == HS_OK && is_ij)
+                status = hs_writer_printf(writer, err, "%d %d %s\n", i, j, hs_text_get(&words));
             if (status == HS_OK && !is_ij) status = hs_writer_printf(writer, err, "%d %s\n", i, hs_text_get(&words));
         }
     hs_text_fini(&words);
@@ -82,8 +84,8 @@ static hs_status write_atoms(const hs_env *env, hs_writer *writer, const id_inde
         for (int axis = 0; axis < 3; ++axis) x[axis] = atoms->x[axis][i], image[axis] = atoms->image[axis][i];
         hs_box_wrap(env->box, x, image);
         for (int axis = 0; axis < 3; ++axis) hs_data_shortest(x[axis], text[axis]);
-        HS_TRY(hs_writer_printf(writer, err, "%lld %d %s %s %s %d %d %d\n", (long long)atoms->id[i], atoms->type[i], text[0],
-                                text[1], text[2], image[0], image[1], image[2]));
+        HS_TRY(hs_writer_printf(writer, err, "%lld %d %s %s %s %d %d %d\n", (long long)atoms->id[i], atoms->type[i],
+                                text[0], text[1], text[2], image[0], image[1], image[2]));
     }
     HS_TRY(hs_writer_printf(writer, err, "\nVelocities\n\n"));
     for (int k = 0; k < atoms->n_local; ++k) {

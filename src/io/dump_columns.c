@@ -9,17 +9,6 @@ const char *const hs_dump_attributes[] = {
     "zu", "xsu",  "ysu",     "zsu",  "ix",   "iy",     "iz", "vx", "vy", "vz", "fx", "fy", "fz", NULL,
 };
 
-const char *const hs_dump_attribute_help[] = {
-    "number of the atom", "type of the atom", "name of its type (dump_modify element)", "mass",
-    "rank that owns the atom, from 0", "rank that owns the atom, from 1",
-    "position x in the box", "position y in the box", "position z in the box",
-    "x scaled to 0 ... 1", "y scaled to 0 ... 1", "z scaled to 0 ... 1",
-    "unwrapped x", "unwrapped y", "unwrapped z",
-    "unwrapped x in box lengths", "unwrapped y in box lengths", "unwrapped z in box lengths",
-    "periodic image in x", "periodic image in y", "periodic image in z",
-    "velocity x", "velocity y", "velocity z", "force x", "force y", "force z", NULL,
-};
-
 const char *hs_dump_check_word(const char *word)
 {
     if (strchr(word, '$') != NULL || (strncmp(word, "v_", 2) == 0 && word[2] != '\0')) return NULL;
@@ -37,13 +26,17 @@ hs_status hs_dump_parse_column(const char *word, hs_dump_column *column, hs_erro
         if (strcmp(hs_dump_attributes[k], word) == 0) column->attribute = (hs_attribute)k;
     if (column->attribute == HS_ATTR_VARIABLE && (strncmp(word, "v_", 2) != 0 || word[2] == '\0')) {
         if (strncmp(word, "c_", 2) == 0 || strncmp(word, "f_", 2) == 0)
-            return hs_fail(err, HS_ERROR_INPUT, "'%s': no compute or fix of this version has values for each atom; an "
-                           "atom-style variable may do: v_name", word);
+            return hs_fail(err, HS_ERROR_INPUT,
+                           "'%s': no compute or fix of this version has values for each atom; an "
+                           "atom-style variable may do: v_name",
+                           word);
         if (strcmp(word, "mol") == 0)
-            return hs_fail(err, HS_ERROR_INPUT, "'mol' needs an atom style with molecules; atoms of style atomic have none");
+            return hs_fail(err, HS_ERROR_INPUT,
+                           "'mol' needs an atom style with molecules; atoms of style atomic have none");
         const char *nearest = hs_text_nearest(word, hs_dump_attributes, HS_N_ATTRIBUTES);
-        return hs_fail(err, HS_ERROR_INPUT, "unknown attribute '%s'%s%s%s", word, nearest != NULL ? "; did you mean '" : "",
-                       nearest != NULL ? nearest : "", nearest != NULL ? "'?" : "");
+        return hs_fail(err, HS_ERROR_INPUT, "unknown attribute '%s'%s%s%s", word,
+                       nearest != NULL ? "; did you mean '" : "", nearest != NULL ? nearest : "",
+                       nearest != NULL ? "'?" : "");
     }
     return hs_memory_strdup(&column->name, word, err);
 }
@@ -65,8 +58,10 @@ bool hs_dump_is_int(const hs_dump_column *column)
     case HS_ATTR_PROCP1:
     case HS_ATTR_IX:
     case HS_ATTR_IY:
-    case HS_ATTR_IZ: return true;
-    default: return false;
+    case HS_ATTR_IZ:
+        return true;
+    default:
+        return false;
     }
 }
 
@@ -89,27 +84,42 @@ double hs_dump_value(const hs_dump *dump, const hs_dump_column *column, int i)
     const hs_box *box = dump->env->box;
     int32_t image;
     switch (column->attribute) {
-    case HS_ATTR_VARIABLE: return column->values[i];
-    case HS_ATTR_ID: return (double)atoms->id[i];
+    case HS_ATTR_VARIABLE:
+        return column->values[i];
+    case HS_ATTR_ID:
+        return (double)atoms->id[i];
     case HS_ATTR_TYPE:
-    case HS_ATTR_ELEMENT: return atoms->type[i];
-    case HS_ATTR_MASS: return atoms->mass[atoms->type[i]];
-    case HS_ATTR_PROC: return dump->env->parallel->rank;
-    case HS_ATTR_PROCP1: return dump->env->parallel->rank + 1;
-    default: break;
+    case HS_ATTR_ELEMENT:
+        return atoms->type[i];
+    case HS_ATTR_MASS:
+        return atoms->mass[atoms->type[i]];
+    case HS_ATTR_PROC:
+        return dump->env->parallel->rank;
+    case HS_ATTR_PROCP1:
+        return dump->env->parallel->rank + 1;
+    default:
+        break;
     }
     const int axis = (column->attribute - HS_ATTR_X) % 3;
     switch (column->attribute - axis) {
-    case HS_ATTR_VX: return atoms->v[axis][i];
-    case HS_ATTR_FX: return atoms->f[axis][i];
-    default: break;
+    case HS_ATTR_VX:
+        return atoms->v[axis][i];
+    case HS_ATTR_FX:
+        return atoms->f[axis][i];
+    default:
+        break;
     }
     const double x = position(dump, axis, i, &image), length = hs_box_length(box, axis);
     switch (column->attribute - axis) {
-    case HS_ATTR_X: return x;
-    case HS_ATTR_XS: return (x - box->lo[axis]) * (1.0 / length);
-    case HS_ATTR_XU: return x + image * length;
-    case HS_ATTR_XSU: return (x - box->lo[axis]) * (1.0 / length) + image;
-    default: return image;
+    case HS_ATTR_X:
+        return x;
+    case HS_ATTR_XS:
+        return (x - box->lo[axis]) * (1.0 / length);
+    case HS_ATTR_XU:
+        return x + image * length;
+    case HS_ATTR_XSU:
+        return (x - box->lo[axis]) * (1.0 / length) + image;
+    default:
+        return image;
     }
 }

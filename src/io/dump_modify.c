@@ -9,7 +9,8 @@ const hs_keyword hs_dump_modify_keywords[] = {
     {"append", 1, "yes|no", "add to an existing file instead of emptying it (default no)"},
     {"buffer", 1, "yes|no", "accepted: output is always buffered until a snapshot is whole"},
     {"delay", 1, "<step>", "write nothing before this step"},
-    {"element", -1, "<name of type 1> <name of type 2> ...", "names of the types for xyz files and the attribute element"},
+    {"element", -1, "<name of type 1> <name of type 2> ...",
+     "names of the types for xyz files and the attribute element"},
     {"every", 1, "<N>", "steps between snapshots"},
     {"first", 1, "yes|no", "write a snapshot at the first step of a run even if it is not due (default no)"},
     {"flush", 1, "yes|no", "accepted: every snapshot goes to the system when it is whole"},
@@ -42,7 +43,8 @@ static hs_status modify_element(hs_dump *dump, const hs_args *args, int *n_used,
     hs_dump_table *table = dump->state;
     const int n_types = dump->env->atoms->n_types;
     if (args->n < 1 + n_types)
-        return hs_fail(err, HS_ERROR_INPUT, "%s: element needs a name for each of the %d atom types", args->command, n_types);
+        return hs_fail(err, HS_ERROR_INPUT, "%s: element needs a name for each of the %d atom types", args->command,
+                       n_types);
     for (int k = 0; k < table->n_elements; ++k) HS_FREE(table->element[k]);
     table->n_elements = 0;
     HS_TRY(HS_GROW(table->element, 0, (size_t)n_types, err));
@@ -99,8 +101,8 @@ static hs_status modify_format(hs_dump *dump, const hs_args *args, int *n_used, 
         return set_string(&table->format_line, args->word[2], err);
     }
     if (!table->layout->has_column_formats)
-        return hs_fail(err, HS_ERROR_INPUT, "%s: dumps of style %s take only format line and format none", args->command,
-                       dump->style->about.name);
+        return hs_fail(err, HS_ERROR_INPUT, "%s: dumps of style %s take only format line and format none",
+                       args->command, dump->style->about.name);
     if (strcmp(args->word[1], "int") == 0) return set_format(&table->format_int, args, HS_FORMAT_INT, err);
     if (strcmp(args->word[1], "float") == 0) return set_format(&table->format_float, args, HS_FORMAT_FLOAT, err);
     return modify_column_format(table, args, err);
@@ -121,7 +123,8 @@ static hs_status modify_thresh(hs_dump *dump, const hs_args *args, int *n_used, 
     HS_TRY(hs_arg_need(args, 3, "the attribute, comparison and value after thresh", err));
     HS_TRY(hs_arg_choice(args, 2, hs_dump_comparisons, &condition.comparison, err));
     if (strcmp(args->word[3], "LAST") == 0)
-        return hs_fail(err, HS_ERROR_INPUT, "%s: thresh ... LAST is not supported; compare with a number", args->command);
+        return hs_fail(err, HS_ERROR_INPUT, "%s: thresh ... LAST is not supported; compare with a number",
+                       args->command);
     HS_TRY(hs_arg_double(args, 3, &condition.value, err));
     HS_TRY(HS_GROW(table->condition, (size_t)table->n_conditions, (size_t)table->n_conditions + 1, err));
     HS_TRY(hs_dump_parse_column(args->word[1], &condition.column, err));
@@ -138,7 +141,8 @@ static hs_status modify_sort(hs_dump_table *table, const hs_args *args, hs_error
     int64_t k = 0;
     const bool is_number = hs_text_to_int64(args->word[1], &k);
     table->is_unsorted = strcmp(args->word[1], "off") == 0;
-    if (!table->is_unsorted && strcmp(args->word[1], "id") != 0 && (!is_number || k == 0 || k > 100000 || k < -100000)) {
+    if (!table->is_unsorted && strcmp(args->word[1], "id") != 0 &&
+        (!is_number || k == 0 || k > 100000 || k < -100000)) {
         static const char *const words[] = {"id", "off", NULL};
         return hs_arg_refuse(args, 1, "id, off, a column number, or minus a column number", words, err);
     }
@@ -164,7 +168,8 @@ static hs_status modify_number(hs_dump *dump, const hs_args *args, bool *is_mine
     HS_TRY(hs_arg_int(args, 1, -1, 1000000, &value, err));
     if (value == 0) return hs_arg_refuse(args, 1, "-1, or 1 or more", NULL, err);
     if (strchr(dump->file, '*') == NULL)
-        return hs_fail(err, HS_ERROR_INPUT, "%s: maxfiles needs a file name with *, one file a snapshot", args->command);
+        return hs_fail(err, HS_ERROR_INPUT, "%s: maxfiles needs a file name with *, one file a snapshot",
+                       args->command);
     for (int64_t k = 0; table->recent != NULL && k < table->max_files; ++k) HS_FREE(table->recent[k]);
     HS_FREE(table->recent);
     table->n_recent = 0;
@@ -182,9 +187,9 @@ static hs_status modify_switch(hs_dump *dump, const hs_args *args, bool *is_mine
         bool *target;
         bool is_atom_style;
     } switches[] = {
-        {"append", &dump->append, false},  {"buffer", &is_ignored, false},     {"first", &dump->write_first, false},
-        {"flush", &dump->flush, false},    {"header", &is_header, false},      {"image", &table->has_image, true},
-        {"pbc", &dump->wrap, false},       {"scale", &table->is_scaled, true}, {"time", &table->has_time, false},
+        {"append", &dump->append, false},    {"buffer", &is_ignored, false},     {"first", &dump->write_first, false},
+        {"flush", &dump->flush, false},      {"header", &is_header, false},      {"image", &table->has_image, true},
+        {"pbc", &dump->wrap, false},         {"scale", &table->is_scaled, true}, {"time", &table->has_time, false},
         {"units", &table->has_units, false},
     };
     *is_mine = false;
@@ -197,7 +202,8 @@ static hs_status modify_switch(hs_dump *dump, const hs_args *args, bool *is_mine
         HS_TRY(hs_arg_bool(args, 1, switches[k].target, err));
         table->no_header = !is_header;
         if (dump->append && table->writer != NULL && strcmp(args->word[0], "append") == 0)
-            return hs_fail(err, HS_ERROR_INPUT, "%s: append must be set before the first run of the dump", args->command);
+            return hs_fail(err, HS_ERROR_INPUT, "%s: append must be set before the first run of the dump",
+                           args->command);
         return HS_OK;
     }
     return HS_OK;
@@ -238,8 +244,8 @@ hs_status hs_dump_modify(hs_dump *dump, const hs_args *args, hs_error *err)
         const hs_args rest = hs_args_from(args, i, NULL);
         HS_TRY(dump->style->modify(dump, &rest, &n_used, err));
         if (n_used == 0)
-            return hs_fail(err, HS_ERROR_INPUT, "%s: '%s' is not a keyword of dumps of style %s", args->command, args->word[i],
-                           dump->style->about.name);
+            return hs_fail(err, HS_ERROR_INPUT, "%s: '%s' is not a keyword of dumps of style %s", args->command,
+                           args->word[i], dump->style->about.name);
     }
     return HS_OK;
 }

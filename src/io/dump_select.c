@@ -11,13 +11,20 @@ const char *const hs_dump_comparisons[] = {"<", "<=", ">", ">=", "==", "!=", "|^
 static bool compare(double value, int comparison, double with)
 {
     switch (comparison) {
-    case 0: return value < with;
-    case 1: return value <= with;
-    case 2: return value > with;
-    case 3: return value >= with;
-    case 4: return value == with;
-    case 5: return value != with;
-    default: return (value != 0.0) != (with != 0.0);   /* exclusive or */
+    case 0:
+        return value < with;
+    case 1:
+        return value <= with;
+    case 2:
+        return value > with;
+    case 3:
+        return value >= with;
+    case 4:
+        return value == with;
+    case 5:
+        return value != with;
+    default:
+        return (value != 0.0) != (with != 0.0); /* exclusive or */
     }
 }
 
@@ -58,8 +65,8 @@ static int descending(const void *a, const void *b)
     return (p->id > q->id) - (p->id < q->id);
 }
 
-/** Sort table->order by id or by a column. Without dump_modify sort the rows go by id too: the order in memory depends on
- *  the method and on when atoms were sorted last, and files should not. */
+/** Sort table->order by id or by a column. Without dump_modify sort the rows go by id too: the order in memory
+ *  depends on the method and on when atoms were sorted last, and files should not. */
 static hs_status sort_rows(hs_dump *dump, hs_error *err)
 {
     hs_dump_table *table = dump->state;
@@ -72,7 +79,8 @@ static hs_status sort_rows(hs_dump *dump, hs_error *err)
     HS_TRY(HS_ALLOC(key, (size_t)n, err));
     for (int k = 0; k < n; ++k) {
         const int32_t i = table->order[k];
-        const double value = table->sort_column > 0 ? hs_dump_value(dump, &table->column[table->sort_column - 1], i) : 0.0;
+        const double value =
+            table->sort_column > 0 ? hs_dump_value(dump, &table->column[table->sort_column - 1], i) : 0.0;
         key[k] = (sort_key){.value = value, .id = atoms->id[i], .index = i};
     }
     qsort(key, (size_t)n, sizeof *key, table->is_descending ? descending : ascending);

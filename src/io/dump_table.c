@@ -36,7 +36,7 @@ hs_status hs_dump_set_columns(hs_dump *dump, const hs_args *args, hs_error *err)
 void hs_dump_table_destroy(hs_dump *dump)
 {
     hs_dump_table *table = dump->state;
-    hs_writer_abandon(&table->writer);   /* every snapshot was committed when it was written */
+    hs_writer_abandon(&table->writer); /* every snapshot was committed when it was written */
     clear_columns(table);
     hs_text_fini(&table->header);
     for (int k = 0; k < table->n_elements; ++k) HS_FREE(table->element[k]);
@@ -71,7 +71,9 @@ static hs_status make_format(hs_dump *dump, int k, const char *line_word, hs_err
     hs_dump_table *table = dump->state;
     hs_dump_column *column = &table->column[k];
     const hs_format_kind kind = kind_of(table, k);
-    const char *of_kind = kind == HS_FORMAT_INT ? table->format_int : kind == HS_FORMAT_FLOAT ? table->format_float : NULL;
+    const char *of_kind = kind == HS_FORMAT_INT     ? table->format_int
+                          : kind == HS_FORMAT_FLOAT ? table->format_float
+                                                    : NULL;
     const char *chosen = column->user_format != NULL ? column->user_format
                          : of_kind != NULL           ? of_kind
                          : line_word != NULL         ? line_word
@@ -89,15 +91,15 @@ static hs_status make_formats(hs_dump *dump, hs_error *err)
     char *word = words != NULL ? strtok_r(words, " \t", &rest) : NULL;
     for (int k = 0; k < table->n_columns && status == HS_OK; ++k) {
         if (words != NULL && word == NULL)
-            status = hs_fail(err, HS_ERROR_INPUT, "dump '%s': the format line has %d words but a row has %d columns", dump->id, k,
-                             table->n_columns);
+            status = hs_fail(err, HS_ERROR_INPUT, "dump '%s': the format line has %d words but a row has %d columns",
+                             dump->id, k, table->n_columns);
         else
             status = make_format(dump, k, word, err);
         if (word != NULL) word = strtok_r(NULL, " \t", &rest);
     }
     if (status == HS_OK && word != NULL)
-        status = hs_fail(err, HS_ERROR_INPUT, "dump '%s': the format line has more words than a row has columns (%d)", dump->id,
-                         table->n_columns);
+        status = hs_fail(err, HS_ERROR_INPUT, "dump '%s': the format line has more words than a row has columns (%d)",
+                         dump->id, table->n_columns);
     HS_FREE(words);
     return status;
 }
@@ -112,16 +114,16 @@ hs_status hs_dump_table_init(hs_dump *dump, hs_error *err)
     hs_dump_table *table = dump->state;
     const hs_env *env = dump->env;
     if (env->parallel->n_ranks > 1)
-        return hs_fail(err, HS_ERROR_INPUT, "dump '%s': dumps are written by runs on one rank only; use threads instead of ranks",
-                       dump->id);
+        return hs_fail(err, HS_ERROR_INPUT,
+                       "dump '%s': dumps are written by runs on one rank only; use threads instead of ranks", dump->id);
     if (table->region_id != NULL && dump->env->find_region(dump->env, table->region_id) == NULL)
         return hs_fail(err, HS_ERROR_INPUT, "dump '%s': there is no region '%s'", dump->id, table->region_id);
     if (table->n_elements > 0 && table->n_elements != env->atoms->n_types)
-        return hs_fail(err, HS_ERROR_INPUT, "dump '%s': dump_modify element gave %d names, but there are %d atom types", dump->id,
-                       table->n_elements, env->atoms->n_types);
+        return hs_fail(err, HS_ERROR_INPUT, "dump '%s': dump_modify element gave %d names, but there are %d atom types",
+                       dump->id, table->n_elements, env->atoms->n_types);
     if (table->sort_column > table->n_columns)
-        return hs_fail(err, HS_ERROR_INPUT, "dump '%s': dump_modify sort %d: a row has %d columns", dump->id, table->sort_column,
-                       table->n_columns);
+        return hs_fail(err, HS_ERROR_INPUT, "dump '%s': dump_modify sort %d: a row has %d columns", dump->id,
+                       table->sort_column, table->n_columns);
     HS_TRY(make_formats(dump, err));
     if (is_file_per_step(dump) || table->writer != NULL) return HS_OK;
     return hs_writer_open(&table->writer, dump->file, dump->append ? HS_WRITE_APPEND : HS_WRITE_REPLACE, err);
@@ -138,7 +140,8 @@ static hs_status write_item_header(hs_dump *dump, hs_writer *writer, hs_error *e
     hs_dump_table *table = dump->state;
     const hs_env *env = dump->env;
     const hs_box *box = env->box;
-    if (table->has_units && !table->units_written) HS_TRY(hs_writer_printf(writer, err, "ITEM: UNITS\n%s\n", env->units->name));
+    if (table->has_units && !table->units_written)
+        HS_TRY(hs_writer_printf(writer, err, "ITEM: UNITS\n%s\n", env->units->name));
     table->units_written = !is_file_per_step(dump);
     if (table->has_time)
         HS_TRY(hs_writer_printf(writer, err, "ITEM: TIME\n%.16g\n",
@@ -153,7 +156,8 @@ static hs_status write_item_header(hs_dump *dump, hs_writer *writer, hs_error *e
 }
 
 /** The name of an atom's type: dump_modify element; else its number in xyz files, "C" in others, as LAMMPS has it. */
-static hs_status write_type_name(const hs_dump *dump, hs_writer *writer, const hs_dump_column *column, int i, hs_error *err)
+static hs_status write_type_name(const hs_dump *dump, hs_writer *writer, const hs_dump_column *column, int i,
+                                 hs_error *err)
 {
     const hs_dump_table *table = dump->state;
     const int type = dump->env->atoms->type[i];
@@ -185,7 +189,8 @@ static hs_status write_snapshot(hs_dump *dump, hs_writer *writer, hs_error *err)
     const hs_dump_table *table = dump->state;
     HS_TRY(hs_dump_select(dump, err));
     if (!table->no_header)
-        HS_TRY(table->layout->has_atom_header ? write_item_header(dump, writer, err) : write_xyz_header(dump, writer, err));
+        HS_TRY(table->layout->has_atom_header ? write_item_header(dump, writer, err)
+                                              : write_xyz_header(dump, writer, err));
     for (int k = 0; k < table->n_rows; ++k) HS_TRY(write_row(dump, writer, table->order[k], err));
     return HS_OK;
 }

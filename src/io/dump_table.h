@@ -17,9 +17,8 @@ typedef enum {
     HS_ATTR_VARIABLE = HS_N_ATTRIBUTES   /**< v_name: an atom-style variable */
 } hs_attribute;
 
-/** Names of the attributes, ended by NULL, and one line of help for each. */
+/** Names of the attributes, ended by NULL. */
 extern const char *const hs_dump_attributes[];
-extern const char *const hs_dump_attribute_help[];
 
 /** One value of an atom: a column of a row, or the left side of a condition. */
 typedef struct hs_dump_column {

@@ -14,7 +14,7 @@ hs_status hs_lines_open(hs_lines *lines, const char *path, hs_error *err)
     lines->path = path;
     if (stat(path, &info) != 0) return hs_fail(err, HS_ERROR_INPUT, "'%s' cannot be read: %s", path, strerror(errno));
     if (S_ISDIR(info.st_mode)) return hs_fail(err, HS_ERROR_INPUT, "'%s' cannot be read: it is a directory", path);
-    lines->file = gzopen(path, "rb");   /* reads plain files too */
+    lines->file = gzopen(path, "rb"); /* reads plain files too */
     if (lines->file == NULL) return hs_fail(err, HS_ERROR_INPUT, "'%s' cannot be read: %s", path, strerror(errno));
     return HS_OK;
 }

@@ -22,8 +22,8 @@ typedef struct hs_lines {
 /** Open for reading; fails with the reason when it is not a readable file. */
 HS_MUST_USE hs_status hs_lines_open(hs_lines *lines, const char *path, hs_error *err);
 void hs_lines_close(hs_lines *lines);
-/** Read and split the next line, blank ones too. At the end of the file at_end is set and n_words is 0. Lines that are too
- *  long, have too many words, or hold bytes that are no text are errors. */
+/** Read and split the next line, blank ones too. At the end of the file at_end is set and n_words is 0. Lines that
+ *  are too long, have too many words, or hold bytes that are no text are errors. */
 HS_MUST_USE hs_status hs_lines_next(hs_lines *lines, hs_error *err);
 /** The next line with words. */
 HS_MUST_USE hs_status hs_lines_next_filled(hs_lines *lines, hs_error *err);

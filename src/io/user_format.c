@@ -17,8 +17,8 @@ static bool skip_digits(const char **at)
     return n <= 2;
 }
 
-/** The conversion that begins at the % of @p at: its parts up to the length modifiers end at *flags_end, its letter is at
- *  *letter. False when it is malformed. */
+/** The conversion that begins at the % of @p at: its parts up to the length modifiers end at *flags_end, its letter
+ *  is at *letter. False when it is malformed. */
 static bool parse_conversion(const char *at, const char **flags_end, const char **letter)
 {
     for (++at; *at != '\0' && strchr("-+ #0", *at) != NULL;) ++at;
@@ -33,16 +33,18 @@ static bool parse_conversion(const char *at, const char **flags_end, const char 
     return is_good && isalpha((unsigned char)*at);
 }
 
-static hs_status append_conversion(hs_text *text, const char **at, hs_format_kind kind, const char *format, const char *what,
-                                   hs_error *err)
+static hs_status append_conversion(hs_text *text, const char **at, hs_format_kind kind, const char *format,
+                                   const char *what, hs_error *err)
 {
     const char *flags_end, *letter;
     if (!parse_conversion(*at, &flags_end, &letter))
-        return hs_fail(err, HS_ERROR_INPUT, "%s: '%s' is not a format like %%8d or %%12.6g (width and precision may have two "
-                       "digits)", what, format);
+        return hs_fail(err, HS_ERROR_INPUT,
+                       "%s: '%s' is not a format like %%8d or %%12.6g (width and precision may have two "
+                       "digits)",
+                       what, format);
     if (strchr(kind_letters[kind], *letter) == NULL)
-        return hs_fail(err, HS_ERROR_INPUT, "%s: '%s' is the wrong kind of format here; it must be one for %s", what, format,
-                       kind_name[kind]);
+        return hs_fail(err, HS_ERROR_INPUT, "%s: '%s' is the wrong kind of format here; it must be one for %s", what,
+                       format, kind_name[kind]);
     HS_TRY(hs_text_append(text, *at, (size_t)(flags_end - *at), err));
     if (kind == HS_FORMAT_INT) HS_TRY(hs_text_append(text, "ll", 2, err));
     *at = letter + 1;

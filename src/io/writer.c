@@ -16,17 +16,17 @@
 enum { BUFFER_SIZE = 1 << 18 };
 
 struct hs_writer {
-    char *path;             /**< as given; owned */
-    char *target;           /**< the file a whole one replaces, symbolic links followed; owned; NULL in place */
-    char *part;             /**< its name until then; owned; NULL in place */
+    char *path;   /**< as given; owned */
+    char *target; /**< the file a whole one replaces, symbolic links followed; owned; NULL in place */
+    char *part;   /**< its name until then; owned; NULL in place */
     int fd;
-    bool is_regular;        /**< can be cut back */
-    int64_t committed;      /**< bytes of the file up to the last commit */
-    size_t n;               /**< bytes waiting in the buffer */
-    char *buffer;           /**< owned [BUFFER_SIZE] */
+    bool is_regular;   /**< can be cut back */
+    int64_t committed; /**< bytes of the file up to the last commit */
+    size_t n;          /**< bytes waiting in the buffer */
+    char *buffer;      /**< owned [BUFFER_SIZE] */
     bool is_gzip, in_member;
-    z_stream stream;        /**< live while in_member */
-    char *packed;           /**< owned [BUFFER_SIZE], compressed bytes; NULL unless is_gzip */
+    z_stream stream; /**< live while in_member */
+    char *packed;    /**< owned [BUFFER_SIZE], compressed bytes; NULL unless is_gzip */
 };
 
 static hs_status fail_io(const hs_writer *writer, const char *what, hs_error *err)
@@ -52,7 +52,8 @@ static hs_status deflate_buffer(hs_writer *writer, int flush, hs_error *err)
     enum { GZIP_WINDOW = 15 + 16 };
     if (!writer->in_member) {
         memset(&writer->stream, 0, sizeof writer->stream);
-        if (deflateInit2(&writer->stream, Z_DEFAULT_COMPRESSION, Z_DEFLATED, GZIP_WINDOW, 8, Z_DEFAULT_STRATEGY) != Z_OK)
+        if (deflateInit2(&writer->stream, Z_DEFAULT_COMPRESSION, Z_DEFLATED, GZIP_WINDOW, 8, Z_DEFAULT_STRATEGY) !=
+            Z_OK)
             return hs_fail(err, HS_ERROR_MEMORY, "'%s': the compressor could not be started", writer->path);
         writer->in_member = true;
     }
@@ -131,7 +132,8 @@ static hs_status open_file(hs_writer *writer, hs_write_mode mode, hs_error *err)
         writer->fd = open(writer->path, O_WRONLY | O_CREAT | (mode == HS_WRITE_REPLACE ? O_TRUNC : 0), 0666);
         if (writer->fd >= 0 && mode == HS_WRITE_APPEND) writer->committed = lseek(writer->fd, 0, SEEK_END);
     }
-    if (writer->fd < 0) return hs_fail(err, HS_ERROR_IO, "'%s' could not be opened for writing: %s", writer->path, strerror(errno));
+    if (writer->fd < 0)
+        return hs_fail(err, HS_ERROR_IO, "'%s' could not be opened for writing: %s", writer->path, strerror(errno));
     return HS_OK;
 }
 
@@ -175,7 +177,7 @@ hs_status hs_writer_printf(hs_writer *writer, hs_error *err, const char *fmt, ..
     hs_status status = HS_OK;
     if (n >= 0 && (size_t)n < BUFFER_SIZE - writer->n) {
         writer->n += (size_t)n;
-    } else if (n >= 0) {   /* longer than the rest of the buffer */
+    } else if (n >= 0) { /* longer than the rest of the buffer */
         char *text;
         status = HS_ALLOC(text, (size_t)n + 1, err);
         if (status == HS_OK) {

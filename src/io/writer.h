@@ -28,8 +28,8 @@ HS_MUST_USE hs_status hs_writer_close(hs_writer **writer, hs_error *err);
 /** Close without the bytes since the last commit: a whole file vanishes, a growing one is cut back. NULL is fine. */
 void hs_writer_abandon(hs_writer **writer);
 
-/** Name of the file of a step: the first `*` of the pattern becomes the step, with leading zeros to @p pad digits; owned
- *  by the caller. Patterns without `*` are copied. */
+/** Name of the file of a step: the first `*` of the pattern becomes the step, with leading zeros to @p pad digits;
+ *  owned by the caller. Patterns without `*` are copied. */
 HS_MUST_USE hs_status hs_writer_step_name(char **name, const char *pattern, int64_t step, int pad, hs_error *err);
 
 #endif

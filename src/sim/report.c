@@ -26,13 +26,16 @@ static hs_status describe_neighbors(const hs_sim *sim, hs_text *text, hs_error *
 {
     const hs_neighbor_settings *settings = &sim->neighbor.settings;
     const double cutoff = sim->pair->cutoff_max, reach = cutoff > 0.0 ? cutoff + settings->skin : 0.0;
-    HS_TRY(hs_text_printf(text, err, "Neighbor list info ...\n  update every %lld steps, delay %lld steps, check %s%s\n",
+    HS_TRY(hs_text_printf(text, err,
+                          "Neighbor list info ...\n  update every %lld steps, delay %lld steps, check %s%s\n",
                           (long long)settings->every, (long long)settings->delay, settings->check ? "yes" : "no",
                           settings->once ? ", once" : ""));
-    HS_TRY(hs_text_printf(text, err, "  master list distance cutoff = %.8g\n  ghost atom cutoff = %.8g\n", reach, reach));
+    HS_TRY(
+        hs_text_printf(text, err, "  master list distance cutoff = %.8g\n  ghost atom cutoff = %.8g\n", reach, reach));
     return hs_text_printf(text, err, "  neighbor method %s: %s\n  pairs: %s\n", hs_neighbor_methods[settings->method],
                           hs_neighbor_method_help[settings->method],
-                          settings->exact ? "all within the cutoff at every step" : "as the update schedule above gives them");
+                          settings->exact ? "all within the cutoff at every step"
+                                          : "as the update schedule above gives them");
 }
 
 void hs_report_setup(hs_sim *sim)
@@ -40,15 +43,16 @@ void hs_report_setup(hs_sim *sim)
     hs_text text = {0};
     hs_error err = {0};
     char **printed = &sim->thermo->neighbor_info;
-    if (describe_neighbors(sim, &text, &err) == HS_OK && (*printed == NULL || strcmp(*printed, hs_text_get(&text)) != 0)) {
+    if (describe_neighbors(sim, &text, &err) == HS_OK &&
+        (*printed == NULL || strcmp(*printed, hs_text_get(&text)) != 0)) {
         hs_say(sim->env.out, "%s", hs_text_get(&text));
         HS_FREE(*printed);
         if (hs_memory_strdup(printed, hs_text_get(&text), &err) != HS_OK) *printed = NULL;
     }
     hs_text_fini(&text);
     const spread memory = spread_of(&sim->parallel, (double)hs_memory_resident() / (1024.0 * 1024.0));
-    hs_say(sim->env.out, "Per MPI rank memory allocation (min/avg/max) = %.4g | %.4g | %.4g Mbytes\n", memory.min, memory.mean,
-           memory.max);
+    hs_say(sim->env.out, "Per MPI rank memory allocation (min/avg/max) = %.4g | %.4g | %.4g Mbytes\n", memory.min,
+           memory.mean, memory.max);
 }
 
 /** Speed in the user's terms; nothing for a run without steps. */
@@ -81,8 +85,8 @@ static void say_timing(const hs_sim *sim, double loop_s)
         const spread square = spread_of(&sim->parallel, sim->timer.phase_s[phase] * sim->timer.phase_s[phase]);
         const double excess = time.mean > 0.0 ? square.mean / (time.mean * time.mean) - 1.0 : 0.0;
         const double uneven = sim->parallel.n_ranks > 1 && excess > 0.0 ? 100.0 * sqrt(excess) : 0.0;
-        hs_say(out, "%-7s | %-10.5g | %-10.5g | %-10.5g |%6.1f |%6.2f\n", names[phase], time.min, time.mean, time.max, uneven,
-               loop_s > 0.0 ? 100.0 * time.mean / loop_s : 0.0);
+        hs_say(out, "%-7s | %-10.5g | %-10.5g | %-10.5g |%6.1f |%6.2f\n", names[phase], time.min, time.mean, time.max,
+               uneven, loop_s > 0.0 ? 100.0 * time.mean / loop_s : 0.0);
         other_s -= time.mean;
     }
     if (other_s < 0.0) other_s = 0.0;
@@ -118,8 +122,8 @@ void hs_report_finish(hs_sim *sim, int64_t n_steps, double loop_s, double cpu_s)
     hs_say(out, "Loop time of %.6g on %d procs for %lld steps with %lld atoms\n\n", loop_s, n_ranks * n_threads,
            (long long)n_steps, (long long)n_atoms);
     say_performance(sim, n_steps, loop_s);
-    hs_say(out, "%.1f%% CPU use with %d MPI tasks x %d OpenMP threads\n", loop_s > 0.0 ? 100.0 * cpu_s / loop_s : 0.0, n_ranks,
-           n_threads);
+    hs_say(out, "%.1f%% CPU use with %d MPI tasks x %d OpenMP threads\n", loop_s > 0.0 ? 100.0 * cpu_s / loop_s : 0.0,
+           n_ranks, n_threads);
     say_timing(sim, loop_s);
     say_histogram(sim, "Nlocal:", sim->atoms.n_local);
     say_histogram(sim, "Nghost:", sim->atoms.n_halo);
@@ -145,11 +149,12 @@ void hs_report_progress(hs_sim *sim)
     if (env->out->screen == NULL || n_done <= 0 || now_s - sim->thermo->last_progress_s < interval_s) return;
     sim->thermo->last_progress_s = now_s;
     const double elapsed_s = now_s - sim->timer.start_s;
-    if (elapsed_s < interval_s) return;   /* a short run needs none */
+    if (elapsed_s < interval_s) return; /* a short run needs none */
     const double steps_per_s = (double)n_done / elapsed_s;
     const int64_t left_s = (int64_t)((double)(n_steps - n_done) / steps_per_s + 0.5);
-    hs_progress(env->out, "step %lld of %lld  %5.1f%%  %.4g steps/s  %.4g million atom-steps/s  %lld:%02lld:%02lld left",
+    hs_progress(env->out,
+                "step %lld of %lld  %5.1f%%  %.4g steps/s  %.4g million atom-steps/s  %lld:%02lld:%02lld left",
                 (long long)env->step, (long long)env->last_step, 100.0 * (double)n_done / (double)n_steps, steps_per_s,
-                1e-6 * steps_per_s * (double)sim->atoms.n_all, (long long)(left_s / 3600), (long long)(left_s / 60 % 60),
-                (long long)(left_s % 60));
+                1e-6 * steps_per_s * (double)sim->atoms.n_all, (long long)(left_s / 3600),
+                (long long)(left_s / 60 % 60), (long long)(left_s % 60));
 }

@@ -65,10 +65,12 @@ hs_status hs_thermo_set_style(hs_thermo *thermo, const char *style, const hs_arg
     int which;
     HS_TRY(hs_arg_choice(&word, 0, styles, &which, err));
     if (which != HS_THERMO_STYLE_CUSTOM && args->n > 0)
-        return hs_fail(err, HS_ERROR_INPUT, "thermo_style %s: unexpected word '%s'; only custom takes a list of keywords", style,
+        return hs_fail(err, HS_ERROR_INPUT,
+                       "thermo_style %s: unexpected word '%s'; only custom takes a list of keywords", style,
                        args->word[0]);
     if (which == HS_THERMO_STYLE_CUSTOM && args->n == 0)
-        return hs_fail(err, HS_ERROR_INPUT, "thermo_style custom: at least one keyword must follow, for example: thermo_style "
+        return hs_fail(err, HS_ERROR_INPUT,
+                       "thermo_style custom: at least one keyword must follow, for example: thermo_style "
                        "custom step temp pe press");
     if (thermo->is_modified)
         hs_warn(thermo->sim->env.out, "thermo_style sets everything back that thermo_modify has set before");
@@ -88,7 +90,9 @@ hs_status hs_thermo_find_computes(hs_thermo *thermo, hs_error *err)
     thermo->pe = hs_sim_find_compute(thermo->sim, "thermo_pe");
     if (thermo->temp == NULL || thermo->press == NULL || thermo->pe == NULL)
         return hs_fail(err, HS_ERROR_INPUT, "thermo output needs the compute '%s', which does not exist",
-                       thermo->temp == NULL ? temp_id : thermo->press == NULL ? press_id : "thermo_pe");
+                       thermo->temp == NULL    ? temp_id
+                       : thermo->press == NULL ? press_id
+                                               : "thermo_pe");
     thermo->is_norm = thermo->norm >= 0 ? thermo->norm != 0 : thermo->sim->env.units->energy_per_atom != 0;
     thermo->n_atoms = thermo->sim->atoms.n_all;
     return HS_OK;
@@ -104,8 +108,10 @@ static hs_status find_next_due(hs_thermo *thermo, hs_error *err)
         return hs_fail(err, HS_ERROR_INPUT, "thermo: there is no variable '%s'", thermo->every_variable);
     HS_TRY(env->variable_value(env->deck, thermo->every_variable, &next, err));
     if (!(next > (double)env->step))
-        return hs_fail(err, HS_ERROR_INPUT, "thermo: the variable '%s' gave %g as the step of the next row, which must be "
-                       "greater than the present step, %lld", thermo->every_variable, next, (long long)env->step);
+        return hs_fail(err, HS_ERROR_INPUT,
+                       "thermo: the variable '%s' gave %g as the step of the next row, which must be "
+                       "greater than the present step, %lld",
+                       thermo->every_variable, next, (long long)env->step);
     /* stride() and the like say "never" with 2^63, which no integer holds. */
     thermo->next_due = next < 9e18 ? (int64_t)next : INT64_MAX;
     return HS_OK;
@@ -160,10 +166,12 @@ static hs_status check_lost(hs_thermo *thermo, hs_error *err)
     if (n == n_expected || thermo->lost == HS_LOST_IGNORE || (thermo->lost == HS_LOST_WARN && thermo->lost_warned))
         return HS_OK;
     if (thermo->lost == HS_LOST_ERROR)
-        return hs_fail(err, HS_ERROR_RUN, "Lost atoms: original %lld current %lld, at step %lld. They left the box through a face "
-                       "that is not periodic, or moved too far in one step: use a shorter timestep, periodic or shrink-wrapped "
-                       "boundaries, or walls; 'thermo_modify lost ignore' goes on without them", (long long)n_expected,
-                       (long long)n, (long long)sim->env.step);
+        return hs_fail(
+            err, HS_ERROR_RUN,
+            "Lost atoms: original %lld current %lld, at step %lld. They left the box through a face "
+            "that is not periodic, or moved too far in one step: use a shorter timestep, periodic or shrink-wrapped "
+            "boundaries, or walls; 'thermo_modify lost ignore' goes on without them",
+            (long long)n_expected, (long long)n, (long long)sim->env.step);
     hs_warn(sim->env.out, "Lost atoms: original %lld current %lld", (long long)n_expected, (long long)n);
     sim->atoms.n_all = n;
     thermo->lost_warned = true;

@@ -31,12 +31,14 @@ void hs_thermo_header(hs_thermo *thermo);
 HS_MUST_USE hs_status hs_thermo_row(hs_thermo *thermo, hs_error *err);
 /** Value of a keyword (`temp`, `pe`, `lx`, ...) as formulas and the API see it (collective). *found = false, and HS_OK,
  *  when there is no such keyword. */
-HS_MUST_USE hs_status hs_thermo_keyword(hs_thermo *thermo, const char *keyword, double *value, bool *found, hs_error *err);
+HS_MUST_USE hs_status hs_thermo_keyword(hs_thermo *thermo, const char *keyword, double *value, bool *found,
+                                        hs_error *err);
 /** All keywords with one line of help each: pairs (keyword, help), ended by NULL. */
 extern const char *const hs_thermo_keywords[];
 /** Keywords of thermo_modify: its syntax. */
 extern const hs_keyword hs_thermo_modify_keywords[];
-/** First-pass check of the words of thermo_style custom: NULL when the word may be a column, else the nearest keyword or "". */
+/** First-pass check of the words of thermo_style custom: NULL when the word may be a column, else the nearest
+ *  keyword or "". */
 const char *hs_thermo_check_word(const char *word);
 /** Units of a keyword's column for plots: "time", "energy", "pressure", ... or NULL. */
 const char *hs_thermo_quantity(const char *keyword);

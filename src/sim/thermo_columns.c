@@ -61,8 +61,8 @@ static hs_status vector_length(hs_thermo *thermo, char kind, const char *id, int
     hs_compute *compute = kind == 'c' ? hs_sim_find_compute(thermo->sim, id) : NULL;
     hs_fix *fix = kind == 'f' ? hs_sim_find_fix(thermo->sim, id) : NULL;
     if (compute == NULL && fix == NULL)
-        return hs_fail(err, HS_ERROR_INPUT, "thermo_style custom: %c_%s[*] needs the %s '%s' to exist already", kind, id,
-                       kind == 'c' ? "compute" : "fix", id);
+        return hs_fail(err, HS_ERROR_INPUT, "thermo_style custom: %c_%s[*] needs the %s '%s' to exist already", kind,
+                       id, kind == 'c' ? "compute" : "fix", id);
     *n = compute != NULL ? compute->n_vector : fix->style->n_vector;
     if (*n > 0) return HS_OK;
     return hs_fail(err, HS_ERROR_INPUT, "thermo_style custom: %c_%s[*]: '%s' has no vector", kind, id, id);
@@ -76,7 +76,8 @@ static hs_status add_elements(hs_thermo *thermo, char kind, const char *id, cons
     hs_args args = {.command = "thermo_style custom", .n = 1, .word = &range};
     if (hs_arg_range(&args, 0, n, &lo, &hi, err) != HS_OK) {
         hs_error_clear(err);
-        return hs_fail(err, HS_ERROR_INPUT, "thermo_style custom: %c_%s[%s]: the elements are 1 to %d", kind, id, range, n);
+        return hs_fail(err, HS_ERROR_INPUT, "thermo_style custom: %c_%s[%s]: the elements are 1 to %d", kind, id, range,
+                       n);
     }
     for (int i = lo; i <= hi; ++i) HS_TRY(add_reference(thermo, kind, id, i, err));
     return HS_OK;
@@ -95,8 +96,8 @@ static hs_status parse_reference(hs_thermo *thermo, const char *word, hs_error *
     id[n_id] = '\0';
     if (bracket == NULL) return add_reference(thermo, word[0], id, 0, err);
     if (word[0] == 'v')
-        return hs_fail(err, HS_ERROR_INPUT, "thermo_style custom: '%s': a variable in thermo output has one value; use v_%s",
-                       word, id);
+        return hs_fail(err, HS_ERROR_INPUT,
+                       "thermo_style custom: '%s': a variable in thermo output has one value; use v_%s", word, id);
     memcpy(range, bracket + 1, n_range);
     range[n_range] = '\0';
     if (strchr(range, '*') != NULL) return add_elements(thermo, word[0], id, range, err);
@@ -112,11 +113,15 @@ hs_status hs_thermo_set_columns(hs_thermo *thermo, const hs_args *args, hs_error
     for (int i = 0; i < args->n; ++i) {
         const char *word = args->word[i], *nearest = hs_thermo_check_word(word);
         if (nearest != NULL && nearest[0] != '\0')
-            return hs_fail(err, HS_ERROR_INPUT, "thermo_style custom: unknown keyword '%s'; did you mean '%s'?", word, nearest);
+            return hs_fail(err, HS_ERROR_INPUT, "thermo_style custom: unknown keyword '%s'; did you mean '%s'?", word,
+                           nearest);
         if (nearest != NULL)
-            return hs_fail(err, HS_ERROR_INPUT, "thermo_style custom: unknown keyword '%s'; a column is a thermo keyword, "
-                           "c_ID, c_ID[i], f_ID, f_ID[i] or v_name", word);
-        HS_TRY(hs_thermo_find_entry(word) != NULL ? add_keyword(thermo, word, err) : parse_reference(thermo, word, err));
+            return hs_fail(err, HS_ERROR_INPUT,
+                           "thermo_style custom: unknown keyword '%s'; a column is a thermo keyword, "
+                           "c_ID, c_ID[i], f_ID, f_ID[i] or v_name",
+                           word);
+        HS_TRY(hs_thermo_find_entry(word) != NULL ? add_keyword(thermo, word, err)
+                                                  : parse_reference(thermo, word, err));
     }
     return HS_OK;
 }
@@ -131,8 +136,8 @@ hs_status hs_thermo_set_standard_columns(hs_thermo *thermo, hs_error *err)
     bool can_change = false;
     for (int axis = 0; axis < 3; ++axis)
         for (int side = 0; side < 2; ++side)
-            can_change |= box->boundary[axis][side] == HS_BOUNDARY_SHRINK ||
-                          box->boundary[axis][side] == HS_BOUNDARY_SHRINK_MIN;
+            can_change |=
+                box->boundary[axis][side] == HS_BOUNDARY_SHRINK || box->boundary[axis][side] == HS_BOUNDARY_SHRINK_MIN;
     /* Formats of thermo_modify belong to columns by number: keep what stays. */
     int n = 0;
     for (; name[n] != NULL; ++n)
@@ -150,23 +155,26 @@ static hs_status resolve_column(hs_thermo *thermo, hs_thermo_column *column, hs_
         column->compute = hs_sim_find_compute(thermo->sim, column->id);
         is_missing = column->compute == NULL;
         if (!is_missing)
-            has_value = column->index > 0 ? column->compute->style->vector != NULL && column->index <= column->compute->n_vector
-                                          : column->compute->style->scalar != NULL;
+            has_value = column->index > 0
+                            ? column->compute->style->vector != NULL && column->index <= column->compute->n_vector
+                            : column->compute->style->scalar != NULL;
     } else if (column->kind == 'f') {
         column->fix = hs_sim_find_fix(thermo->sim, column->id);
         is_missing = column->fix == NULL;
         if (!is_missing)
-            has_value = column->index > 0 ? column->fix->style->vector != NULL && column->index <= column->fix->style->n_vector
-                                          : column->fix->style->scalar != NULL;
+            has_value = column->index > 0
+                            ? column->fix->style->vector != NULL && column->index <= column->fix->style->n_vector
+                            : column->fix->style->scalar != NULL;
     } else if (column->kind == 'v' && env->variable_value == NULL) {
         is_missing = true;
     }
     const char *what = column->kind == 'c' ? "compute" : column->kind == 'f' ? "fix" : "variable";
     if (is_missing)
-        return hs_fail(err, HS_ERROR_INPUT, "thermo_style custom: there is no %s '%s' for the column %s", what, column->id,
-                       column->header);
+        return hs_fail(err, HS_ERROR_INPUT, "thermo_style custom: there is no %s '%s' for the column %s", what,
+                       column->id, column->header);
     if (!has_value)
-        return hs_fail(err, HS_ERROR_INPUT, "thermo_style custom: the %s '%s' has no value %s", what, column->id, column->header);
+        return hs_fail(err, HS_ERROR_INPUT, "thermo_style custom: the %s '%s' has no value %s", what, column->id,
+                       column->header);
     return HS_OK;
 }
 
@@ -193,12 +201,15 @@ static hs_status compute_value(hs_thermo *thermo, const hs_thermo_column *column
 hs_status hs_thermo_column_value(hs_thermo *thermo, const hs_thermo_column *column, double *value, hs_error *err)
 {
     switch (column->kind) {
-    case 'c': return compute_value(thermo, column, value, err);
+    case 'c':
+        return compute_value(thermo, column, value, err);
     case 'f':
         if (column->index > 0) return column->fix->style->vector(column->fix, column->index - 1, value, err);
         return column->fix->style->scalar(column->fix, value, err);
-    case 'v': return thermo->sim->env.variable_value(thermo->sim->env.deck, column->id, value, err);
-    default: return column->entry->eval(thermo, value, err);
+    case 'v':
+        return thermo->sim->env.variable_value(thermo->sim->env.deck, column->id, value, err);
+    default:
+        return column->entry->eval(thermo, value, err);
     }
 }
 

@@ -16,8 +16,8 @@ static hs_status split_line(const hs_thermo *thermo, char **words, char **word, 
         ++n;
     }
     if (n == thermo->n_columns) return HS_OK;
-    return hs_fail(err, HS_ERROR_INPUT, "thermo_modify format line: the format has %d words but a row has %d columns", n,
-                   thermo->n_columns);
+    return hs_fail(err, HS_ERROR_INPUT, "thermo_modify format line: the format has %d words but a row has %d columns",
+                   n, thermo->n_columns);
 }
 
 /** In LAMMPS's order: the column's own format, then that for its kind of number, then the line's, then the default. */

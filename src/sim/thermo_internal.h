@@ -64,7 +64,8 @@ const hs_thermo_entry *hs_thermo_find_entry(const char *name);
 /** Find thermo_temp, thermo_press, thermo_pe (or those of thermo_modify); an error when one is gone. */
 HS_MUST_USE hs_status hs_thermo_find_computes(hs_thermo *thermo, hs_error *err);
 /** Value of a column at the present step, normalised if it is to be (collective). */
-HS_MUST_USE hs_status hs_thermo_column_value(hs_thermo *thermo, const hs_thermo_column *column, double *value, hs_error *err);
+HS_MUST_USE hs_status hs_thermo_column_value(hs_thermo *thermo, const hs_thermo_column *column, double *value,
+                                             hs_error *err);
 /** Forget the columns and make those of the words (keywords and references). */
 HS_MUST_USE hs_status hs_thermo_set_columns(hs_thermo *thermo, const hs_args *args, hs_error *err);
 /** Columns of the styles one and multi, the volume only when the box can change. */

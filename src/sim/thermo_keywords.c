@@ -124,8 +124,10 @@ static hs_status get_epair(T *t, double *value, hs_error *err)
 {
     const hs_env *env = &t->sim->env;
     if (env->energy_step != env->step)
-        return hs_fail(err, HS_ERROR_INPUT, "the pair energy of step %lld was not computed on that step; use it on steps "
-                       "with thermo output, or after 'run 0'", (long long)env->step);
+        return hs_fail(err, HS_ERROR_INPUT,
+                       "the pair energy of step %lld was not computed on that step; use it on steps with thermo "
+                       "output, or after 'run 0'",
+                       (long long)env->step);
     *value = per_atom(t, env->pair_energy + env->tail_energy);
     return HS_OK;
 }

@@ -69,8 +69,8 @@ static hs_status modify_format(hs_thermo *thermo, const hs_args *args, int i, in
         return hs_arg_refuse(args, i, "line, int, float, none or a column number", words, err);
     }
     if (column < 1 || column > thermo->n_columns)
-        return hs_fail(err, HS_ERROR_INPUT, "%s: format %lld: the columns are 1 to %d", args->command, (long long)column,
-                       thermo->n_columns);
+        return hs_fail(err, HS_ERROR_INPUT, "%s: format %lld: the columns are 1 to %d", args->command,
+                       (long long)column, thermo->n_columns);
     hs_thermo_column *target = &thermo->column[column - 1];
     return set_format(&target->user_format, format, hs_thermo_is_int(target) ? HS_FORMAT_INT : HS_FORMAT_FLOAT, err);
 }

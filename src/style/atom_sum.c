@@ -2,13 +2,13 @@
 
 #include "base/memory.h"
 
-enum { CHUNK = 1024 };   /* atoms that are summed one after the other: part of the definition of the result */
+enum { CHUNK = 1024 }; /* atoms that are summed one after the other: part of the definition of the result */
 
-hs_status hs_atom_sum(const hs_atoms *atoms, const hs_parallel *parallel, hs_atom_terms terms, const void *context, int n,
-                      double *sums, hs_error *err)
+hs_status hs_atom_sum(const hs_atoms *atoms, const hs_parallel *parallel, hs_atom_terms terms, const void *context,
+                      int n, double *sums, hs_error *err)
 {
     const int n_chunks = (atoms->n_local + CHUNK - 1) / CHUNK;
-    double (*partial)[HS_ATOM_SUM_MAX];
+    double(*partial)[HS_ATOM_SUM_MAX];
     HS_TRY(HS_ALLOC(partial, (size_t)n_chunks, err));
 #pragma omp parallel for schedule(static)
     for (int c = 0; c < n_chunks; ++c) {

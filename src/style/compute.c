@@ -5,17 +5,19 @@ static hs_status check_energy(const hs_compute *compute, hs_error *err)
 {
     const hs_env *env = compute->env;
     if (!compute->style->needs_energy || env->energy_step == env->step) return HS_OK;
-    return hs_fail(err, HS_ERROR_INPUT,
-                   "compute '%s' (%s) needs the energy or virial of step %lld, which was not computed on that step; use it "
-                   "on steps with thermo output, or after 'run 0'", compute->id, compute->style->about.name,
-                   (long long)env->step);
+    return hs_fail(
+        err, HS_ERROR_INPUT,
+        "compute '%s' (%s) needs the energy or virial of step %lld, which was not computed on that step; use it "
+        "on steps with thermo output, or after 'run 0'",
+        compute->id, compute->style->about.name, (long long)env->step);
 }
 
 hs_status hs_compute_scalar(hs_compute *compute, double *value, hs_error *err)
 {
     if (compute->style->scalar == NULL)
         return hs_fail(err, HS_ERROR_INPUT, "compute '%s' (%s) has no scalar value%s", compute->id,
-                       compute->style->about.name, compute->style->vector != NULL ? "; its elements are c_ID[1], ..." : "");
+                       compute->style->about.name,
+                       compute->style->vector != NULL ? "; its elements are c_ID[1], ..." : "");
     HS_TRY(check_energy(compute, err));
     if (compute->scalar_step != compute->env->step) {
         HS_TRY(compute->style->scalar(compute, &compute->scalar, err));
@@ -31,8 +33,8 @@ hs_status hs_compute_vector(hs_compute *compute, int i, double *value, hs_error 
         return hs_fail(err, HS_ERROR_INPUT, "compute '%s' (%s) has no vector; its value is c_%s", compute->id,
                        compute->style->about.name, compute->id);
     if (i < 0 || i >= compute->n_vector)
-        return hs_fail(err, HS_ERROR_INPUT, "c_%s[%d]: the vector of compute '%s' (%s) has the elements 1 to %d", compute->id,
-                       i + 1, compute->id, compute->style->about.name, compute->n_vector);
+        return hs_fail(err, HS_ERROR_INPUT, "c_%s[%d]: the vector of compute '%s' (%s) has the elements 1 to %d",
+                       compute->id, i + 1, compute->id, compute->style->about.name, compute->n_vector);
     HS_TRY(check_energy(compute, err));
     if (compute->vector_step != compute->env->step) {
         HS_TRY(compute->style->vector(compute, err));

@@ -27,10 +27,11 @@ static void leave_directory(void)
     ck_assert_int_eq(system(command), 0);
 }
 
-static const char good[] = "title # with a comment\n\n2 atoms\n2 atom types\n0 bonds\n0 10 xlo xhi   # box\n0 10 ylo yhi\n"
-                           "-5.5 0.5e1 zlo zhi\n\nMasses\n\n1 1.5\n2 2.5 # heavy\n\nPair Coeffs # lj/cut\n\n1 1.0 1.0 3.0\n2 0.5 "
-                           "1.25\n\nAtoms # atomic\n\n7 2 1 2 3 1 -2 0\n\n3 1 -0.5 10.0 -5.5\n\nVelocities\n\n3 1 2 3\n7 0.25 "
-                           "-1e-3 4\n";
+static const char good[] =
+    "title # with a comment\n\n2 atoms\n2 atom types\n0 bonds\n0 10 xlo xhi   # box\n0 10 ylo yhi\n"
+    "-5.5 0.5e1 zlo zhi\n\nMasses\n\n1 1.5\n2 2.5 # heavy\n\nPair Coeffs # lj/cut\n\n1 1.0 1.0 3.0\n2 0.5 "
+    "1.25\n\nAtoms # atomic\n\n7 2 1 2 3 1 -2 0\n\n3 1 -0.5 10.0 -5.5\n\nVelocities\n\n3 1 2 3\n7 0.25 "
+    "-1e-3 4\n";
 
 static char *run(const char *deck, hs_error *err) { return hs_test_run_deck(deck, err); }
 
@@ -69,18 +70,22 @@ START_TEST(test_read_and_write)
     hs_test_write_file("good.data", good);
     hs_error err;
     char *log = run("pair_style lj/cut 2.5\nread_data good.data\nwrite_data out.data pair ij\nwrite_data ii.*.data\n"
-                    "write_data none.data nocoeff\n", &err);
+                    "write_data none.data nocoeff\n",
+                    &err);
     ck_assert_msg(err.status == HS_OK, "%s", err.text);
-    ck_assert_ptr_nonnull(strstr(log, "Reading data file ...\n"
-                                      "  orthogonal box = (0.0000000 0.0000000 -5.5000000) to (10.000000 10.000000 5.0000000)\n"
-                                      "  1 by 1 by 1 MPI processor grid\n  reading atoms ...\n  2 atoms\n"
-                                      "  reading velocities ...\n  2 velocities\n  read_data CPU = "));
+    ck_assert_ptr_nonnull(
+        strstr(log, "Reading data file ...\n"
+                    "  orthogonal box = (0.0000000 0.0000000 -5.5000000) to (10.000000 10.000000 5.0000000)\n"
+                    "  1 by 1 by 1 MPI processor grid\n  reading atoms ...\n  2 atoms\n"
+                    "  reading velocities ...\n  2 velocities\n  read_data CPU = "));
     free(log);
     char *text = hs_test_read_file("out.data");
-    ck_assert_ptr_nonnull(strstr(text, "\n\n2 atoms\n2 atom types\n\n0 10 xlo xhi\n0 10 ylo yhi\n-5.5 5 zlo zhi\n\nMasses\n\n"
-                                       "1 1.5\n2 2.5\n\nPairIJ Coeffs # lj/cut\n\n1 1 1 1 3\n1 2 "));
-    ck_assert_ptr_nonnull(strstr(text, "\n2 2 0.5 1.25 2.5\n\nAtoms # atomic\n\n3 1 9.5 0 -5.5 -1 1 0\n7 2 1 2 3 1 -2 0\n\n"
-                                       "Velocities\n\n3 1 2 3\n7 0.25 -0.001 4\n"));
+    ck_assert_ptr_nonnull(strstr(text,
+                                 "\n\n2 atoms\n2 atom types\n\n0 10 xlo xhi\n0 10 ylo yhi\n-5.5 5 zlo zhi\n\nMasses\n\n"
+                                 "1 1.5\n2 2.5\n\nPairIJ Coeffs # lj/cut\n\n1 1 1 1 3\n1 2 "));
+    ck_assert_ptr_nonnull(strstr(text,
+                                 "\n2 2 0.5 1.25 2.5\n\nAtoms # atomic\n\n3 1 9.5 0 -5.5 -1 1 0\n7 2 1 2 3 1 -2 0\n\n"
+                                 "Velocities\n\n3 1 2 3\n7 0.25 -0.001 4\n"));
     free(text);
     text = hs_test_read_file("none.data");
     ck_assert_ptr_null(strstr(text, "Coeffs"));
@@ -105,7 +110,7 @@ START_TEST(test_add)
              "set group new type 4\nmass * 1\nwrite_data out.data nocoeff\n");
     char *text = hs_test_read_file("out.data");
     ck_assert_ptr_nonnull(strstr(text, "\n4 atoms\n4 atom types\n\n0 30 xlo xhi\n"));
-    ck_assert_ptr_nonnull(strstr(text, "\n10 4 19.5 0 -5.5 0 1 0\n"));   /* 3 + 7; shifted, and wrapped in y */
+    ck_assert_ptr_nonnull(strstr(text, "\n10 4 19.5 0 -5.5 0 1 0\n")); /* 3 + 7; shifted, and wrapped in y */
     ck_assert_ptr_nonnull(strstr(text, "\n14 4 21 2 3 1 -2 0\n"));
     free(text);
     hs_error err;
@@ -113,7 +118,8 @@ START_TEST(test_add)
         {"read_data good.data nocoeff\nread_data good.data nocoeff\n", "there is a box already"},
         {"read_data good.data add append\n", "needs a box"},
         {"read_data good.data nocoeff\nread_data good.data add merge nocoeff\n", "exists already"},
-        {"read_data good.data nocoeff\nread_data good.data add append offset 1 0 0 0 0 nocoeff\n", "has 2 atom types (offset 1)"},
+        {"read_data good.data nocoeff\nread_data good.data add append offset 1 0 0 0 0 nocoeff\n",
+         "has 2 atom types (offset 1)"},
         {"read_data good.data fix 1 a b\n", "unknown keyword 'fix'"},
         {"read_data good.data extra/bond/types 2\n", "unknown keyword 'extra/bond/types'"},
         {"read_data nope.data\n", "'nope.data' cannot be read: No such file"},
@@ -178,7 +184,8 @@ START_TEST(test_bad_sections)
     expect_error_with("7 2 1 2 3 1 -2 0", "7 2 1 2 3 1.5 -2 0", 22, "'1.5' is not an image flag");
     expect_error_with("7 2 1 2 3 1 -2 0", "7 2 1 2 3 9999999999 -2 0", 22, "is not an image flag");
     expect_error_with("3 1 -0.5 10.0 -5.5\n", "", 25, "section Atoms ends after 1 lines; the header says there are 2");
-    expect_error_with("3 1 -0.5 10.0 -5.5\n", "3 1 -0.5 10.0 -5.5\n4 1 1 1 1\n", 25, "a section name was expected, not '4 1'");
+    expect_error_with("3 1 -0.5 10.0 -5.5\n", "3 1 -0.5 10.0 -5.5\n4 1 1 1 1\n", 25,
+                      "a section name was expected, not '4 1'");
     expect_error_with("3 1 2 3\n", "4 1 2 3\n", 28, "no atom with id 4");
     expect_error_with("3 1 2 3\n", "7 1 2 3\n", 29, "atom 7 has a velocity already");
     expect_error_with("3 1 2 3\n", "3 1 2\n", 28, "this one has 3 words");
@@ -186,7 +193,8 @@ START_TEST(test_bad_sections)
     expect_error_with("7 0.25 -1e-3 4\n", "", 28, "section Velocities ends after 1 lines");
     expect_error_with("Atoms # atomic", "Velocities", 20, "must come after Atoms");
     expect_error_with("2 atom types", "1 atom types", 0, "section");
-    expect_error("t\n\n1 atoms\n1 atom types\n0 1 xlo xhi\n0 1 ylo yhi\n0 1 zlo zhi\n\nMasses\n\n1 1\n", 0, "no section Atoms");
+    expect_error("t\n\n1 atoms\n1 atom types\n0 1 xlo xhi\n0 1 ylo yhi\n0 1 zlo zhi\n\nMasses\n\n1 1\n", 0,
+                 "no section Atoms");
     leave_directory();
 }
 END_TEST
@@ -195,13 +203,15 @@ START_TEST(test_box_edges)
 {
     enter_directory();
     hs_error err;
-    hs_test_write_file("out.data", "t\n\n1 atoms\n1 atom types\n0 1 xlo xhi\n0 1 ylo yhi\n0 1 zlo zhi\n\nAtoms\n\n1 1 0.5 1.5 0.5\n");
+    hs_test_write_file(
+        "out.data", "t\n\n1 atoms\n1 atom types\n0 1 xlo xhi\n0 1 ylo yhi\n0 1 zlo zhi\n\nAtoms\n\n1 1 0.5 1.5 0.5\n");
     free(run("boundary p f p\nread_data out.data\n", &err));
     ck_assert_ptr_nonnull(strstr(err.text, "the atom's y = 1.5 is outside of the box, 0 to 1, which is not periodic"));
     ck_assert_int_eq(err.line, 11);
     run_good("boundary f p p\nread_data out.data\n");
     /* an atom on the face of a box that is not periodic is inside */
-    hs_test_write_file("on.data", "t\n\n1 atoms\n1 atom types\n0 1 xlo xhi\n0 1 ylo yhi\n0 1 zlo zhi\n\nAtoms\n\n1 1 1 0 1\n");
+    hs_test_write_file("on.data",
+                       "t\n\n1 atoms\n1 atom types\n0 1 xlo xhi\n0 1 ylo yhi\n0 1 zlo zhi\n\nAtoms\n\n1 1 1 0 1\n");
     run_good("boundary f f s\nread_data on.data\n");
     leave_directory();
 }
@@ -275,5 +285,5 @@ START_TEST(test_shortest)
 }
 END_TEST
 
-HS_TEST_MAIN("data_file", test_read_and_write, test_add, test_bad_headers, test_bad_sections, test_box_edges, test_truncated,
-             test_garbage, test_shortest)
+HS_TEST_MAIN("data_file", test_read_and_write, test_add, test_bad_headers, test_bad_sections, test_box_edges,
+             test_truncated, test_garbage, test_shortest)

@@ -1,4 +1,5 @@
-/* Dump files byte for byte (what LAMMPS of 29 September 2021 wrote for the same decks), their order, selection, and what is
+/* Dump files byte for byte (what LAMMPS of 29 September 2021 wrote for the same decks), their order, selection, and
+ * what is
  * refused. */
 #include <stdio.h>
 #include <stdlib.h>
@@ -11,9 +12,10 @@
 #include "support/harness.h"
 #include "support/run_deck.h"
 
-static const char head[] = "boundary p p f\nlattice fcc 0.8442\nregion box block 0 1 0 1 0 1\ncreate_box 2 box\n"
-                           "create_atoms 1 box\nmass * 1.5\nset atom 3 type 2\nset atom 2 image 1 -2 0\n"
-                           "velocity all set 0.5 -0.25 0 units box\npair_style zero 1.0\npair_coeff * *\nfix 1 all nve\n";
+static const char head[] =
+    "boundary p p f\nlattice fcc 0.8442\nregion box block 0 1 0 1 0 1\ncreate_box 2 box\n"
+    "create_atoms 1 box\nmass * 1.5\nset atom 3 type 2\nset atom 2 image 1 -2 0\n"
+    "velocity all set 0.5 -0.25 0 units box\npair_style zero 1.0\npair_coeff * *\nfix 1 all nve\n";
 
 static const char box_lines[] = "ITEM: BOX BOUNDS pp pp ff\n"
                                 "0.0000000000000000e+00 1.6795961913825073e+00\n"
@@ -70,8 +72,8 @@ static void expect_file(const char *name, const char *expected)
 static void expect_snapshot(const char *name, long step, int n, const char *columns, const char *rows)
 {
     char expected[4096];
-    snprintf(expected, sizeof expected, "ITEM: TIMESTEP\n%ld\nITEM: NUMBER OF ATOMS\n%d\n%sITEM: ATOMS %s\n%s", step, n, box_lines,
-             columns, rows);
+    snprintf(expected, sizeof expected, "ITEM: TIMESTEP\n%ld\nITEM: NUMBER OF ATOMS\n%d\n%sITEM: ATOMS %s\n%s", step, n,
+             box_lines, columns, rows);
     expect_file(name, expected);
 }
 
@@ -105,12 +107,15 @@ END_TEST
 START_TEST(test_xyz)
 {
     enter_directory();
-    run_good("dump 1 all xyz 5 x.xyz\ndump 2 all xyz 5 y.xyz\ndump_modify 2 element Ar Xe format line \"%s %.2f %.2f %.1f\"\nrun 5\n");
-    expect_file("x.xyz", "4\nAtoms. Timestep: 0\n1 0 0 0\n1 0.839798 0.839798 0\n2 0.839798 0 0.839798\n1 0 0.839798 0.839798\n"
-                         "4\nAtoms. Timestep: 5\n1 0.0125 1.67335 0\n1 0.852298 0.833548 0\n2 0.852298 1.67335 0.839798\n"
-                         "1 0.0125 0.833548 0.839798\n");
+    run_good("dump 1 all xyz 5 x.xyz\ndump 2 all xyz 5 y.xyz\ndump_modify 2 element Ar Xe format line \"%s %.2f %.2f "
+             "%.1f\"\nrun 5\n");
+    expect_file("x.xyz",
+                "4\nAtoms. Timestep: 0\n1 0 0 0\n1 0.839798 0.839798 0\n2 0.839798 0 0.839798\n1 0 0.839798 0.839798\n"
+                "4\nAtoms. Timestep: 5\n1 0.0125 -0.00625 0\n1 0.852298 0.833548 0\n2 0.852298 -0.00625 0.839798\n"
+                "1 0.0125 0.833548 0.839798\n");
     char *text = hs_test_read_file("y.xyz");
-    ck_assert_int_eq(strncmp(text, "4\nAtoms. Timestep: 0\nAr 0.00 0.00 0.0\nAr 0.84 0.84 0.0\nXe 0.84 0.00 0.8\n", 71), 0);
+    ck_assert_int_eq(strncmp(text, "4\nAtoms. Timestep: 0\nAr 0.00 0.00 0.0\nAr 0.84 0.84 0.0\nXe 0.84 0.00 0.8\n", 71),
+                     0);
     free(text);
     leave_directory();
 }
@@ -119,8 +124,9 @@ END_TEST
 START_TEST(test_formats_and_headers)
 {
     enter_directory();
-    run_good("dump 1 all custom 5 f id type x vx\n"
-             "dump_modify 1 format line \"%d %3d %12.4f %g\" format int %04d format 3 <%g> time yes units yes\nrun 5\n");
+    run_good(
+        "dump 1 all custom 5 f id type x vx\n"
+        "dump_modify 1 format line \"%d %3d %12.4f %g\" format int %04d format 3 <%g> time yes units yes\nrun 5\n");
     char expected[2048];
     snprintf(expected, sizeof expected,
              "ITEM: UNITS\nlj\nITEM: TIME\n0\nITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n4\n%sITEM: ATOMS id type x vx\n"
@@ -167,10 +173,10 @@ START_TEST(test_when)
     run_good("reset_timestep 3\ndump 1 all atom 5 plain\ndump 2 all atom 5 first\ndump_modify 2 first yes\n"
              "dump 3 all atom 5 delay\ndump_modify 3 delay 10\ndump 4 all atom 5 every\ndump_modify 4 every 4\n"
              "dump 5 all atom 2 max.*\ndump_modify 5 maxfiles 2\nrun 10\nrun 0\nrun 2\nundump 1\nrun 5\n");
-    ck_assert_int_eq(count_snapshots("plain"), 3);      /* 5 10 15 */
-    ck_assert_int_eq(count_snapshots("first"), 6);      /* 3 5 10 13 15 20 */
-    ck_assert_int_eq(count_snapshots("delay"), 3);      /* 10 15 20 */
-    ck_assert_int_eq(count_snapshots("every"), 5);      /* 4 8 12 16 20 */
+    ck_assert_int_eq(count_snapshots("plain"), 3); /* 5 10 15 */
+    ck_assert_int_eq(count_snapshots("first"), 6); /* 3 5 10 13 15 20 */
+    ck_assert_int_eq(count_snapshots("delay"), 3); /* 10 15 20 */
+    ck_assert_int_eq(count_snapshots("every"), 5); /* 4 8 12 16 20 */
     ck_assert_int_ne(access("max.16", F_OK), 0);
     ck_assert_int_eq(access("max.18", F_OK), 0);
     ck_assert_int_eq(access("max.20", F_OK), 0);
@@ -185,7 +191,8 @@ END_TEST
 START_TEST(test_gzip_and_write_dump)
 {
     enter_directory();
-    run_good("dump 1 all custom 5 z.gz id\nrun 5\nwrite_dump all custom w.*.gz id modify sort id\nwrite_dump all xyz w.xyz\n");
+    run_good("dump 1 all custom 5 z.gz id\nrun 5\nwrite_dump all custom w.*.gz id modify sort id\nwrite_dump all xyz "
+             "w.xyz\n");
     char text[4096] = "";
     gzFile file = gzopen("z.gz", "rb");
     const int n = gzread(file, text, sizeof text - 1);
@@ -194,7 +201,7 @@ START_TEST(test_gzip_and_write_dump)
     ck_assert_ptr_nonnull(strstr(text, "ITEM: ATOMS id\n1\n2\n3\n4\nITEM: TIMESTEP\n5\n"));
     ck_assert_int_eq(access("w.5.gz", F_OK), 0);
     ck_assert_int_eq(access("w.xyz", F_OK), 0);
-    ck_assert_int_eq(system("test -z \"$(ls | grep part)\""), 0);   /* no unfinished files */
+    ck_assert_int_eq(system("test -z \"$(ls | grep part)\""), 0); /* no unfinished files */
     leave_directory();
 }
 END_TEST
@@ -215,13 +222,26 @@ START_TEST(test_refusals)
     expect_error("dump_modify 1 sort id\n", "there is no dump '1'");
     expect_error("undump 1\n", "there is no dump '1'");
     static const char *const bad[][2] = {
-        {"sort id2", "'id2' is not id, off"}, {"sort 9", "a row has 2 columns"}, {"format line %d", "has 1 words but"},
-        {"format float %d", "wrong kind"}, {"format 1 %s", "wrong kind"}, {"format 7 %d", "the columns are 1 to 2"},
-        {"thresh foo < 1", "unknown attribute 'foo'"}, {"thresh x ~ 1", "'~'"}, {"thresh x < LAST", "LAST is not supported"},
-        {"thresh x < nan", "not a finite number"}, {"element C", "a name for each of the 2 atom types"}, {"color x", "unknown keyword"},
-        {"fileper 2", "unknown keyword"}, {"maxfiles 2", "needs a file name with *"}, {"first maybe", "'maybe'"},
-        {"every 0", "'0'"}, {"scale no", "for dumps of style atom"}, {"region nope", "there is no region 'nope'"},
-        {"pad 99", "'99'"}, {"thresh v_nope < 1", "nope"},
+        {"sort id2", "'id2' is not id, off"},
+        {"sort 9", "a row has 2 columns"},
+        {"format line %d", "has 1 words but"},
+        {"format float %d", "wrong kind"},
+        {"format 1 %s", "wrong kind"},
+        {"format 7 %d", "the columns are 1 to 2"},
+        {"thresh foo < 1", "unknown attribute 'foo'"},
+        {"thresh x ~ 1", "'~'"},
+        {"thresh x < LAST", "LAST is not supported"},
+        {"thresh x < nan", "not a finite number"},
+        {"element C", "a name for each of the 2 atom types"},
+        {"color x", "unknown keyword"},
+        {"fileper 2", "unknown keyword"},
+        {"maxfiles 2", "needs a file name with *"},
+        {"first maybe", "'maybe'"},
+        {"every 0", "'0'"},
+        {"scale no", "for dumps of style atom"},
+        {"region nope", "there is no region 'nope'"},
+        {"pad 99", "'99'"},
+        {"thresh v_nope < 1", "nope"},
     };
     for (size_t k = 0; k < sizeof bad / sizeof bad[0]; ++k) {
         char lines[256];
@@ -249,7 +269,7 @@ START_TEST(test_writer)
     ck_assert_hs_ok(hs_writer_open(&writer, "link", HS_WRITE_WHOLE, &err), err);
     ck_assert_hs_ok(hs_writer_printf(writer, &err, "new"), err);
     ck_assert_hs_ok(hs_writer_close(&writer, &err), err);
-    expect_file("kept", "new");   /* through the link, which stays one */
+    expect_file("kept", "new"); /* through the link, which stays one */
     ck_assert_hs_ok(hs_writer_open(&writer, "kept", HS_WRITE_APPEND, &err), err);
     ck_assert_hs_ok(hs_writer_printf(writer, &err, "er"), err);
     ck_assert_hs_ok(hs_writer_commit(writer, &err), err);

@@ -3,8 +3,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "io/user_format.h"
 #include "base/memory.h"
+#include "io/user_format.h"
 #include "sim/thermo.h"
 #include "support/harness.h"
 #include "support/run_deck.h"
@@ -77,11 +77,14 @@ END_TEST
 
 START_TEST(test_energies)
 {
-    expect("run 20\nthermo_style custom step atoms temp press pe ke etotal evdwl ecoul epair ebond eangle edihed eimp emol "
+    expect("run 20\nthermo_style custom step atoms temp press pe ke etotal evdwl ecoul epair ebond eangle edihed eimp "
+           "emol "
            "elong etail enthalpy ecouple econserve vol density\nrun 5\n",
-           "Step Atoms Temp Press PotEng KinEng TotEng E_vdwl E_coul E_pair E_bond E_angle E_dihed E_impro E_mol E_long E_tail "
+           "Step Atoms Temp Press PotEng KinEng TotEng E_vdwl E_coul E_pair E_bond E_angle E_dihed E_impro E_mol "
+           "E_long E_tail "
            "Enthalpy Ecouple Econserve Volume Density \n"
-           "      20      108   0.64020368    1.8430933   -5.0698349   0.95141381   -4.1184211   -5.0698349            0   "
+           "      20      108   0.64020368    1.8430933   -5.0698349   0.95141381   -4.1184211   -5.0698349            "
+           "0   "
            "-5.0698349            0            0            0            0            0            0            0   "
            "-1.9351786            0   -4.1184211    127.93177       0.8442 \n");
 }
@@ -89,13 +92,18 @@ END_TEST
 
 START_TEST(test_box_and_pressure)
 {
-    expect("run 25\nthermo_style custom step lx ly lz xlo xhi ylo yhi zlo zhi xy xz yz xlat ylat zlat bonds angles dihedrals "
+    expect("run 25\nthermo_style custom step lx ly lz xlo xhi ylo yhi zlo zhi xy xz yz xlat ylat zlat bonds angles "
+           "dihedrals "
            "impropers pxx pyy pzz pxy pxz pyz fmax fnorm cella cellb cellc cellalpha cellbeta cellgamma\nrun 0\n",
-           "Step Lx Ly Lz Xlo Xhi Ylo Yhi Zlo Zhi Xy Xz Yz Xlat Ylat Zlat Bonds Angles Diheds Impros Pxx Pyy Pzz Pxy Pxz Pyz "
+           "Step Lx Ly Lz Xlo Xhi Ylo Yhi Zlo Zhi Xy Xz Yz Xlat Ylat Zlat Bonds Angles Diheds Impros Pxx Pyy Pzz Pxy "
+           "Pxz Pyz "
            "Fmax Fnorm Cella Cellb Cellc CellAlpha CellBeta CellGamma \n"
-           "      25    5.0387886    5.0387886    5.0387886            0    5.0387886            0    5.0387886            0    "
-           "5.0387886            0            0            0    1.6795962    1.6795962    1.6795962        0        0        0  "
-           "      0    1.4398649    1.5826709    1.5371651  0.057096932  -0.37300768   0.34008996    41.607027    239.57947    "
+           "      25    5.0387886    5.0387886    5.0387886            0    5.0387886            0    5.0387886        "
+           "    0    "
+           "5.0387886            0            0            0    1.6795962    1.6795962    1.6795962        0        0  "
+           "      0  "
+           "      0    1.4398649    1.5826709    1.5371651  0.057096932  -0.37300768   0.34008996    41.607027    "
+           "239.57947    "
            "5.0387886    5.0387886    5.0387886           90           90           90 \n");
 }
 END_TEST
@@ -112,7 +120,8 @@ START_TEST(test_computes)
            "thermo_style custom step c_t c_t[1] c_p[2] c_p c_p[*]\n"
            "thermo_modify format float %15.5f format int %6d format 2 |%g|\nrun 0\n",
            "Step c_t c_t[1] c_p[2] c_p c_p[1] c_p[2] c_p[3] c_p[4] c_p[5] c_p[6] \n"
-           "    40 |0.700137|         0.65988         2.04032         1.57154         1.42770         2.04032         1.24659    "
+           "    40 |0.700137|         0.65988         2.04032         1.57154         1.42770         2.04032         "
+           "1.24659    "
            "     0.36198        -0.70384        -0.16150 \n");
 }
 END_TEST
@@ -131,14 +140,17 @@ END_TEST
 START_TEST(test_real_units)
 {
     hs_error err;
-    char *log = hs_test_run_deck("units real\nlattice fcc 5.3\nregion box block 0 3 0 3 0 3\ncreate_box 1 box\n"
-                                 "create_atoms 1 box\nmass 1 39.95\nvelocity all create 300 87287 loop geom\n"
-                                 "pair_style lj/cut 8.5\npair_modify tail yes\npair_coeff 1 1 0.238 3.405\nfix 1 all nve\n"
-                                 "thermo 50\nthermo_style custom step temp press etail pe pxx pxy enthalpy c_thermo_temp[3]\n"
-                                 "run 100\n", &err);
+    char *log =
+        hs_test_run_deck("units real\nlattice fcc 5.3\nregion box block 0 3 0 3 0 3\ncreate_box 1 box\n"
+                         "create_atoms 1 box\nmass 1 39.95\nvelocity all create 300 87287 loop geom\n"
+                         "pair_style lj/cut 8.5\npair_modify tail yes\npair_coeff 1 1 0.238 3.405\nfix 1 all nve\n"
+                         "thermo 50\nthermo_style custom step temp press etail pe pxx pxy enthalpy c_thermo_temp[3]\n"
+                         "run 100\n",
+                         &err);
     ck_assert_msg(err.status == HS_OK, "%s", err.text);
-    static const char text[] = "     100    110.40335    4915.7015   -14.662195   -160.36737    4689.0476    835.34353    "
-                               "163.01807     24.90895 \n";
+    static const char text[] =
+        "     100    110.40335    4915.7015   -14.662195   -160.36737    4689.0476    835.34353    "
+        "163.01807     24.90895 \n";
     ck_assert_msg(strstr(log, text) != NULL, "expected %s in\n%s", text, log);
     ck_assert_ptr_nonnull(strstr(log, " ns/day, "));
     ck_assert_ptr_nonnull(strstr(log, " hours/ns, "));
@@ -152,9 +164,10 @@ START_TEST(test_report)
     char *log = run(solid, "run 10\nrun 0\n", &err);
     ck_assert_msg(err.status == HS_OK, "%s", err.text);
     static const char *const lines[] = {
-        "Neighbor list info ...\n  update every 1 steps, delay 10 steps, check yes\n", "  master list distance cutoff = 2.3\n",
-        "Per MPI rank memory allocation (min/avg/max) = ", " on 1 procs for 10 steps with 108 atoms\n\nPerformance: ",
-        " tau/day, ", " timesteps/s\n", "% CPU use with 1 MPI tasks x 1 OpenMP threads\n\nMPI task timing breakdown:\n"
+        "Neighbor list info ...\n  update every 1 steps, delay 10 steps, check yes\n",
+        "  master list distance cutoff = 2.3\n", "Per MPI rank memory allocation (min/avg/max) = ",
+        " on 1 procs for 10 steps with 108 atoms\n\nPerformance: ", " tau/day, ", " timesteps/s\n",
+        "% CPU use with 1 MPI tasks x 1 OpenMP threads\n\nMPI task timing breakdown:\n"
         "Section |  min time  |  avg time  |  max time  |%varavg| %total\n"
         "---------------------------------------------------------------\nPair    | ",
         "Nlocal:        108.000 ave         108 max         108 min\nHistogram: 1 0 0 0 0 0 0 0 0 0\nNghost:     ",
@@ -164,7 +177,7 @@ START_TEST(test_report)
     for (size_t k = 0; k < sizeof lines / sizeof lines[0]; ++k)
         ck_assert_msg(strstr(log, lines[k]) != NULL, "expected:\n%s\nin:\n%s", lines[k], log);
     char *first = strstr(log, "Neighbor list info");
-    ck_assert_ptr_null(strstr(first + 1, "Neighbor list info"));   /* printed once while nothing changes */
+    ck_assert_ptr_null(strstr(first + 1, "Neighbor list info")); /* printed once while nothing changes */
     free(log);
 }
 END_TEST
@@ -204,13 +217,15 @@ START_TEST(test_lost_atoms)
     char *log = hs_test_run_deck("boundary f f f\nregion box block 0 10 0 10 0 10\ncreate_box 1 box\n"
                                  "create_atoms 1 single 5 5 5\ncreate_atoms 1 single 9.9 5 5\nmass 1 1\n"
                                  "pair_style lj/cut 2.5\npair_coeff * * 1 1\nvelocity all set 10 0 0\nfix 1 all nve\n"
-                                 "thermo 10\nthermo_modify lost ignore\nthermo_style one\nrun 10\n", &err);
-    ck_assert_int_eq(err.status, HS_ERROR_RUN);   /* thermo_style has set `lost` back to error */
+                                 "thermo 10\nthermo_modify lost ignore\nthermo_style one\nrun 10\n",
+                                 &err);
+    ck_assert_int_eq(err.status, HS_ERROR_RUN); /* thermo_style has set `lost` back to error */
     free(log);
     log = hs_test_run_deck("boundary f f f\nregion box block 0 10 0 10 0 10\ncreate_box 1 box\n"
                            "create_atoms 1 single 5 5 5\ncreate_atoms 1 single 9.9 5 5\nmass 1 1\n"
                            "pair_style lj/cut 2.5\npair_coeff * * 1 1\nvelocity all set 10 0 0\nfix 1 all nve\n"
-                           "thermo 10\nthermo_style custom step atoms\nthermo_modify lost ignore\nrun 10\n", &err);
+                           "thermo 10\nthermo_style custom step atoms\nthermo_modify lost ignore\nrun 10\n",
+                           &err);
     ck_assert_msg(err.status == HS_OK, "%s", err.text);
     ck_assert_msg(strstr(log, "      10        1 \n") != NULL, "%s", log);
     free(log);
