@@ -11,12 +11,12 @@ if(HALFSHELL_MPI)
 else()
   list(APPEND core_sources src/parallel/mpi_none.c)
 endif()
-list(FILTER core_sources EXCLUDE REGEX "cluster_search.c$")   # compiled for each instruction set, below
+list(FILTER core_sources EXCLUDE REGEX "(cluster_search|refine).c$")   # compiled for each instruction set, below
 get_property(style_sources GLOBAL PROPERTY HALFSHELL_STYLE_SOURCES)
 get_property(tables GLOBAL PROPERTY HALFSHELL_TABLES)
 
 # Kernels: every file with an evaluator is compiled once more for each instruction set (kernel/evaluator.h).
-set(kernel_sources src/neighbor/cluster_search.c)
+set(kernel_sources src/neighbor/cluster_search.c src/kernel/refine.c)
 foreach(source IN LISTS style_sources)
   file(STRINGS "${source}" has_evaluator REGEX "kernel/instantiate.h" LIMIT_COUNT 1)
   if(has_evaluator)

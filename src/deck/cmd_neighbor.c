@@ -167,8 +167,8 @@ const hs_command hs_commands_neighbor[] = {
                .syntax = {.usage = "<method> [pairs scheduled|exact]", .n_min = 1, .n_max = 1, .keywords = method_keywords},
                .summary = "how pairs are found (Halfshell's own command)",
                .details = "Methods give the same forces to rounding: `nsq` is the double loop, `cell` sorts atoms into "
-                          "Morton-ordered cells at every step. The command line's `-neigh` wins over the deck.",
-               .example = "neighbor_method cell\nneighbor_method cell pairs exact"},
+                          "Morton-ordered cells at every step, `cluster` (default) keeps lists of pairs of four-atom clusters. The command line's `-neigh` wins over the deck.",
+               .example = "neighbor_method cell\nneighbor_method cluster pairs exact"},
      .run = run_neighbor_method,
      .check = check_neighbor_method},
     {.about = {.name = "comm_modify",

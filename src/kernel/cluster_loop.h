@@ -27,17 +27,16 @@ HS_INLINE void row_pairs(const hs_kernel_input *in, int i, int row, const hs_vec
 {
     const hs_vec dx = hs_set1(in->x[0][i]) - x_j[0], dy = hs_set1(in->x[1][i]) - x_j[1], dz = hs_set1(in->x[2][i]) - x_j[2];
     const hs_vec r2 = hs_fma(dz, dz, hs_fma(dy, dy, dx * dx));
-    hs_msk mask = hs_mask_and(listed, hs_less(r2, params[0]));
+    hs_msk mask = hs_mask_and(listed, hs_less(r2, params[HS_TABLE_CUT_R2]));
     if (listed_only) {
         const hs_vec lx = hs_set1(in->x_listed[0][i]) - hs_load_clusters(in->x_listed[0], entry, sub);
         const hs_vec ly = hs_set1(in->x_listed[1][i]) - hs_load_clusters(in->x_listed[1], entry, sub);
         const hs_vec lz = hs_set1(in->x_listed[2][i]) - hs_load_clusters(in->x_listed[2], entry, sub);
         const hs_vec listed_r2 = lx * lx + ly * ly + lz * lz;
-        /* "at most": one unit in the last place above the limit is the first value that fails */
-        mask = hs_mask_and(mask, hs_less(listed_r2, hs_set1(in->listed_r2 * (1.0 + 0x1p-52))));
+        mask = hs_mask_and(mask, hs_less(listed_r2, params[HS_TABLE_LISTED_R2]));
     }
     hs_vec force_over_r, energy = hs_set1(0.0);
-    evaluate(params + 1, r2, &force_over_r, &energy, with_energy);
+    evaluate(params + HS_TABLE_PARAMS, r2, &force_over_r, &energy, with_energy);
     force_over_r = hs_keep(mask, force_over_r);
     const hs_vec fx = force_over_r * dx, fy = force_over_r * dy, fz = force_over_r * dz;
     sums->f[row][0] += fx;
@@ -61,9 +60,9 @@ HS_INLINE void cluster_loop(const hs_kernel_input *in, hs_kernel_output *out, in
                             int n_entries, const bool with_energy, const bool by_type, const bool listed_only)
 {
     const hs_pair_table *table = in->table;
-    const int stride = 1 + N_PARAMS;
+    const int stride = HS_TABLE_PARAMS + N_PARAMS;
     cluster_sums sums = {0};
-    hs_vec params[1 + N_PARAMS];
+    hs_vec params[HS_TABLE_PARAMS + N_PARAMS];
     const double *row_table[HS_CLUSTER] = {NULL};
     if (by_type) {
         for (int row = 0; row < HS_CLUSTER; ++row)
@@ -73,12 +72,15 @@ HS_INLINE void cluster_loop(const hs_kernel_input *in, hs_kernel_output *out, in
         for (int k = 0; k < stride; ++k) params[k] = hs_set1(values[k]);
     }
     for (int e = 0; e < n_entries; e += HS_GROUP) {
+        uint32_t pairs = 0;
+        for (int k = 0; k < HS_GROUP; ++k) pairs |= entry[e + k].mask;
         for (int sub = 0; sub < HS_SUBS; ++sub) {
             const hs_vec x_j[3] = {hs_load_clusters(in->x[0], entry + e, sub), hs_load_clusters(in->x[1], entry + e, sub),
                                    hs_load_clusters(in->x[2], entry + e, sub)};
             hs_vec reaction[3] = {hs_set1(0.0), hs_set1(0.0), hs_set1(0.0)};
 #pragma GCC unroll 4
             for (int row = 0; row < HS_CLUSTER; ++row) {
+                if ((pairs >> 4 * row & 0xfu) == 0) continue;
                 if (by_type)
                     for (int k = 0; k < stride; ++k)
                         params[k] = hs_lookup(row_table[row] + k, in->type, stride, entry + e, sub);

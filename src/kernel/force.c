@@ -23,7 +23,7 @@ void hs_force_space_fini(hs_force_space *space)
 }
 
 /** Room for n_atoms on every thread; nothing is touched yet. */
-static hs_status reserve(hs_force_space *space, const hs_atoms *atoms, hs_error *err)
+hs_status hs_force_space_reserve(hs_force_space *space, const hs_atoms *atoms, hs_error *err)
 {
     const int n_threads = hs_threads_get();
     const int64_t n_atoms = (int64_t)atoms->n_local + atoms->n_halo + HS_ATOMS_PAD;
@@ -51,17 +51,6 @@ static void begin_thread(hs_force_buffer *buffer, int64_t n_atoms)
     memset(buffer->virial, 0, sizeof buffer->virial);
 }
 
-/** Make the block of atom i ready to be added to. The last block may reach into the arrays' padding. */
-static inline void touch(hs_force_buffer *buffer, int64_t i, int64_t n_room)
-{
-    const int64_t block = i >> HS_FORCE_BLOCK_BITS;
-    if (buffer->touched[block]) return;
-    buffer->touched[block] = 1;
-    const int64_t begin = block << HS_FORCE_BLOCK_BITS;
-    const int64_t end = begin + HS_FORCE_BLOCK < n_room ? begin + HS_FORCE_BLOCK : n_room;
-    for (int axis = 0; axis < 3; ++axis) memset(buffer->f[axis] + begin, 0, (size_t)(end - begin) * sizeof(double));
-}
-
 /** Add what the other threads wrote in one block to thread 0's (the atoms') forces. */
 static void reduce_block(hs_force_space *space, int64_t block, int64_t n_room)
 {
@@ -78,14 +67,11 @@ static void reduce_block(hs_force_space *space, int64_t block, int64_t n_room)
     }
 }
 
-/** Work of one thread: fill its buffer. */
-typedef hs_status (*thread_work)(hs_force_buffer *buffer, const hs_force_job *job, int thread, int n_threads);
-
-static hs_status run_threads(hs_force_space *space, const hs_force_job *job, thread_work work, hs_force_result *result,
-                             hs_error *err)
+hs_status hs_force_run_threads(hs_force_space *space, const hs_force_job *job, hs_force_work work, hs_force_result *result,
+                               hs_error *err)
 {
     const hs_atoms *atoms = job->atoms;
-    HS_TRY(reserve(space, atoms, err));
+    HS_TRY(hs_force_space_reserve(space, atoms, err));
     const int64_t n_atoms = (int64_t)atoms->n_local + atoms->n_halo, n_room = n_atoms + HS_ATOMS_PAD;
 #pragma omp parallel num_threads(space->n_threads)
     {
@@ -113,7 +99,7 @@ static hs_cluster_kernel choose_kernel(const hs_force_job *job, int *group)
     return set->cluster[job->with_energy][!job->input.table->is_uniform][job->input.listed_only];
 }
 
-static void add_output(hs_force_buffer *buffer, const hs_kernel_output *out)
+void hs_force_add_output(hs_force_buffer *buffer, const hs_kernel_output *out)
 {
     buffer->energy += out->energy;
     for (int k = 0; k < 6; ++k) buffer->virial[k] += out->virial[k];
@@ -139,21 +125,21 @@ static hs_status work_cell(hs_force_buffer *buffer, const hs_force_job *job, int
         if (entries->n == 0) continue;
         const int first = local->entry[ci].first;
         HS_TRY(hs_entry_list_pad(entries, 0, group, first, &buffer->error));
-        touch(buffer, first, n_room);
-        touch(buffer, first + HS_CLUSTER - 1, n_room);
+        hs_force_touch(buffer, first, n_room);
+        hs_force_touch(buffer, first + HS_CLUSTER - 1, n_room);
         for (int e = 0; e < entries->n; ++e) {
-            touch(buffer, entries->entry[e].first, n_room);
-            touch(buffer, entries->entry[e].first + HS_CLUSTER - 1, n_room);
+            hs_force_touch(buffer, entries->entry[e].first, n_room);
+            hs_force_touch(buffer, entries->entry[e].first + HS_CLUSTER - 1, n_room);
         }
         kernel(&job->input, &out, first, entries->entry, entries->n);
     }
-    add_output(buffer, &out);
+    hs_force_add_output(buffer, &out);
     return HS_OK;
 }
 
 hs_status hs_force_cell(hs_force_space *space, const hs_force_job *job, hs_force_result *result, hs_error *err)
 {
-    return run_threads(space, job, work_cell, result, err);
+    return hs_force_run_threads(space, job, work_cell, result, err);
 }
 
 /** One pair of the double loop. */
@@ -167,16 +153,16 @@ static inline void nsq_pair(hs_force_buffer *buffer, const hs_force_job *job, in
         d[axis] = in->x[axis][i] - in->x[axis][j];
         r2 += d[axis] * d[axis];
     }
-    if (!(r2 < row[0])) return;
+    if (!(r2 < row[HS_TABLE_CUT_R2])) return;
     if (in->listed_only) {
         for (int axis = 0; axis < 3; ++axis) {
             const double listed = in->x_listed[axis][i] - in->x_listed[axis][j];
             listed_r2 += listed * listed;
         }
-        if (listed_r2 > in->listed_r2) return;
+        if (!(listed_r2 < row[HS_TABLE_LISTED_R2])) return;
     }
     double force_over_r, energy, f[3];
-    job->evaluator->single(row + 1, r2, &force_over_r, &energy);
+    job->evaluator->single(row + HS_TABLE_PARAMS, r2, &force_over_r, &energy);
     for (int axis = 0; axis < 3; ++axis) {
         f[axis] = force_over_r * d[axis];
         buffer->f[axis][i] += f[axis];
@@ -194,7 +180,7 @@ static inline void nsq_pair(hs_force_buffer *buffer, const hs_force_job *job, in
 static hs_status work_nsq(hs_force_buffer *buffer, const hs_force_job *job, int thread, int n_threads)
 {
     const int n_local = job->atoms->n_local, n_all = n_local + job->atoms->n_halo;
-    for (int64_t i = 0; i < n_all; i += HS_FORCE_BLOCK) touch(buffer, i, n_all + HS_ATOMS_PAD);
+    for (int64_t i = 0; i < n_all; i += HS_FORCE_BLOCK) hs_force_touch(buffer, i, n_all + HS_ATOMS_PAD);
     for (int i = thread; i < n_local; i += n_threads)
         for (int j = i + 1; j < n_all; ++j) nsq_pair(buffer, job, i, j);
     return HS_OK;
@@ -202,5 +188,5 @@ static hs_status work_nsq(hs_force_buffer *buffer, const hs_force_job *job, int 
 
 hs_status hs_force_nsq(hs_force_space *space, const hs_force_job *job, hs_force_result *result, hs_error *err)
 {
-    return run_threads(space, job, work_nsq, result, err);
+    return hs_force_run_threads(space, job, work_nsq, result, err);
 }

@@ -2,6 +2,8 @@
 #ifndef HS_KERNEL_FORCE_H
 #define HS_KERNEL_FORCE_H
 
+#include <string.h>
+
 #include "core/atoms.h"
 #include "kernel/kernel.h"
 #include "neighbor/clusters.h"
@@ -25,6 +27,8 @@ typedef struct hs_force_space {
     int64_t capacity_atoms;    /**< room of each buffer */
 } hs_force_space;
 
+struct hs_cluster_list;
+
 /** What to compute with. */
 typedef struct hs_force_job {
     hs_atoms *atoms;
@@ -32,6 +36,7 @@ typedef struct hs_force_job {
     const hs_clusters *clusters;
     const hs_evaluator *evaluator;
     hs_isa isa;
+    const struct hs_cluster_list *list;   /**< method cluster only */
     hs_kernel_input input;     /**< x, type and table must be set; see hs_kernel_input */
     double cutoff_max;
     bool with_energy;
@@ -41,6 +46,27 @@ typedef struct hs_force_result {
     double energy;      /**< of this rank's pairs */
     double virial[6];
 } hs_force_result;
+
+/** Make the block of atom i ready to be added to. The last block may reach into the arrays' padding. */
+static inline void hs_force_touch(hs_force_buffer *buffer, int64_t i, int64_t n_room)
+{
+    const int64_t block = i >> HS_FORCE_BLOCK_BITS;
+    if (buffer->touched[block]) return;
+    buffer->touched[block] = 1;
+    const int64_t begin = block << HS_FORCE_BLOCK_BITS;
+    const int64_t end = begin + HS_FORCE_BLOCK < n_room ? begin + HS_FORCE_BLOCK : n_room;
+    for (int axis = 0; axis < 3; ++axis) memset(buffer->f[axis] + begin, 0, (size_t)(end - begin) * sizeof(double));
+}
+
+/** Work of one thread: fill its buffer. */
+typedef hs_status (*hs_force_work)(hs_force_buffer *buffer, const hs_force_job *job, int thread, int n_threads);
+/** Run `work` on all threads and reduce their buffers to the atoms' forces, touched blocks only. */
+HS_MUST_USE hs_status hs_force_run_threads(hs_force_space *space, const hs_force_job *job, hs_force_work work,
+                                           hs_force_result *result, hs_error *err);
+/** Room for the atoms in the buffers of all threads. */
+HS_MUST_USE hs_status hs_force_space_reserve(hs_force_space *space, const hs_atoms *atoms, hs_error *err);
+/** Add a kernel's energy and virial to the thread's. */
+void hs_force_add_output(hs_force_buffer *buffer, const hs_kernel_output *out);
 
 /** Method `nsq`: every local atom against every later local atom and every halo atom, with the scalar potential. The
  *  oracle: slow, and right at a glance. Overwrites forces of local and halo atoms; needs hs_halo_reverse after. */

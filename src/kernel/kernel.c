@@ -43,22 +43,21 @@ hs_status hs_isa_get(const char *name, hs_isa *isa, hs_error *err)
                        name, hs_isa_names[hs_isa_best()]);
     }
     const char *nearest = hs_text_nearest(name, hs_isa_names, HS_N_ISAS);
-    return hs_fail(err, HS_ERROR_INPUT, "there is no instruction set '%s'; %s'%s'", name,
+    return hs_fail(err, HS_ERROR_INPUT, "there is no instruction set '%s'; %s'%s'%s", name,
                    nearest != NULL ? "did you mean " : "expected auto, portable, sse2, avx2 or avx512, for instance ",
-                   nearest != NULL ? nearest : "auto");
+                   nearest != NULL ? nearest : "auto", nearest != NULL ? "?" : "");
 }
 
-hs_cluster_find hs_isa_find(hs_isa isa)
-{
-    switch (isa) {
 #if defined(__x86_64__)
-    case HS_ISA_AVX512: return hs_cluster_find_avx512;
-    case HS_ISA_AVX2: return hs_cluster_find_avx2;
-    case HS_ISA_SSE2: return hs_cluster_find_sse2;
+#define FOR_ISA(isa, name)                                                                                   \
+    ((isa) == HS_ISA_AVX512 ? name##avx512 : (isa) == HS_ISA_AVX2 ? name##avx2 : (isa) == HS_ISA_SSE2 ? name##sse2 : name##portable)
+#else
+#define FOR_ISA(isa, name) ((void)(isa), name##portable)
 #endif
-    default: return hs_cluster_find_portable;
-    }
-}
+
+hs_cluster_find hs_isa_find(hs_isa isa) { return FOR_ISA(isa, hs_cluster_find_); }
+
+hs_list_refine hs_isa_refine(hs_isa isa) { return FOR_ISA(isa, hs_list_refine_); }
 
 bool hs_pair_table_is_uniform(const hs_pair_table *table)
 {

@@ -18,10 +18,15 @@ HS_MUST_USE hs_status hs_isa_get(const char *name, hs_isa *isa, hs_error *err);
 hs_cluster_find hs_isa_find(hs_isa isa);
 
 /** Parameters of all type pairs as kernels read them. Row (i, j), both from 0 (0 is unused by types from 1 on), starts
- *  at values[(i * n_types + j) * stride]: first the squared cutoff (0 or less: no interaction), then the evaluator's. */
+ *  at values[(i * n_types + j) * stride]: two squared distances (0: the pair does not interact), then the evaluator's. */
+enum {
+    HS_TABLE_CUT_R2,      /**< cutoff^2 */
+    HS_TABLE_LISTED_R2,   /**< (cutoff + skin)^2, the next larger number: listed pairs are closer than this */
+    HS_TABLE_PARAMS       /**< first of the evaluator's parameters */
+};
 typedef struct hs_pair_table {
     int n_types;      /**< kernel types: atom types times exclusion classes, plus 1 */
-    int stride;       /**< 1 + n_params */
+    int stride;       /**< HS_TABLE_PARAMS + n_params */
     double *values;   /**< owned */
     bool is_uniform;  /**< all rows that can occur are the same, namely row (1, 1) */
 } hs_pair_table;
@@ -30,8 +35,7 @@ typedef struct hs_pair_table {
 typedef struct hs_kernel_input {
     const double *x[3];          /**< positions, local and halo, in cluster order */
     const double *x_listed[3];   /**< positions when LAMMPS would have built its list; NULL unless `listed_only` */
-    double listed_r2;            /**< only pairs whose distance^2 was at most this then */
-    bool listed_only;
+    bool listed_only;            /**< count only pairs that were within their listed distance then */
     const int32_t *type;         /**< kernel types, local and halo */
     const hs_pair_table *table;
 } hs_kernel_input;
@@ -46,6 +50,13 @@ typedef struct hs_kernel_output {
 /** Forces (and energy and virial) between the atoms of one i-cluster and the entries of its list. */
 typedef void (*hs_cluster_kernel)(const hs_kernel_input *in, hs_kernel_output *out, int first, const hs_cluster_entry *entry,
                                   int n_entries);
+
+/** Keep, of n candidate entries of the i-cluster at `first`, the pairs within their listed distance at in->x; drop
+ *  entries without any, and order the rest so that consecutive ones use the same rows. Room for a multiple of the group is
+ *  needed in entry (padded with valid entries) and for n in scratch. Returns the number of entries left. */
+typedef int (*hs_list_refine)(const hs_kernel_input *in, int first, hs_cluster_entry *entry, int n, hs_cluster_entry *scratch);
+extern const hs_list_refine hs_list_refine_portable, hs_list_refine_sse2, hs_list_refine_avx2, hs_list_refine_avx512;
+hs_list_refine hs_isa_refine(hs_isa isa);
 
 /** The kernels of one evaluator for one instruction set. Indices: [with energy and virial][by type][listed pairs only].
  *  Lists must be padded to a multiple of `group` entries, with masks 0. */

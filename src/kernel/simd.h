@@ -9,7 +9,8 @@
  *      hs_fma(a, b, c)                    a * b + c, fused where the machine can
  *      hs_sqrt(a)
  *      hs_mask_bits(bits)                 mask from bits, lane 0 lowest
- *      hs_mask_and(m, n), hs_mask_any(m)
+ *      hs_mask_to_bits(m)                 and back
+ *      hs_mask_and(m, n)
  *      hs_less(a, b)                      mask of a < b
  *      hs_keep(m, a)                      a where m is set, else 0 (also where a is not a number)
  *      hs_sum(a)                          sum of the lanes

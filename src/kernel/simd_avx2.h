@@ -15,8 +15,8 @@ static inline hs_msk hs_mask_bits(uint32_t bits)
     return _mm256_castsi256_pd(_mm256_cmpeq_epi64(_mm256_and_si256(_mm256_set1_epi64x(bits), lane), lane));
 }
 
+static inline uint32_t hs_mask_to_bits(hs_msk m) { return (uint32_t)_mm256_movemask_pd(m); }
 static inline hs_msk hs_mask_and(hs_msk m, hs_msk n) { return _mm256_and_pd(m, n); }
-static inline bool hs_mask_any(hs_msk m) { return _mm256_movemask_pd(m) != 0; }
 static inline hs_msk hs_less(hs_vec a, hs_vec b) { return _mm256_cmp_pd(a, b, _CMP_LT_OQ); }
 static inline hs_vec hs_keep(hs_msk m, hs_vec a) { return _mm256_and_pd(m, a); }
 

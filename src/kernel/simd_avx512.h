@@ -9,8 +9,8 @@ static inline hs_vec hs_set1(double a) { return _mm512_set1_pd(a); }
 static inline hs_vec hs_fma(hs_vec a, hs_vec b, hs_vec c) { return _mm512_fmadd_pd(a, b, c); }
 static inline hs_vec hs_sqrt(hs_vec a) { return _mm512_sqrt_pd(a); }
 static inline hs_msk hs_mask_bits(uint32_t bits) { return (hs_msk)bits; }
+static inline uint32_t hs_mask_to_bits(hs_msk m) { return m; }
 static inline hs_msk hs_mask_and(hs_msk m, hs_msk n) { return m & n; }
-static inline bool hs_mask_any(hs_msk m) { return m != 0; }
 static inline hs_msk hs_less(hs_vec a, hs_vec b) { return _mm512_cmp_pd_mask(a, b, _CMP_LT_OQ); }
 static inline hs_vec hs_keep(hs_msk m, hs_vec a) { return _mm512_maskz_mov_pd(m, a); }
 static inline double hs_sum(hs_vec a) { return _mm512_reduce_add_pd(a); }

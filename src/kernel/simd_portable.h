@@ -7,8 +7,8 @@ static inline hs_vec hs_set1(double a) { return a; }
 static inline hs_vec hs_fma(hs_vec a, hs_vec b, hs_vec c) { return a * b + c; }
 static inline hs_vec hs_sqrt(hs_vec a) { return sqrt(a); }
 static inline hs_msk hs_mask_bits(uint32_t bits) { return (bits & 1u) != 0; }
+static inline uint32_t hs_mask_to_bits(hs_msk m) { return m; }
 static inline hs_msk hs_mask_and(hs_msk m, hs_msk n) { return m && n; }
-static inline bool hs_mask_any(hs_msk m) { return m; }
 static inline hs_msk hs_less(hs_vec a, hs_vec b) { return a < b; }
 static inline hs_vec hs_keep(hs_msk m, hs_vec a) { return m ? a : 0.0; }
 static inline double hs_sum(hs_vec a) { return a; }

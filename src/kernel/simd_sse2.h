@@ -14,8 +14,8 @@ static inline hs_msk hs_mask_bits(uint32_t bits)
     return _mm_castsi128_pd(_mm_set_epi64x(-(int64_t)(bits >> 1 & 1u), -(int64_t)(bits & 1u)));
 }
 
+static inline uint32_t hs_mask_to_bits(hs_msk m) { return (uint32_t)_mm_movemask_pd(m); }
 static inline hs_msk hs_mask_and(hs_msk m, hs_msk n) { return _mm_and_pd(m, n); }
-static inline bool hs_mask_any(hs_msk m) { return _mm_movemask_pd(m) != 0; }
 static inline hs_msk hs_less(hs_vec a, hs_vec b) { return _mm_cmplt_pd(a, b); }
 static inline hs_vec hs_keep(hs_msk m, hs_vec a) { return _mm_and_pd(m, a); }
 static inline double hs_sum(hs_vec a) { return _mm_cvtsd_f64(_mm_add_sd(a, _mm_unpackhi_pd(a, a))); }

@@ -100,7 +100,7 @@ static void fini_part(hs_cluster_part *part)
 hs_status hs_entry_list_reserve(hs_entry_list *entries, int n_more, hs_error *err)
 {
     if (entries->n + n_more <= entries->capacity) return HS_OK;
-    const int64_t capacity = 2 * ((int64_t)entries->n + n_more) + 64;
+    const int64_t capacity = ((int64_t)entries->n + n_more) * 5 / 4 + 256;
     if (capacity > INT32_MAX)
         return hs_fail(err, HS_ERROR_RUN, "a neighbor list of more than 2^31 cluster pairs on one thread: use more ranks");
     HS_TRY(HS_GROW(entries->entry, (size_t)entries->n, (size_t)capacity, err));

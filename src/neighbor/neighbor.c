@@ -6,11 +6,12 @@
 #include "base/memory.h"
 #include "base/text.h"
 
-const char *const hs_neighbor_methods[] = {"nsq", "cell", NULL};
+const char *const hs_neighbor_methods[] = {"nsq", "cell", "cluster", NULL};
 
 const char *const hs_neighbor_method_help[] = {
     "double loop over all pairs; slow, for checking the others",
     "atoms are sorted into Morton-ordered cells and pairs searched at every step; no list is kept",
+    "lists of pairs of four-atom clusters from the same cells, kept until atoms have moved too far",
     NULL,
 };
 
@@ -18,7 +19,7 @@ hs_status hs_neighbor_init(hs_neighbor *neighbor, hs_atoms *atoms, double skin, 
 {
     static const char *const names[3] = {"x listed", "y listed", "z listed"};
     memset(neighbor, 0, sizeof *neighbor);
-    neighbor->settings = (hs_neighbor_settings){.skin = skin, .every = 1, .delay = 10, .check = true, .method = HS_METHOD_CELL};
+    neighbor->settings = (hs_neighbor_settings){.skin = skin, .every = 1, .delay = 10, .check = true, .method = HS_METHOD_CLUSTER};
     for (int axis = 0; axis < 3; ++axis)
         HS_TRY(hs_atoms_add_field(atoms, names[axis], (void **)&neighbor->x_listed[axis], sizeof(double), true, err));
     hs_neighbor_start(neighbor);
@@ -44,6 +45,8 @@ hs_status hs_neighbor_set_method(hs_neighbor *neighbor, const char *name, hs_err
                    nearest != NULL ? "did you mean" : "one that there is:", nearest != NULL ? nearest : "cell",
                    nearest != NULL ? "?" : "");
 }
+
+bool hs_neighbor_keeps_lists(const hs_neighbor *neighbor) { return neighbor->settings.method == HS_METHOD_CLUSTER; }
 
 void hs_neighbor_start(hs_neighbor *neighbor)
 {
@@ -90,6 +93,11 @@ hs_status hs_neighbor_is_due(hs_neighbor *neighbor, const hs_atoms *atoms, const
 
     const bool has_moved = largest2 > 0.25 * settings->skin * settings->skin;
     ++neighbor->ago;
+    if (settings->exact) {
+        *is_due = has_moved;
+        neighbor->is_late = false;
+        return HS_OK;
+    }
     *is_due = neighbor->ago >= settings->delay && neighbor->ago % settings->every == 0 && !settings->once &&
               (!settings->check || has_moved);
     if (*is_due && settings->check) {

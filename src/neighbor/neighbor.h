@@ -21,7 +21,7 @@ typedef struct hs_exclusion {
 } hs_exclusion;
 
 /** How pairs are found. */
-typedef enum { HS_METHOD_NSQ, HS_METHOD_CELL, HS_N_METHODS } hs_neighbor_method;
+typedef enum { HS_METHOD_NSQ, HS_METHOD_CELL, HS_METHOD_CLUSTER, HS_N_METHODS } hs_neighbor_method;
 
 /** Names of all methods, ended by NULL, and one line of help for each. */
 extern const char *const hs_neighbor_methods[];
@@ -64,10 +64,13 @@ void hs_neighbor_fini(hs_neighbor *neighbor);
 
 /** Choose the method by name; an error naming the nearest when there is none of that name. */
 HS_MUST_USE hs_status hs_neighbor_set_method(hs_neighbor *neighbor, const char *name, hs_error *err);
+/** Whether the method keeps lists between builds (else atoms are exchanged and searched at every step). */
+bool hs_neighbor_keeps_lists(const hs_neighbor *neighbor);
 /** Start of a run: zero the counters. */
 void hs_neighbor_start(hs_neighbor *neighbor);
-/** Once per step after the drift (collective): measure displacements, bring is_late up to date, and tell whether LAMMPS
- *  would build its lists now. An error when a position is not a number. */
+/** Once per step after the drift (collective): measure displacements, bring is_late up to date, and tell whether lists are
+ *  due: by LAMMPS's schedule, or with `pairs exact` when an atom has moved more than half the skin. An error when a position
+ *  is not a number. */
 HS_MUST_USE hs_status hs_neighbor_is_due(hs_neighbor *neighbor, const hs_atoms *atoms, const hs_parallel *parallel,
                                          int64_t step, bool *is_due, hs_error *err);
 /** A scheduled build happens now: remember the positions. */

@@ -97,11 +97,10 @@ static hs_status find_lost(hs_sim *sim, hs_error *err)
 }
 
 /** Sort the local atoms into cells, make the halo, sort it too, and cut both into clusters. */
-static hs_status sort_and_cluster(hs_sim *sim, hs_error *err)
+static hs_status sort_and_cluster(hs_sim *sim, double reach, hs_error *err)
 {
     hs_neighbor *neighbor = &sim->neighbor;
     hs_atoms *atoms = &sim->atoms;
-    const double reach = sim->pair->cutoff_max;
     const double density = (double)atoms->n_local / hs_box_volume(&sim->box);
     const double width = hs_clusters_width(sim->box.dimension, density, reach);
     HS_TRY(hs_cells_set_grid(&neighbor->cells, &sim->box, reach, width, atoms->n_local, err));
@@ -117,6 +116,36 @@ static hs_status sort_and_cluster(hs_sim *sim, hs_error *err)
     return HS_OK;
 }
 
+/** Types that kernels see, for local and halo atoms. */
+static void renew_kernel_types(hs_sim *sim)
+{
+    if (sim->kernel_type == NULL) return;
+    hs_sim_set_kernel_types(sim);
+    hs_halo_forward_int(&sim->halo, &sim->atoms, sim->kernel_type);
+}
+
+/** What the method needs at the new places: halo, cells, clusters, lists. */
+static hs_status renew_neighbors(hs_sim *sim, hs_error *err)
+{
+    const double cutoff = sim->pair->cutoff_max, skin = sim->neighbor.settings.skin;
+    switch (sim->neighbor.settings.method) {
+    case HS_METHOD_NSQ:
+        HS_TRY(hs_halo_build(&sim->halo, &sim->box, &sim->atoms, cutoff, err));
+        renew_kernel_types(sim);
+        return HS_OK;
+    case HS_METHOD_CLUSTER:
+        HS_TRY(sort_and_cluster(sim, cutoff + skin, err));
+        renew_kernel_types(sim);
+        HS_TRY(hs_sim_list_pairs(sim, err));
+        hs_timer_add(&sim->timer, HS_PHASE_NEIGH);
+        return HS_OK;
+    default:
+        HS_TRY(sort_and_cluster(sim, cutoff, err));
+        renew_kernel_types(sim);
+        return HS_OK;
+    }
+}
+
 hs_status hs_sim_exchange(hs_sim *sim, bool is_listing, hs_error *err)
 {
     hs_timer_mark(&sim->timer);
@@ -128,19 +157,8 @@ hs_status hs_sim_exchange(hs_sim *sim, bool is_listing, hs_error *err)
     hs_timer_add(&sim->timer, HS_PHASE_COMM);
     if (sim->pair->cutoff_max <= 0.0) return HS_OK;
 
-    hs_status status;
-    if (sim->neighbor.settings.method == HS_METHOD_NSQ) {
-        status = hs_halo_build(&sim->halo, &sim->box, &sim->atoms, sim->pair->cutoff_max, err);
-        hs_timer_add(&sim->timer, HS_PHASE_COMM);
-    } else {
-        status = sort_and_cluster(sim, err);
-    }
-    (void)status;   /* agreed on below */
-    HS_TRY(hs_parallel_agree(&sim->parallel, err));
-    if (sim->kernel_type != NULL) {
-        hs_sim_set_kernel_types(sim);
-        hs_halo_forward_int(&sim->halo, &sim->atoms, sim->kernel_type);
-    }
+    const hs_status status = renew_neighbors(sim, err);
+    if (hs_parallel_agree(&sim->parallel, err) != HS_OK) return status != HS_OK ? status : err->status;
     if (sim->neighbor.is_late) hs_halo_forward_positions(&sim->halo, &sim->atoms, sim->neighbor.x_listed);
     hs_timer_add(&sim->timer, HS_PHASE_COMM);
     return HS_OK;

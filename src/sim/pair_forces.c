@@ -7,13 +7,11 @@ static hs_force_job make_job(hs_sim *sim, bool with_energy)
 {
     hs_atoms *atoms = &sim->atoms;
     hs_neighbor *neighbor = &sim->neighbor;
-    const double reach = sim->pair->cutoff_max + neighbor->settings.skin;
     hs_force_job job = {.atoms = atoms, .cells = &neighbor->cells, .clusters = &neighbor->clusters,
                         .evaluator = sim->pair->style->evaluator, .isa = sim->isa, .cutoff_max = sim->pair->cutoff_max,
                         .with_energy = with_energy};
     job.input = (hs_kernel_input){.x = {atoms->x[0], atoms->x[1], atoms->x[2]},
                                   .x_listed = {neighbor->x_listed[0], neighbor->x_listed[1], neighbor->x_listed[2]},
-                                  .listed_r2 = reach * reach,
                                   .listed_only = neighbor->is_late && !neighbor->settings.exact,
                                   .type = sim->kernel_type != NULL ? sim->kernel_type : atoms->type,
                                   .table = &sim->pair_table};
@@ -37,6 +35,25 @@ static void add_tail(hs_sim *sim)
         }
 }
 
+static hs_status run_method(hs_sim *sim, const hs_force_job *job, hs_force_result *result, hs_error *err)
+{
+    switch (sim->neighbor.settings.method) {
+    case HS_METHOD_NSQ: return hs_force_nsq(&sim->forces, job, result, err);
+    case HS_METHOD_CLUSTER: return hs_force_cluster(&sim->forces, &sim->list, job, result, err);
+    default: return hs_force_cell(&sim->forces, job, result, err);
+    }
+}
+
+hs_status hs_sim_list_pairs(hs_sim *sim, hs_error *err)
+{
+    if (sim->pair->style->evaluator == NULL) return HS_OK;
+    hs_force_job job = make_job(sim, false);
+    job.cutoff_max += sim->neighbor.settings.skin;
+    HS_TRY(hs_cluster_list_build(&sim->list, &sim->forces, &job, err));
+    sim->neighbor.counters.n_pairs = hs_cluster_list_n_pairs(&sim->list);
+    return HS_OK;
+}
+
 static void clear_forces(hs_atoms *atoms)
 {
     for (int axis = 0; axis < 3; ++axis)
@@ -52,8 +69,7 @@ hs_status hs_sim_pair_forces(hs_sim *sim, bool with_energy, hs_error *err)
         clear_forces(&sim->atoms);
     } else {
         const hs_force_job job = make_job(sim, with_energy);
-        const bool is_nsq = sim->neighbor.settings.method == HS_METHOD_NSQ;
-        const hs_status status = (is_nsq ? hs_force_nsq : hs_force_cell)(&sim->forces, &job, &result, err);
+        const hs_status status = run_method(sim, &job, &result, err);
         if (hs_parallel_agree(&sim->parallel, err) != HS_OK) return status != HS_OK ? status : err->status;
         hs_timer_add(&sim->timer, HS_PHASE_PAIR);
         hs_halo_reverse(&sim->halo, &sim->atoms);

@@ -1,4 +1,5 @@
 /* Tables of pair parameters: coefficients that were given or mixed, cutoffs, exclusions. */
+#include <math.h>
 #include <string.h>
 
 #include "base/memory.h"
@@ -87,7 +88,7 @@ static hs_status fill_table(hs_sim *sim, int n_classes, const int *groups, int n
     hs_pair_table *table = &sim->pair_table;
     const int n = pair->n_types + 1;
     table->n_types = n_classes * n;
-    table->stride = 1 + pair->style->evaluator->n_params;
+    table->stride = HS_TABLE_PARAMS + pair->style->evaluator->n_params;
     HS_TRY(HS_GROW(table->values, 0, (size_t)table->n_types * (size_t)table->n_types * (size_t)table->stride, err));
     for (int a = 0; a < table->n_types; ++a)
         for (int b = 0; b < table->n_types; ++b) {
@@ -95,8 +96,11 @@ static hs_status fill_table(hs_sim *sim, int n_classes, const int *groups, int n
             if (i == 0 || j == 0) continue;   /* no atom has type 0: the row stays zero, no interaction */
             double *row = table->values + ((size_t)a * (size_t)table->n_types + (size_t)b) * (size_t)table->stride;
             double cutoff;
-            pair->style->params(pair, i < j ? i : j, i < j ? j : i, &cutoff, row + 1);
-            row[0] = is_excluded(&sim->neighbor.settings, i, a / n, j, b / n, groups, n_groups) ? 0.0 : cutoff * cutoff;
+            pair->style->params(pair, i < j ? i : j, i < j ? j : i, &cutoff, row + HS_TABLE_PARAMS);
+            if (cutoff <= 0.0 || is_excluded(&sim->neighbor.settings, i, a / n, j, b / n, groups, n_groups)) continue;
+            const double listed = cutoff + sim->neighbor.settings.skin;
+            row[HS_TABLE_CUT_R2] = cutoff * cutoff;
+            row[HS_TABLE_LISTED_R2] = nextafter(listed * listed, INFINITY);   /* LAMMPS lists pairs up to and at the limit */
         }
     table->is_uniform = n_classes == 1 && hs_pair_table_is_uniform(table);
     return HS_OK;

@@ -16,7 +16,10 @@ static hs_status bring_neighbors_up_to_date(hs_sim *sim, hs_error *err)
     HS_TRY(hs_neighbor_is_due(&sim->neighbor, &sim->atoms, &sim->parallel, sim->env.step, &is_due, err));
     hs_timer_add(&sim->timer, HS_PHASE_NEIGH);
     if (is_due) ++sim->neighbor.counters.n_builds;
-    return hs_sim_exchange(sim, is_due, err);
+    if (is_due || !hs_neighbor_keeps_lists(&sim->neighbor)) return hs_sim_exchange(sim, is_due, err);
+    hs_halo_forward(&sim->halo, &sim->atoms);
+    hs_timer_add(&sim->timer, HS_PHASE_COMM);
+    return HS_OK;
 }
 
 hs_status hs_sim_step(hs_sim *sim, bool with_energy, hs_error *err)

@@ -5,14 +5,14 @@
 
 #include "base/memory.h"
 #include "comm/halo.h"
-#include "kernel/force.h"
+#include "kernel/cluster_list.h"
 #include "parallel/parallel.h"
 #include "style/pair.h"
 #include "support/harness.h"
 
 extern const hs_evaluator hs_evaluator_lj_cut;
 
-enum { MAX_TYPES = 4 };
+static const double skin = 0.3;
 
 typedef struct system {
     hs_box box;
@@ -36,8 +36,9 @@ static void set_pair(system_t *s, int i, int j, double epsilon, double sigma, do
                          4 * epsilon * pow(sigma, 6), 0.1 * i};
     for (int swap = 0; swap < 2; ++swap) {
         double *row = s->table.values + (swap ? j * s->table.n_types + i : i * s->table.n_types + j) * s->table.stride;
-        row[0] = cutoff * cutoff;
-        memcpy(row + 1, p, sizeof p);
+        row[HS_TABLE_CUT_R2] = cutoff * cutoff;
+        row[HS_TABLE_LISTED_R2] = (cutoff + skin) * (cutoff + skin);
+        memcpy(row + HS_TABLE_PARAMS, p, sizeof p);
     }
     s->cutoff_max = fmax(s->cutoff_max, cutoff);
 }
@@ -56,7 +57,7 @@ static void begin_system(system_t *s, int dimension, const double length[3], con
     ck_assert_hs_ok(hs_atoms_init(&s->atoms, &err), err);
     ck_assert_hs_ok(hs_atoms_set_types(&s->atoms, n_types, &err), err);
     s->table.n_types = n_types + 1;
-    s->table.stride = 1 + hs_evaluator_lj_cut.n_params;
+    s->table.stride = HS_TABLE_PARAMS + hs_evaluator_lj_cut.n_params;
     ck_assert_hs_ok(HS_ALLOC(s->table.values, (size_t)(s->table.n_types * s->table.n_types * s->table.stride), &err), err);
     for (int i = 1; i <= n_types; ++i)
         for (int j = i; j <= n_types; ++j) set_pair(s, i, j, 1.0 / i + 0.1 * j, 1.0 + 0.05 * (i + j - 2), 2.5 - 0.2 * (j - i));
@@ -137,8 +138,8 @@ static void add_image_pair(const system_t *s, forces_t *out, int i, int j, const
         d[axis] = s->atoms.x[axis][i] - s->atoms.x[axis][j] - shift[axis];
         r2 += d[axis] * d[axis];
     }
-    if (r2 >= row[0] || r2 == 0.0) return;
-    hs_evaluator_lj_cut.single(row + 1, r2, &over_r, &energy);
+    if (r2 >= row[HS_TABLE_CUT_R2] || r2 == 0.0) return;
+    hs_evaluator_lj_cut.single(row + HS_TABLE_PARAMS, r2, &over_r, &energy);
     static const int first[6] = {0, 1, 2, 0, 0, 1}, second[6] = {0, 1, 2, 1, 2, 2};
     for (int axis = 0; axis < 3; ++axis) out->f[axis][s->atoms.id[i] - 1] += over_r * d[axis];
     out->largest_pair = fmax(out->largest_pair, fabs(over_r) * sqrt(r2));
@@ -165,8 +166,14 @@ static forces_t sum_all_images(const system_t *s)
     return out;
 }
 
-static forces_t evaluate_with(system_t *s, bool is_nsq, hs_isa isa, bool with_energy)
+typedef enum { NSQ, CELL, CLUSTER, N_METHODS } method_t;
+static const char *const method_names[] = {"nsq", "cell", "cluster"};
+
+static forces_t evaluate_with(system_t *s, method_t method, hs_isa isa, bool with_energy)
 {
+    const bool is_nsq = method == NSQ;
+    const double reach = s->cutoff_max + (method == CLUSTER ? skin : 0.0);
+    hs_cluster_list list = {0};
     hs_cells cells = {0};
     hs_clusters clusters = {0};
     hs_halo halo = {0};
@@ -175,27 +182,33 @@ static forces_t evaluate_with(system_t *s, bool is_nsq, hs_isa isa, bool with_en
     hs_atoms *atoms = &s->atoms;
     if (!is_nsq) {
         const double density = atoms->n_local / hs_box_volume(&s->box);
-        ck_assert_hs_ok(hs_cells_set_grid(&cells, &s->box, s->cutoff_max,
-                                          hs_clusters_width(s->box.dimension, density, s->cutoff_max), atoms->n_local, &err), err);
+        ck_assert_hs_ok(hs_cells_set_grid(&cells, &s->box, reach, hs_clusters_width(s->box.dimension, density, reach),
+                                          atoms->n_local, &err), err);
         ck_assert_hs_ok(hs_cells_sort_local(&cells, atoms, &err), err);
         ck_assert_hs_ok(hs_atoms_permute(atoms, cells.order, false, &err), err);
     }
-    ck_assert_hs_ok(hs_halo_build(&halo, &s->box, atoms, s->cutoff_max, &err), err);
+    ck_assert_hs_ok(hs_halo_build(&halo, &s->box, atoms, reach, &err), err);
     if (!is_nsq) {
         ck_assert_hs_ok(hs_cells_sort_halo(&cells, atoms, &err), err);
         hs_halo_reorder(&halo, atoms, cells.order);
         ck_assert_hs_ok(hs_clusters_build(&clusters, &cells, atoms, &err), err);
     }
-    const hs_force_job job = {.atoms = atoms, .cells = &cells, .clusters = &clusters, .evaluator = &hs_evaluator_lj_cut,
-                              .isa = isa, .cutoff_max = s->cutoff_max, .with_energy = with_energy,
+    hs_force_job job = {.atoms = atoms, .cells = &cells, .clusters = &clusters, .evaluator = &hs_evaluator_lj_cut,
+                              .isa = isa, .cutoff_max = reach, .with_energy = with_energy,
                               .input = {.x = {atoms->x[0], atoms->x[1], atoms->x[2]}, .type = atoms->type, .table = &s->table}};
-    ck_assert_hs_ok((is_nsq ? hs_force_nsq : hs_force_cell)(&space, &job, &result, &err), err);
+    if (method == CLUSTER) {
+        ck_assert_hs_ok(hs_cluster_list_build(&list, &space, &job, &err), err);
+        ck_assert_hs_ok(hs_force_cluster(&space, &list, &job, &result, &err), err);
+    } else {
+        ck_assert_hs_ok((is_nsq ? hs_force_nsq : hs_force_cell)(&space, &job, &result, &err), err);
+    }
     hs_halo_reverse(&halo, atoms);
     forces_t out = make_forces(atoms->n_local);
     for (int i = 0; i < atoms->n_local; ++i)
         for (int axis = 0; axis < 3; ++axis) out.f[axis][atoms->id[i] - 1] = atoms->f[axis][i];
     out.energy = result.energy;
     memcpy(out.virial, result.virial, sizeof out.virial);
+    hs_cluster_list_fini(&list);
     hs_force_space_fini(&space);
     hs_halo_fini(&halo);
     hs_clusters_fini(&clusters);
@@ -232,17 +245,20 @@ static void check_all_methods(system_t *s, const char *what)
     char name[160];
     for (int threads = 1; threads <= 3; ++threads) {
         hs_threads_set(threads);
-        forces_t nsq = evaluate_with(s, true, HS_ISA_PORTABLE, true);
+        forces_t nsq = evaluate_with(s, NSQ, HS_ISA_PORTABLE, true);
         snprintf(name, sizeof name, "%s, nsq, %d threads", what, threads);
         assert_same(&nsq, &right, n, true, name);
         free_forces(&nsq);
-        for (int isa = 0; isa <= (int)hs_isa_best(); ++isa)
-            for (int with_energy = 0; with_energy < 2; ++with_energy) {
-                forces_t cell = evaluate_with(s, false, (hs_isa)isa, with_energy);
-                snprintf(name, sizeof name, "%s, cell, %s, %d threads, energy %d", what, hs_isa_names[isa], threads, with_energy);
-                assert_same(&cell, &right, n, with_energy, name);
-                free_forces(&cell);
-            }
+        for (int kind = 0; kind < 2 * 2 * ((int)hs_isa_best() + 1); ++kind) {
+            const method_t method = kind % 2 ? CELL : CLUSTER;
+            const bool with_energy = kind / 2 % 2;
+            const hs_isa isa = (hs_isa)(kind / 4);
+            forces_t fast = evaluate_with(s, method, isa, with_energy);
+            snprintf(name, sizeof name, "%s, %s, %s, %d threads, energy %d", what, method_names[method], hs_isa_names[isa], threads,
+                     with_energy);
+            assert_same(&fast, &right, n, with_energy, name);
+            free_forces(&fast);
+        }
     }
     free_forces(&right);
 }
@@ -297,7 +313,7 @@ START_TEST(force_is_minus_gradient_of_energy)
     add_random(&s, 120, 0.9, 99);
     const double h = 1e-5;
     for (int axis = 0; axis < 3; ++axis) {
-        forces_t at = evaluate_with(&s, false, hs_isa_best(), true);
+        forces_t at = evaluate_with(&s, CLUSTER, hs_isa_best(), true);
         int i = 0;
         while (s.atoms.id[i] != 17) ++i;
         const double x = s.atoms.x[axis][i];
@@ -305,7 +321,7 @@ START_TEST(force_is_minus_gradient_of_energy)
         for (int side = 0; side < 2; ++side) {
             for (i = 0; s.atoms.id[i] != 17;) ++i;
             s.atoms.x[axis][i] = x + (side ? h : -h);
-            forces_t moved = evaluate_with(&s, false, hs_isa_best(), true);
+            forces_t moved = evaluate_with(&s, CLUSTER, hs_isa_best(), true);
             energy[side] = moved.energy;
             free_forces(&moved);
         }

@@ -1,0 +1,58 @@
+/* From candidate cluster pairs to the pairs of atoms within the list's reach; compiled for every instruction set. */
+#include "kernel/kernel.h"
+#include "kernel/simd.h"
+
+/** Pair masks of the entries of one vector: which of the pairs allowed so far are within their listed distance. */
+static inline void refine_vector(const hs_kernel_input *in, int first, hs_cluster_entry *entry)
+{
+    const hs_pair_table *table = in->table;
+    uint32_t refined[HS_GROUP] = {0};
+    for (int sub = 0; sub < HS_SUBS; ++sub) {
+        const hs_vec x_j[3] = {hs_load_clusters(in->x[0], entry, sub), hs_load_clusters(in->x[1], entry, sub),
+                               hs_load_clusters(in->x[2], entry, sub)};
+        for (int row = 0; row < HS_CLUSTER; ++row) {
+            const int i = first + row;
+            const hs_vec dx = hs_set1(in->x[0][i]) - x_j[0], dy = hs_set1(in->x[1][i]) - x_j[1],
+                         dz = hs_set1(in->x[2][i]) - x_j[2];
+            const double *row_table = table->values + (size_t)in->type[i] * (size_t)(table->n_types * table->stride);
+            const hs_vec limit = hs_lookup(row_table + HS_TABLE_LISTED_R2, in->type, table->stride, entry, sub);
+            const uint32_t near = hs_mask_to_bits(hs_less(dx * dx + dy * dy + dz * dz, limit));
+            for (int k = 0; k < HS_GROUP; ++k)
+                refined[k] |= (near >> HS_CLUSTER * k & 0xfu) << (4 * row + (HS_SUBS > 1 ? HS_LANES * sub : 0));
+        }
+    }
+    for (int k = 0; k < HS_GROUP; ++k) entry[k].mask &= refined[k];
+}
+
+/** Rows (i-atoms) that have any pair in a mask. */
+static inline uint32_t rows_of(uint32_t mask)
+{
+    return ((mask & 0xfu) != 0) | (uint32_t)((mask & 0xf0u) != 0) << 1 | (uint32_t)((mask & 0xf00u) != 0) << 2 |
+           (uint32_t)((mask & 0xf000u) != 0) << 3;
+}
+
+/** Drop entries without pairs and order the rest by their rows, so that neighbors in the list skip the same rows. */
+static int order_by_rows(hs_cluster_entry *entry, int n, hs_cluster_entry *scratch)
+{
+    /* rows in an order in which few change from one to the next (a Gray code), full ones first */
+    static const unsigned char place[16] = {15, 6, 8, 7, 12, 11, 9, 10, 5, 4, 2, 3, 13, 14, 1, 0};
+    int count[17] = {0};
+    for (int e = 0; e < n; ++e) {
+        scratch[e] = entry[e];
+        if (entry[e].mask != 0) ++count[place[rows_of(entry[e].mask)] + 1];
+    }
+    for (int k = 0; k < 16; ++k) count[k + 1] += count[k];
+    for (int e = 0; e < n; ++e)
+        if (scratch[e].mask != 0) entry[count[place[rows_of(scratch[e].mask)]]++] = scratch[e];
+    return count[14];
+}
+
+static int refine(const hs_kernel_input *in, int first, hs_cluster_entry *entry, int n, hs_cluster_entry *scratch)
+{
+    for (int e = 0; e < n; e += HS_GROUP) refine_vector(in, first, entry + e);
+    return order_by_rows(entry, n, scratch);
+}
+
+#define PASTE_(a, b) a##b
+#define PASTE(a, b) PASTE_(a, b)
+const hs_list_refine PASTE(hs_list_refine_, HS_KERNEL_ISA) = refine;
