@@ -1,5 +1,6 @@
 /* halfshell check: the deck as far as it can be judged without a step and without writing a file. */
 #include <stdio.h>
+#include <string.h>
 #include <unistd.h>
 
 #include "cli/cli.h"
@@ -25,7 +26,8 @@ hs_status hs_cli_check(const hs_cli *cli, hs_error *err)
     if (status == HS_OK) status = hs_deck_run(deck, settings.deck, err);
     hs_deck_destroy(&deck);
     if (status != HS_OK) return status;
-    hs_say(&out, "%s: no errors found; no step was run and no file written\n", settings.deck);
+    hs_say(&out, "%s: no errors found; no step was run and no file written\n",
+           strcmp(settings.deck, "-") == 0 ? "standard input" : settings.deck);
     if (out.screen != NULL && (fflush(out.screen) != 0 || ferror(out.screen)))
         return hs_fail(err, HS_ERROR_IO, "the report could not be written");
     return HS_OK;

@@ -40,13 +40,15 @@ typedef struct hs_cli {
     hs_parallel *parallel;                   /**< the ranks of this program */
 } hs_cli;
 
+enum { HS_CLI_NO_EFFECT_MAX = 2 };   /* -suffix, -package */
+
 /** What the options say. Words are borrowed from the command line. */
 typedef struct hs_cli_settings {
     const char *deck;             /**< NULL: none was given; "-": standard input */
     hs_options options;
     const char *log, *screen;     /**< file, or "none"; NULL: the default */
     bool echo_screen, echo_log;
-    const char *no_effect;        /**< a LAMMPS option that was accepted and changes nothing, or NULL */
+    const char *no_effect[HS_CLI_NO_EFFECT_MAX];   /**< LAMMPS options that were accepted and change nothing */
     const char *last_value;       /**< last value of the last -var with several: it may have been meant as the deck */
     const char *last_variable;
 } hs_cli_settings;

@@ -143,7 +143,9 @@ static hs_status parse_option(const hs_cli *cli, const hs_cli_option *option, in
         settings->last_value = *used > 2 ? cli->word[end - 1] : NULL;
         return HS_OK;
     }
-    settings->no_effect = option->name;
+    int i = 0;
+    while (i + 1 < HS_CLI_NO_EFFECT_MAX && settings->no_effect[i] != NULL && settings->no_effect[i] != option->name) ++i;
+    settings->no_effect[i] = option->name;
     if (strcmp(option->name, "-package") == 0) *used = end - first;
     return HS_OK;
 }

@@ -36,45 +36,51 @@ static void say_wall_time(hs_sink *out, double start_s)
            seconds % SECONDS_AN_HOUR / SECONDS_A_MINUTE, seconds % SECONDS_A_MINUTE);
 }
 
-/** First pass, second pass. On return *exit_code is the deck's own (quit N). */
-static hs_status run_deck(const hs_cli *cli, const hs_cli_settings *settings, hs_sink *out, FILE **log, double start_s,
-                          int *exit_code, hs_error *err)
-{
-    hs_deck *deck = NULL;
-    hs_status status = hs_deck_create(&deck, &settings->options, out, err);
-    if (status == HS_OK) {
-        deck->log_opened = *log;   /* from here on the deck closes it, and the deck's own `log` may replace it */
-        *log = NULL;
-        deck->echo_screen = settings->echo_screen;
-        deck->echo_log = settings->echo_log;
-        deck->sim->stop_requested = cli->stop_requested;
-        status = hs_cli_set_variables(cli, HS_CLI_RUN, deck, err);
-    }
-    if (status == HS_OK) status = hs_deck_check(deck, settings->deck, err);
-    if (status == HS_OK) status = hs_deck_run(deck, settings->deck, err);
-    if (status == HS_OK) *exit_code = deck->exit_code;
-    if (status != HS_OK)
-        hs_say_log(out, "%s%s (%s:%ld)\n", status == HS_INTERRUPTED ? "" : "ERROR: ", err->text,
-                   err->file[0] != '\0' ? err->file : settings->deck, err->line);
-    hs_progress_wipe(out);
-    if (status == HS_OK) say_wall_time(out, start_s);
-    if (status == HS_OK) status = flush_output(out->log, "log file", err);
-    hs_deck_destroy(&deck);
-    return status;
-}
-
 static void greet(const hs_cli *cli, const hs_cli_settings *settings, hs_sink *out)
 {
     int n_threads = hs_threads_get();
     hs_say(out, "Halfshell %s, %d rank%s of %d thread%s\n", HALFSHELL_VERSION, cli->parallel->n_ranks,
            cli->parallel->n_ranks == 1 ? "" : "s", n_threads, n_threads == 1 ? "" : "s");
-    if (settings->no_effect != NULL)
-        hs_say(out, "The option %s has no effect: Halfshell chooses its own kernels\n", settings->no_effect);
+    for (int i = 0; i < HS_CLI_NO_EFFECT_MAX && settings->no_effect[i] != NULL; ++i)
+        hs_say(out, "The option %s has no effect: Halfshell chooses its own kernels\n", settings->no_effect[i]);
+}
+
+/** First pass over the deck, before anything is written: a deck that is refused leaves the last run's log in place. */
+static hs_status prepare(const hs_cli *cli, const hs_cli_settings *settings, hs_deck *deck, hs_error *err)
+{
+    deck->echo_screen = settings->echo_screen;
+    deck->echo_log = settings->echo_log;
+    deck->sim->stop_requested = cli->stop_requested;
+    HS_TRY(hs_cli_set_variables(cli, HS_CLI_RUN, deck, err));
+    HS_TRY(hs_deck_check(deck, settings->deck, err));
+    HS_TRY(open_output(cli, "-log", settings->log != NULL ? settings->log : "log.halfshell", &deck->log_opened, err));
+    deck->out->log = deck->log_opened;   /* the deck closes it, and the deck's own `log` may replace it */
+    greet(cli, settings, deck->out);
+    return HS_OK;
+}
+
+/** Run the deck. On return *exit_code is the deck's own (quit N). */
+static hs_status run_deck(const hs_cli *cli, const hs_cli_settings *settings, hs_sink *out, int *exit_code, hs_error *err)
+{
+    const double start_s = hs_time_now_s();
+    hs_deck *deck = NULL;
+    HS_TRY(hs_deck_create(&deck, &settings->options, out, err));
+    hs_status status = prepare(cli, settings, deck, err);
+    if (status == HS_OK) status = hs_deck_run(deck, settings->deck, err);
+    if (status == HS_OK) *exit_code = deck->exit_code;
+    hs_progress_wipe(out);
+    if (status != HS_OK)
+        hs_say_log(out, "%s%s (%s:%ld)\n", status == HS_INTERRUPTED ? "" : "ERROR: ", err->text,
+                   err->file[0] != '\0' ? err->file : settings->deck, err->line);
+    else
+        say_wall_time(out, start_s);
+    if (status == HS_OK) status = flush_output(out->log, "log file", err);
+    hs_deck_destroy(&deck);
+    return status;
 }
 
 hs_status hs_cli_run(const hs_cli *cli, int *exit_code, hs_error *err)
 {
-    const double start_s = hs_time_now_s();
     hs_cli_settings settings;
     HS_TRY(hs_cli_parse(cli, HS_CLI_RUN, &settings, err));
     if (settings.deck == NULL) {
@@ -82,17 +88,12 @@ hs_status hs_cli_run(const hs_cli *cli, int *exit_code, hs_error *err)
             return hs_fail(err, HS_ERROR_INPUT, "no deck given; usage: halfshell DECK [options], see: halfshell --help");
         settings.deck = "-";
     }
-    FILE *screen = NULL, *log = NULL;
-    HS_TRY(open_output(cli, "-screen", settings.screen != NULL ? settings.screen : "none", &screen, err));
-    hs_status status = open_output(cli, "-log", settings.log != NULL ? settings.log : "log.halfshell", &log, err);
-    if (status == HS_OK) {
-        hs_sink out = {.screen = settings.screen != NULL ? screen : cli->parallel->rank == 0 ? stdout : NULL, .log = log};
-        hs_threads_set(settings.options.n_threads);
-        greet(cli, &settings, &out);
-        status = run_deck(cli, &settings, &out, &log, start_s, exit_code, err);
-        if (status == HS_OK) status = flush_output(out.screen, "screen output", err);
-    }
-    if (log != NULL) fclose(log);
-    if (screen != NULL) fclose(screen);
+    FILE *file = NULL;
+    HS_TRY(open_output(cli, "-screen", settings.screen != NULL ? settings.screen : "none", &file, err));
+    hs_sink out = {.screen = settings.screen != NULL ? file : cli->parallel->rank == 0 ? stdout : NULL};
+    hs_threads_set(settings.options.n_threads);
+    hs_status status = run_deck(cli, &settings, &out, exit_code, err);
+    if (status == HS_OK) status = flush_output(out.screen, "screen output", err);
+    if (file != NULL) fclose(file);
     return status;
 }
