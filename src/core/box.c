@@ -24,6 +24,7 @@ void hs_box_settle_faces(hs_box *box)
 {
     for (int axis = 0; axis < 3; ++axis) {
         const double margin = 1.0e-4 * (box->hi[axis] - box->lo[axis]);
+        box->shrink_margin[axis] = margin;
         const double face[2] = {box->lo[axis], box->hi[axis]};
         if (box->boundary[axis][0] == HS_BOUNDARY_SHRINK) box->lo[axis] -= margin;
         if (box->boundary[axis][1] == HS_BOUNDARY_SHRINK) box->hi[axis] += margin;

@@ -19,6 +19,7 @@ typedef struct hs_box {
     double lo[3], hi[3];         /**< distance units */
     hs_boundary boundary[3][2];  /**< [axis][lo, hi] */
     bool periodic[3];
+    double shrink_margin[3];     /**< gap between a shrink-wrapped face and its outermost atom; from the first box */
     double shrink_limit[3][2];   /**< for 'm' faces: the place they may not move inside of */
 } hs_box;
 

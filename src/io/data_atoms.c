@@ -84,6 +84,19 @@ static hs_status settle(const hs_box *box, double x[3], int32_t image[3], hs_err
     return HS_OK;
 }
 
+/** Where the box is not periodic there are no images: as LAMMPS does, set the flags to 0 and say so. */
+static void forget_images(hs_data_reader *reader, int32_t image[3])
+{
+    for (int axis = 0; axis < 3; ++axis) {
+        if (reader->env->box->periodic[axis] || image[axis] == 0) continue;
+        image[axis] = 0;
+        if (!reader->image_reset[axis])
+            hs_warn(reader->env->out, "%s:%ld: image flags in %c are set to 0: the box is not periodic there",
+                    reader->lines.path, reader->lines.number, "xyz"[axis]);
+        reader->image_reset[axis] = true;
+    }
+}
+
 static hs_status read_atom(hs_data_reader *reader, hs_error *err)
 {
     const hs_lines *lines = &reader->lines;
@@ -102,6 +115,7 @@ static hs_status read_atom(hs_data_reader *reader, hs_error *err)
     HS_TRY(read_images(lines, image, err));
     for (int axis = 0; axis < 3; ++axis) x[axis] += reader->options->shift[axis];
     HS_TRY(settle(reader->env->box, x, image, err));
+    forget_images(reader, image);
     HS_TRY(hs_atoms_add(atoms, id, (int)type, x, err));
     const int i = atoms->n_local - 1;
     for (int axis = 0; axis < 3; ++axis) atoms->image[axis][i] = image[axis];

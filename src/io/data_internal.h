@@ -28,6 +28,7 @@ typedef struct hs_data_reader {
     int64_t id_offset;
     hs_data_id *id;               /**< owned [n_ids], sorted once the section Atoms is read */
     int n_ids;
+    bool image_reset[3];          /**< image flags along an axis that is not periodic were met */
     bool has_atoms, has_velocities, has_masses;
 } hs_data_reader;
 

@@ -28,16 +28,16 @@ static inline void wrap_axis(const hs_box *box, hs_atoms *atoms, double *listed,
 static void wrap(hs_sim *sim)
 {
     hs_atoms *atoms = &sim->atoms;
+#pragma omp parallel
     for (int axis = 0; axis < 3; ++axis) {
         if (!sim->box.periodic[axis]) continue;
         double *listed = sim->neighbor.x_listed[axis];
-#pragma omp parallel for schedule(static)
+#pragma omp for schedule(static) nowait
         for (int i = 0; i < atoms->n_local; ++i) wrap_axis(&sim->box, atoms, listed, axis, i);
     }
 }
 
-/** Let shrink-wrapped faces follow the outermost atoms (collective). */
-static void shrink_box(hs_sim *sim)
+void hs_sim_shrink_box(hs_sim *sim)
 {
     hs_box *box = &sim->box;
     for (int axis = 0; axis < 3; ++axis) {
@@ -50,7 +50,7 @@ static void shrink_box(hs_sim *sim)
         }
         hs_parallel_max_double(&sim->parallel, extent, 2);
         if (extent[0] == -DBL_MAX) continue;   /* no atoms: nothing to follow */
-        const double lo = -extent[0] - sim->small[axis], hi = extent[1] + sim->small[axis];
+        const double lo = -extent[0] - box->shrink_margin[axis], hi = extent[1] + box->shrink_margin[axis];
         const hs_boundary *kind = box->boundary[axis];
         if (kind[0] == HS_BOUNDARY_SHRINK) box->lo[axis] = lo;
         if (kind[0] == HS_BOUNDARY_SHRINK_MIN) box->lo[axis] = fmin(lo, box->shrink_limit[axis][0]);
@@ -105,7 +105,7 @@ static hs_status sort_and_cluster(hs_sim *sim, double reach, hs_error *err)
     const double width = hs_clusters_width(sim->box.dimension, density, reach);
     HS_TRY(hs_cells_set_grid(&neighbor->cells, &sim->box, reach, width, atoms->n_local, err));
     HS_TRY(hs_cells_sort_local(&neighbor->cells, atoms, err));
-    HS_TRY(hs_atoms_permute(atoms, neighbor->cells.order, false, err));
+    HS_TRY(hs_atoms_permute(atoms, neighbor->cells.order, err));
     hs_timer_add(&sim->timer, HS_PHASE_NEIGH);
     HS_TRY(hs_halo_build(&sim->halo, &sim->box, atoms, reach, err));
     hs_timer_add(&sim->timer, HS_PHASE_COMM);
@@ -150,7 +150,7 @@ hs_status hs_sim_exchange(hs_sim *sim, bool is_listing, hs_error *err)
 {
     hs_timer_mark(&sim->timer);
     wrap(sim);
-    if (is_listing) shrink_box(sim);
+    if (is_listing) hs_sim_shrink_box(sim);
     (void)find_lost(sim, err);
     HS_TRY(hs_parallel_agree(&sim->parallel, err));
     if (is_listing) hs_neighbor_list_now(&sim->neighbor, &sim->atoms);

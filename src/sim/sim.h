@@ -57,7 +57,6 @@ typedef struct hs_sim {
     hs_timer timer;
 
     bool is_initialized;      /**< a run has been set up since the last change of the system (run pre no is allowed) */
-    double small[3];          /**< gap between the outermost atom and a shrink-wrapped face, distance */
     int64_t *n_of_type;       /**< owned [n_types + 1]: atoms of each type on all ranks, counted at set-up */
     volatile sig_atomic_t *stop_requested;   /**< borrowed: set by a signal handler; NULL without one */
 } hs_sim;
@@ -88,6 +87,8 @@ hs_compute *hs_sim_find_compute(hs_sim *sim, const char *id);
 hs_region *hs_sim_find_region(hs_sim *sim, const char *id);
 hs_dump *hs_sim_find_dump(hs_sim *sim, const char *id);
 
+/** Let shrink-wrapped faces follow the outermost atoms (collective).  sim/exchange.c */
+void hs_sim_shrink_box(hs_sim *sim);
 /** A pair style that was given before the box: make it anew for the number of types there are now.  sim/styles.c */
 HS_MUST_USE hs_status hs_sim_fit_pair(hs_sim *sim, hs_error *err);
 /** Fail unless there is a pair style. */
