@@ -14,10 +14,10 @@ static int count_triple_quotes(const char *text)
     return n;
 }
 
-/** Remove blanks at the end of the text. */
-static void trim(hs_text *line)
+/** Remove blanks at the end of the text, but nothing of its first n_kept bytes. */
+static void trim(hs_text *line, size_t n_kept)
 {
-    while (line->length > 0 && isspace((unsigned char)line->data[line->length - 1])) --line->length;
+    while (line->length > n_kept && isspace((unsigned char)line->data[line->length - 1])) --line->length;
     if (line->data != NULL) line->data[line->length] = '\0';
 }
 
@@ -27,6 +27,7 @@ hs_status hs_lexer_line(const char *data, size_t size, hs_cursor *cursor, hs_tex
     hs_text_clear(line);
     *first = cursor->n_lines_read + 1;
     *found = false;
+    size_t n_kept = 0;   /* up to the last line break within triple quotes */
     while (cursor->at < size) {
         *found = true;
         const char *begin = data + cursor->at;
@@ -38,13 +39,14 @@ hs_status hs_lexer_line(const char *data, size_t size, hs_cursor *cursor, hs_tex
             return hs_fail(err, HS_ERROR_INPUT, "line %ld holds a NUL byte: this is not the text of a deck",
                            cursor->n_lines_read);
         HS_TRY(hs_text_append(line, begin, n, err));
-        trim(line);
-        if (line->length > 0 && line->data[line->length - 1] == '&') {
+        trim(line, n_kept);
+        if (line->length > n_kept && line->data[line->length - 1] == '&') {
             line->data[--line->length] = '\0';
             continue;
         }
         if (line->data == NULL || count_triple_quotes(line->data) % 2 == 0) return HS_OK;
         HS_TRY(hs_text_append(line, "\n", 1, err));
+        n_kept = line->length;
     }
     if (*found && line->data != NULL && count_triple_quotes(line->data) % 2 != 0)
         return hs_fail(err, HS_ERROR_INPUT, "the triple quotes (\"\"\") opened here are not closed before the end of the file");

@@ -131,8 +131,10 @@ hs_status hs_thermo_init(hs_thermo *thermo, hs_error *err)
 bool hs_thermo_is_due(const hs_thermo *thermo, int64_t step)
 {
     const hs_env *env = &thermo->sim->env;
-    if (step == env->first_step || step == env->last_step) return true;
+    if (step == env->first_step) return true;
+    /* As in LAMMPS, a variable decides about the last step too. */
     if (thermo->every_variable != NULL) return step == thermo->next_due;
+    if (step == env->last_step) return true;
     return thermo->every > 0 && step % thermo->every == 0;
 }
 
