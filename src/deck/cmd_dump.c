@@ -113,7 +113,7 @@ static hs_status run_write_dump(hs_deck *deck, const hs_args *args, hs_error *er
     table->is_single = true;
     hs_status status = hs_dump_modify(dump, &changes, err);
     if (status == HS_OK) status = dump->style->init(dump, err);
-    if (status == HS_OK) status = dump->style->write(dump, err);
+    if (status == HS_OK && !deck->options.dry_run) status = dump->style->write(dump, err);
     hs_error ignored = {0};
     const hs_status removed = hs_sim_remove_dump(deck->sim, id, status == HS_OK ? err : &ignored);
     return status != HS_OK ? status : removed;

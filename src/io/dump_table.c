@@ -125,7 +125,7 @@ hs_status hs_dump_table_init(hs_dump *dump, hs_error *err)
         return hs_fail(err, HS_ERROR_INPUT, "dump '%s': dump_modify sort %d: a row has %d columns", dump->id,
                        table->sort_column, table->n_columns);
     HS_TRY(make_formats(dump, err));
-    if (is_file_per_step(dump) || table->writer != NULL) return HS_OK;
+    if (env->dry_run || is_file_per_step(dump) || table->writer != NULL) return HS_OK;
     return hs_writer_open(&table->writer, dump->file, dump->append ? HS_WRITE_APPEND : HS_WRITE_REPLACE, err);
 }
 

@@ -37,7 +37,7 @@ static hs_status create(hs_sim *sim, const hs_options *options, hs_sink *out, hs
     HS_TRY(hs_neighbor_init(&sim->neighbor, &sim->atoms, units->skin, err));
     if (options->neighbor_method[0] != '\0') HS_TRY(hs_neighbor_set_method(&sim->neighbor, options->neighbor_method, err));
     sim->env = (hs_env){.parallel = &sim->parallel, .out = out, .units = units, .box = &sim->box, .atoms = &sim->atoms,
-                        .groups = &sim->groups, .lattice = &sim->lattice, .dt = units->dt, .energy_step = -1,
+                        .groups = &sim->groups, .lattice = &sim->lattice, .dry_run = options->dry_run, .dt = units->dt, .energy_step = -1,
                         .find_compute = find_compute, .find_fix = find_fix, .find_region = find_region};
     hs_parallel_world(&sim->parallel);
     HS_TRY(add_thermo_computes(sim, err));

@@ -24,6 +24,8 @@ typedef struct hs_env {
     hs_groups *groups;
     struct hs_lattice *lattice;   /**< never NULL; `none` until the deck sets one */
 
+    bool dry_run;          /**< halfshell check: nothing may open, write or remove a file */
+
     int64_t step;          /**< number of the present timestep */
     int64_t first_step;    /**< step at which the present (or next) run began */
     int64_t last_step;     /**< step at which it ends */

@@ -36,7 +36,7 @@ check_output() {
         { echo "$*: unexpected output:" >&2; cat "$work/out" >&2; exit 1; }
 }
 
-cmake -S "$PROJECT_ROOT/tests/package" -B "$work/cmake" -DCMAKE_PREFIX_PATH="$prefix" -DCMAKE_C_FLAGS="${flags[*]-}" \
+cmake -G Ninja -S "$PROJECT_ROOT/tests/package" -B "$work/cmake" -DCMAKE_PREFIX_PATH="$prefix" -DCMAKE_C_FLAGS="${flags[*]-}" \
     >"$work/configure.log" 2>&1 || { cat "$work/configure.log" >&2; exit 1; }
 cmake --build "$work/cmake" >"$work/build.log" 2>&1 || { cat "$work/build.log" >&2; exit 1; }
 check_output "$work/cmake/with_shared"

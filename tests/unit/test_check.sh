@@ -1,0 +1,52 @@
+#!/bin/bash
+# `halfshell check` goes through a whole deck, says what it would do, and writes no file; a mistake is still found.
+set -eu
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+cd "$work"
+cat >deck.in <<'END'
+units lj
+lattice fcc 0.8
+region b block 0 3 0 3 0 3
+create_box 1 b
+create_atoms 1 box
+mass 1 1
+pair_style lj/cut 2.0
+pair_coeff 1 1 1 1
+fix 1 all nve
+dump 1 all atom 1 a.dump
+dump 2 all xyz 1 b.*.xyz
+dump 3 all custom 1 c.dump.gz id x
+write_dump all atom d.dump
+log second.log
+print "hello" file hello.txt
+write_data out.data
+run 5
+write_data out.*.data
+END
+"$HALFSHELL" check deck.in >out 2>err || { cat out err >&2; exit 1; }
+[ "$(ls)" = $'deck.in\nerr\nout' ] || { echo "check wrote files:" * >&2; exit 1; }
+for part in "Run of 5 steps" "108 atoms" "no errors found"; do
+    grep -q "$part" out || { echo "check does not say '$part'" >&2; cat out >&2; exit 1; }
+done
+
+# What only values can tell is found too, at its line, with exit code 1.
+sed 's/^mass 1 1$//' deck.in >bad.in
+code=0
+"$HALFSHELL" check bad.in >out 2>err || code=$?
+if [ "$code" -ne 1 ] || ! grep -q '^bad.in:[0-9]*: error: .*mass' err; then cat out err >&2; exit 1; fi
+
+# A refused deck leaves the log of the last run in place; a signal ends a run with exit code 3.
+echo "last run" >log.halfshell
+echo "unitz lj" >worse.in
+code=0
+"$HALFSHELL" worse.in >out 2>err || code=$?
+[ "$code" -eq 1 ] && [ "$(cat log.halfshell)" = "last run" ] && grep -q "'units'" err
+sed 's/^run 5/run 100000000/; /^dump/d; /^log/d; /^write/d; /^print/d' deck.in >long.in
+"$HALFSHELL" long.in -log none >out 2>err &
+run=$!
+sleep 1
+kill -INT "$run"
+code=0
+wait "$run" || code=$?
+[ "$code" -eq 3 ] || { echo "after SIGINT the exit code is $code" >&2; exit 1; }
