@@ -5,6 +5,7 @@
 #include <halfshell/halfshell.h>
 #include <math.h>
 #include <stdarg.h>
+#include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
 
