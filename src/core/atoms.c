@@ -3,9 +3,10 @@
 #include <string.h>
 
 #include "base/memory.h"
+#include "parallel/parallel.h"
 
-/** Elements of every array, also of those that have no halo part, so that the sort can let them rotate through one
- *  spare array. What is never written never becomes resident, so the unused part costs no memory. */
+/** Elements of every array, also of those that have no halo part, so that the sort can let them change places
+ *  with the force arrays. What is never written never becomes resident, so the unused part costs no memory. */
 static size_t room(int capacity_local, int capacity_halo)
 {
     return (size_t)capacity_local + (size_t)capacity_halo + HS_ATOMS_PAD;
@@ -47,8 +48,6 @@ void hs_atoms_fini(hs_atoms *atoms)
     for (int k = 0; k < atoms->n_fields; ++k) HS_FREE(*atoms->field[k].array);
     HS_FREE(atoms->field);
     HS_FREE(atoms->mass);
-    HS_FREE(atoms->spare8);
-    HS_FREE(atoms->spare4);
     memset(atoms, 0, sizeof *atoms);
 }
 
@@ -68,8 +67,6 @@ static hs_status resize(hs_atoms *atoms, int capacity_local, int capacity_halo, 
         size_t n_keep = field->has_halo ? n_used : (size_t)atoms->n_local;
         HS_TRY(hs_memory_grow(field->array, n_keep, room(capacity_local, capacity_halo), field->size, err));
     }
-    HS_FREE(atoms->spare8);
-    HS_FREE(atoms->spare4);
     atoms->capacity_local = capacity_local;
     atoms->capacity_halo = capacity_halo;
     return HS_OK;
@@ -120,54 +117,88 @@ void hs_atoms_remove(hs_atoms *atoms, const unsigned char *drop)
     ++atoms->generation;
 }
 
-static void gather8(uint64_t *restrict to, const uint64_t *restrict from, const int32_t *restrict order, int n)
+/** Gather this thread's share of one field into `to`. */
+static void gather(void *to, const void *from, const int32_t *order, int64_t begin, int64_t end, size_t size)
 {
-#pragma omp parallel for schedule(static)
-    for (int k = 0; k < n; ++k) to[k] = from[order[k]];
-}
-
-static void gather4(uint32_t *restrict to, const uint32_t *restrict from, const int32_t *restrict order, int n)
-{
-#pragma omp parallel for schedule(static)
-    for (int k = 0; k < n; ++k) to[k] = from[order[k]];
-}
-
-static void gather_wide(char *restrict to, const char *restrict from, const int32_t *restrict order, int n, size_t size)
-{
-#pragma omp parallel for schedule(static)
-    for (int k = 0; k < n; ++k) memcpy(to + size * (size_t)k, from + size * (size_t)order[k], size);
-}
-
-/** Reorder one field. Arrays of 4 and 8 bytes an atom rotate through a spare array of the same size, so nothing is
- *  copied back; wider ones (of styles) are rare and pay for a copy. */
-static hs_status permute_field(hs_atoms *atoms, hs_atom_field *field, const int32_t *order, hs_error *err)
-{
-    const int n = atoms->n_local;
-    if (field->size == 8 || field->size == 4) {
-        void **spare = field->size == 8 ? &atoms->spare8 : &atoms->spare4;
-        if (*spare == NULL)
-            HS_TRY(hs_memory_alloc(spare, room(atoms->capacity_local, atoms->capacity_halo), field->size, err));
-        if (field->size == 8)
-            gather8(*spare, *field->array, order, n);
-        else
-            gather4(*spare, *field->array, order, n);
-        void *sorted = *spare;
-        *spare = *field->array;
-        *field->array = sorted;
-        return HS_OK;
+    if (size == 8) {
+        uint64_t *restrict out = to;
+        const uint64_t *restrict in = from;
+        for (int64_t k = begin; k < end; ++k) out[k] = in[order[k]];
+    } else if (size == 4) {
+        uint32_t *restrict out = to;
+        const uint32_t *restrict in = from;
+        for (int64_t k = begin; k < end; ++k) out[k] = in[order[k]];
+    } else {
+        for (int64_t k = begin; k < end; ++k) memcpy((char *)to + size * (size_t)k, (const char *)from + size * (size_t)order[k], size);
     }
+}
+
+/** Fields of 8 bytes an atom, three at a time, into the three force arrays, whose contents are not needed: the sorted
+ *  arrays become the fields, and the old ones serve as the force arrays of the next three. Nothing is copied back and no
+ *  memory is needed. All threads of a region call this together. */
+static void permute_by_rotation(hs_atoms *atoms, const int32_t *order, int64_t begin, int64_t end)
+{
+    void **batch[3];
+    int n_batch = 0;
+    for (int k = 0; k <= atoms->n_fields; ++k) {
+        hs_atom_field *field = k < atoms->n_fields ? &atoms->field[k] : NULL;
+        if (field != NULL && field->size == 8 && !field->is_force) batch[n_batch++] = field->array;
+        if (n_batch < 3 && field != NULL) continue;
+        for (int b = 0; b < n_batch; ++b) gather(atoms->f[b], *batch[b], order, begin, end, 8);
+#pragma omp barrier
+#pragma omp single
+        for (int b = 0; b < n_batch; ++b) {
+            void *sorted = atoms->f[b];
+            atoms->f[b] = *batch[b];
+            *batch[b] = sorted;
+        }
+        n_batch = 0;
+    }
+}
+
+/** Fields of 4 bytes an atom, six at a time, through the memory of the force arrays and back. */
+static void permute_by_copy(hs_atoms *atoms, const int32_t *order, int64_t begin, int64_t end)
+{
+    int first = 0;
+    while (first < atoms->n_fields) {
+        uint32_t *scratch[6];
+        void *array[6];
+        int n = 0;
+        for (; first < atoms->n_fields && n < 6; ++first) {
+            if (atoms->field[first].size != 4) continue;
+            scratch[n] = (uint32_t *)(void *)atoms->f[n / 2] + (n % 2 ? atoms->n_local : 0);
+            array[n++] = *atoms->field[first].array;
+        }
+        for (int b = 0; b < n; ++b) gather(scratch[b], array[b], order, begin, end, 4);
+#pragma omp barrier
+        for (int b = 0; b < n; ++b) memcpy((uint32_t *)array[b] + begin, scratch[b] + begin, (size_t)(end - begin) * 4);
+#pragma omp barrier
+    }
+}
+
+/** Wider fields (of styles) are rare and pay for a copy. */
+static hs_status permute_wide(hs_atoms *atoms, const hs_atom_field *field, const int32_t *order, hs_error *err)
+{
+    const size_t bytes = (size_t)atoms->n_local * field->size;
     char *sorted;
-    HS_TRY(HS_ALLOC(sorted, (size_t)n * field->size, err));
-    gather_wide(sorted, *field->array, order, n, field->size);
-    memcpy(*field->array, sorted, (size_t)n * field->size);
+    HS_TRY(HS_ALLOC(sorted, bytes, err));
+    gather(sorted, *field->array, order, 0, atoms->n_local, field->size);
+    memcpy(*field->array, sorted, bytes);
     HS_FREE(sorted);
     return HS_OK;
 }
 
-hs_status hs_atoms_permute(hs_atoms *atoms, const int32_t *order, bool with_forces, hs_error *err)
+hs_status hs_atoms_permute(hs_atoms *atoms, const int32_t *order, hs_error *err)
 {
     for (int k = 0; k < atoms->n_fields; ++k)
-        if (with_forces || !atoms->field[k].is_force) HS_TRY(permute_field(atoms, &atoms->field[k], order, err));
+        if (atoms->field[k].size != 4 && atoms->field[k].size != 8) HS_TRY(permute_wide(atoms, &atoms->field[k], order, err));
+#pragma omp parallel
+    {
+        int64_t begin, end;
+        hs_thread_range(atoms->n_local, 16, hs_thread_number(), hs_thread_count(), &begin, &end);
+        permute_by_rotation(atoms, order, begin, end);
+        permute_by_copy(atoms, order, begin, end);
+    }
     atoms->n_halo = 0;
     ++atoms->generation;
     return HS_OK;

@@ -42,7 +42,6 @@ typedef struct hs_atoms {
     hs_atom_field *field;
     int n_fields, capacity_fields;
     int capacity_local, capacity_halo;   /**< room for atoms, without padding */
-    void *spare8, *spare4;               /**< room for one array each, used by the sort */
 } hs_atoms;
 
 HS_MUST_USE hs_status hs_atoms_init(hs_atoms *atoms, hs_error *err);
@@ -56,9 +55,9 @@ HS_MUST_USE hs_status hs_atoms_add(hs_atoms *atoms, int64_t id, int type, const 
 /** Remove local atoms whose flag is nonzero (drop[n_local]), keeping the order of the rest; halo atoms are forgotten.
  *  Not collective: the caller brings n_all up to date. */
 void hs_atoms_remove(hs_atoms *atoms, const unsigned char *drop);
-/** Reorder the local atoms: new atom k is old atom order[k]. Threaded; halo atoms are forgotten. Forces are not
- *  carried along (they are recomputed) unless @p with_forces. */
-HS_MUST_USE hs_status hs_atoms_permute(hs_atoms *atoms, const int32_t *order, bool with_forces, hs_error *err);
+/** Reorder the local atoms: new atom k is old atom order[k]. Threaded; halo atoms and forces are forgotten (they are
+ *  computed anew; their memory is used for the sort). */
+HS_MUST_USE hs_status hs_atoms_permute(hs_atoms *atoms, const int32_t *order, hs_error *err);
 /** Register an array that travels with the atoms. *array is allocated zeroed at the present capacity. The caller
  *  owns the pointer variable, which must stay in place until hs_atoms_remove_field, which frees the array.
  *  @p size must be 4 or a multiple of 8 bytes. */

@@ -76,11 +76,10 @@ static hs_status list_cluster(hs_list_chunk *chunk, hs_force_buffer *buffer, con
     found->n = hs_isa_refine(job->isa)(&job->input, first, found->entry, n_found, found->entry + found->n);
     for (int e = 0; e < found->n; ++e) {
         mark(chunk, found->entry[e].first);
-        chunk->n_pairs += __builtin_popcount(found->entry[e].mask);
+        chunk->n_pairs += __builtin_popcount(found->entry[e].mask & 0xffffu);
     }
     if (found->n == 0) return HS_OK;
     mark(chunk, first);
-    HS_TRY(hs_entry_list_pad(found, 0, group, first, err));
     HS_TRY(hs_entry_list_reserve(kept, found->n, err));
     memcpy(kept->entry + kept->n, found->entry, (size_t)found->n * sizeof *found->entry);
     kept->n += found->n;

@@ -56,38 +56,68 @@ HS_INLINE void row_pairs(const hs_kernel_input *in, int i, int row, const hs_vec
     }
 }
 
-HS_INLINE void cluster_loop(const hs_kernel_input *in, hs_kernel_output *out, int first, const hs_cluster_entry *entry,
-                            int n_entries, const bool with_energy, const bool by_type, const bool listed_only)
+/** What stays the same over the list of one i-cluster. */
+typedef struct cluster_constants {
+    hs_vec params[HS_TABLE_PARAMS + N_PARAMS];   /**< of the only pair of types; unused by_type */
+    const double *row_table[HS_CLUSTER];         /**< rows of the pair table for the four i-atoms, by_type */
+} cluster_constants;
+
+HS_INLINE cluster_constants make_constants(const hs_kernel_input *in, int first, const bool by_type)
 {
     const hs_pair_table *table = in->table;
     const int stride = HS_TABLE_PARAMS + N_PARAMS;
-    cluster_sums sums = {0};
-    hs_vec params[HS_TABLE_PARAMS + N_PARAMS];
-    const double *row_table[HS_CLUSTER] = {NULL};
-    if (by_type) {
-        for (int row = 0; row < HS_CLUSTER; ++row)
-            row_table[row] = table->values + (size_t)in->type[first + row] * (size_t)(table->n_types * stride);
-    } else {
-        const double *values = table->values + (size_t)(table->n_types + 1) * (size_t)stride;
-        for (int k = 0; k < stride; ++k) params[k] = hs_set1(values[k]);
-    }
-    for (int e = 0; e < n_entries; e += HS_GROUP) {
-        uint32_t pairs = 0;
-        for (int k = 0; k < HS_GROUP; ++k) pairs |= entry[e + k].mask;
-        for (int sub = 0; sub < HS_SUBS; ++sub) {
-            const hs_vec x_j[3] = {hs_load_clusters(in->x[0], entry + e, sub), hs_load_clusters(in->x[1], entry + e, sub),
-                                   hs_load_clusters(in->x[2], entry + e, sub)};
-            hs_vec reaction[3] = {hs_set1(0.0), hs_set1(0.0), hs_set1(0.0)};
+    cluster_constants constants = {.row_table = {NULL}};
+    const double *values = table->values + (size_t)(table->n_types + 1) * (size_t)stride;
+    for (int row = 0; row < HS_CLUSTER && by_type; ++row)
+        constants.row_table[row] = table->values + (size_t)in->type[first + row] * (size_t)(table->n_types * stride);
+    for (int k = 0; k < stride && !by_type; ++k) constants.params[k] = hs_set1(values[k]);
+    return constants;
+}
+
+/** One vector of j-atoms against the i-atoms whose bits are set in `rows`. */
+HS_INLINE void vector_rows(const hs_kernel_input *in, hs_kernel_output *out, int first, const hs_cluster_entry *entry, int sub,
+                           const cluster_constants *constants, cluster_sums *sums, const uint32_t rows, const bool with_energy,
+                           const bool by_type, const bool listed_only)
+{
+    const int stride = HS_TABLE_PARAMS + N_PARAMS;
+    const hs_vec x_j[3] = {hs_load_clusters(in->x[0], entry, sub), hs_load_clusters(in->x[1], entry, sub),
+                           hs_load_clusters(in->x[2], entry, sub)};
+    hs_vec reaction[3] = {hs_set1(0.0), hs_set1(0.0), hs_set1(0.0)};
 #pragma GCC unroll 4
-            for (int row = 0; row < HS_CLUSTER; ++row) {
-                if ((pairs >> 4 * row & 0xfu) == 0) continue;
-                if (by_type)
-                    for (int k = 0; k < stride; ++k)
-                        params[k] = hs_lookup(row_table[row] + k, in->type, stride, entry + e, sub);
-                row_pairs(in, first + row, row, x_j, params, hs_mask_bits(row_bits(entry + e, row, sub)), entry + e, sub,
-                          &sums, reaction, with_energy, listed_only);
+    for (int row = 0; row < HS_CLUSTER; ++row) {
+        if ((rows >> row & 1u) == 0) continue;
+        hs_vec params[HS_TABLE_PARAMS + N_PARAMS];
+        for (int k = 0; k < stride; ++k)
+            params[k] = by_type ? hs_lookup(constants->row_table[row] + k, in->type, stride, entry, sub) : constants->params[k];
+        row_pairs(in, first + row, row, x_j, params, hs_mask_bits(row_bits(entry, row, sub)), entry, sub, sums, reaction,
+                  with_energy, listed_only);
+    }
+    for (int axis = 0; axis < 3; ++axis) hs_subtract_clusters(out->f[axis], entry, sub, reaction[axis]);
+}
+
+HS_INLINE void cluster_loop(const hs_kernel_input *in, hs_kernel_output *out, int first, const hs_cluster_entry *entry,
+                            int n_entries, const bool with_energy, const bool by_type, const bool listed_only)
+{
+    const cluster_constants constants = make_constants(in, first, by_type);
+    cluster_sums sums = {0};
+    for (int e = 0; e < n_entries; e += HS_GROUP) {
+        const uint32_t rows = entry[e].mask >> HS_ENTRY_ROWS_SHIFT;
+        for (int sub = 0; sub < HS_SUBS; ++sub) {
+#define VECTOR_ROWS(r) \
+    vector_rows(in, out, first, entry + e, sub, &constants, &sums, (r), with_energy, by_type, listed_only)
+            if (with_energy) {
+                VECTOR_ROWS(rows);
+                continue;
             }
-            for (int axis = 0; axis < 3; ++axis) hs_subtract_clusters(out->f[axis], entry + e, sub, reaction[axis]);
+            /* One copy of the code per set of rows: a jump that is right as long as the set does not change (lists are
+               ordered by it) instead of four branches. */
+#define CASE(r) case r: VECTOR_ROWS(r); break;
+            switch (rows) {
+                CASE(1) CASE(2) CASE(3) CASE(4) CASE(5) CASE(6) CASE(7) CASE(8) CASE(9) CASE(10) CASE(11) CASE(12) CASE(13)
+                CASE(14) CASE(15)
+            }
+#undef CASE
+#undef VECTOR_ROWS
         }
     }
     for (int row = 0; row < HS_CLUSTER; ++row)

@@ -52,8 +52,8 @@ typedef void (*hs_cluster_kernel)(const hs_kernel_input *in, hs_kernel_output *o
                                   int n_entries);
 
 /** Keep, of n candidate entries of the i-cluster at `first`, the pairs within their listed distance at in->x; drop
- *  entries without any, and order the rest so that consecutive ones use the same rows. Room for a multiple of the group is
- *  needed in entry (padded with valid entries) and for n in scratch. Returns the number of entries left. */
+ *  entries without any, order the rest so that consecutive ones use the same rows, and pad to whole vectors. Room for a
+ *  multiple of the group is needed in entry (padded with valid entries) and for n in scratch. Returns the number left. */
 typedef int (*hs_list_refine)(const hs_kernel_input *in, int first, hs_cluster_entry *entry, int n, hs_cluster_entry *scratch);
 extern const hs_list_refine hs_list_refine_portable, hs_list_refine_sse2, hs_list_refine_avx2, hs_list_refine_avx512;
 hs_list_refine hs_isa_refine(hs_isa isa);

@@ -21,7 +21,7 @@ static inline void refine_vector(const hs_kernel_input *in, int first, hs_cluste
                 refined[k] |= (near >> HS_CLUSTER * k & 0xfu) << (4 * row + (HS_SUBS > 1 ? HS_LANES * sub : 0));
         }
     }
-    for (int k = 0; k < HS_GROUP; ++k) entry[k].mask &= refined[k];
+    for (int k = 0; k < HS_GROUP; ++k) entry[k].mask &= refined[k];   /* clears the bits of rows, too */
 }
 
 /** Rows (i-atoms) that have any pair in a mask. */
@@ -47,10 +47,22 @@ static int order_by_rows(hs_cluster_entry *entry, int n, hs_cluster_entry *scrat
     return count[14];
 }
 
+/** Note in the first entry of each vector which rows it needs; `entry` is filled up with empty entries. */
+static int note_rows(hs_cluster_entry *entry, int n)
+{
+    for (; n % HS_GROUP != 0; ++n) entry[n] = (hs_cluster_entry){entry[0].first, 0};
+    for (int e = 0; e < n; e += HS_GROUP) {
+        uint32_t pairs = 0;
+        for (int k = 0; k < HS_GROUP; ++k) pairs |= entry[e + k].mask;
+        entry[e].mask |= rows_of(pairs) << HS_ENTRY_ROWS_SHIFT;
+    }
+    return n;
+}
+
 static int refine(const hs_kernel_input *in, int first, hs_cluster_entry *entry, int n, hs_cluster_entry *scratch)
 {
     for (int e = 0; e < n; e += HS_GROUP) refine_vector(in, first, entry + e);
-    return order_by_rows(entry, n, scratch);
+    return note_rows(entry, order_by_rows(entry, n, scratch));
 }
 
 #define PASTE_(a, b) a##b

@@ -16,7 +16,7 @@ typedef struct probe {
 } probe;
 
 /* Pairs within one cluster: j > i only. */
-static const uint32_t self_mask = 0x8ceu;
+static const uint32_t self_mask = 0x8ceu | 0xfu << HS_ENTRY_ROWS_SHIFT;
 
 static inline float gap(float lo_i, float hi_i, float lo_j, float hi_j)
 {

@@ -8,9 +8,10 @@
 
 #include "neighbor/cells.h"
 
-enum { HS_CLUSTER = 4 };
+enum { HS_CLUSTER = 4, HS_ENTRY_ROWS_SHIFT = 16 };
 
-/** One entry of an i-cluster's list: a j-cluster and which of the 16 pairs count, bit 4 * i + j. */
+/** One entry of an i-cluster's list: a j-cluster and which of the 16 pairs count, bit 4 * i + j. Bits 16 to 19 say which
+ *  rows (i-atoms) a kernel must visit for the vector that begins with this entry: those with a pair in any of its entries. */
 typedef struct hs_cluster_entry {
     int32_t first;   /**< index of the j-cluster's first atom */
     uint32_t mask;
@@ -40,10 +41,10 @@ typedef struct hs_clusters {
     uint64_t generation;        /**< of the atoms these clusters belong to */
 } hs_clusters;
 
-/** Mask with the lanes (j-atoms) below `size` set, in all four rows. */
-static inline uint32_t hs_cluster_lanes(int size) { return ((1u << size) - 1u) * 0x1111u; }
-/** Mask with all lanes of the rows (i-atoms) below `size` set. */
-static inline uint32_t hs_cluster_rows(int size) { return (1u << 4 * size) - 1u; }
+/** Mask with the lanes (j-atoms) below `size` set, in all four rows; all rows are visited. */
+static inline uint32_t hs_cluster_lanes(int size) { return ((1u << size) - 1u) * 0x1111u | 0xfu << HS_ENTRY_ROWS_SHIFT; }
+/** Mask with all lanes of the rows (i-atoms) below `size` set; all rows are visited. */
+static inline uint32_t hs_cluster_rows(int size) { return ((1u << 4 * size) - 1u) | 0xfu << HS_ENTRY_ROWS_SHIFT; }
 
 /** Cut sorted atoms into clusters and bound them. */
 HS_MUST_USE hs_status hs_clusters_build(hs_clusters *clusters, const hs_cells *cells, const hs_atoms *atoms, hs_error *err);

@@ -185,7 +185,7 @@ static forces_t evaluate_with(system_t *s, method_t method, hs_isa isa, bool wit
         ck_assert_hs_ok(hs_cells_set_grid(&cells, &s->box, reach, hs_clusters_width(s->box.dimension, density, reach),
                                           atoms->n_local, &err), err);
         ck_assert_hs_ok(hs_cells_sort_local(&cells, atoms, &err), err);
-        ck_assert_hs_ok(hs_atoms_permute(atoms, cells.order, false, &err), err);
+        ck_assert_hs_ok(hs_atoms_permute(atoms, cells.order, &err), err);
     }
     ck_assert_hs_ok(hs_halo_build(&halo, &s->box, atoms, reach, &err), err);
     if (!is_nsq) {
