@@ -7,12 +7,19 @@
 #include "sim/sim.h"
 #include "sim/thermo.h"
 
-/** Wrap one atom along one periodic axis, however far it went, and its listed position with it. */
-static inline void wrap_axis(const hs_box *box, hs_atoms *atoms, double *listed, int axis, int i)
+/** Box lengths that an atom may be away from the box where atoms are placed: image numbers are of 32 bits. */
+static const double farthest_placed = 1e9;
+/** The same for atoms that move: one that crosses a whole box between two exchanges was thrown there by a nonsensical force. */
+static const double farthest_moved = 1.0;
+
+/** Wrap one atom along one periodic axis, and its listed position with it. An atom farther from the box than so many box
+ *  lengths is left where it is, and counts as lost: false. */
+static inline bool wrap_axis(const hs_box *box, hs_atoms *atoms, double *listed, int axis, int i, double farthest)
 {
     const double lo = box->lo[axis], hi = box->hi[axis], length = hi - lo;
     double *x = &atoms->x[axis][i];
-    if (*x >= lo && *x < hi) return;
+    if (*x >= lo && *x < hi) return true;
+    if (!(*x >= lo - farthest * length && *x < hi + farthest * length)) return false;
     const double before = *x;
     int32_t crossings = 0;
     if (*x < lo - length || *x >= hi + length) crossings = (int32_t)floor((*x - lo) / length);
@@ -23,18 +30,24 @@ static inline void wrap_axis(const hs_box *box, hs_atoms *atoms, double *listed,
     if (*x < lo) *x = lo;
     atoms->image[axis][i] += crossings;
     listed[i] += *x - before;
+    return true;
 }
 
-static void wrap(hs_sim *sim)
+/** Bring atoms back into the box along periodic axes; false when one is too far away. */
+static bool wrap(hs_sim *sim)
 {
     hs_atoms *atoms = &sim->atoms;
-#pragma omp parallel
+    const double farthest = sim->is_initialized ? farthest_moved : farthest_placed;
+    bool is_wrapped = true;
+#pragma omp parallel reduction(&& : is_wrapped)
     for (int axis = 0; axis < 3; ++axis) {
         if (!sim->box.periodic[axis]) continue;
         double *listed = sim->neighbor.x_listed[axis];
 #pragma omp for schedule(static) nowait
-        for (int i = 0; i < atoms->n_local; ++i) wrap_axis(&sim->box, atoms, listed, axis, i);
+        for (int i = 0; i < atoms->n_local; ++i)
+            is_wrapped = wrap_axis(&sim->box, atoms, listed, axis, i, farthest) && is_wrapped;
     }
+    return is_wrapped;
 }
 
 void hs_sim_shrink_box(hs_sim *sim)
@@ -62,7 +75,7 @@ void hs_sim_shrink_box(hs_sim *sim)
 static inline bool is_outside(const hs_box *box, const hs_atoms *atoms, int i)
 {
     for (int axis = 0; axis < 3; ++axis)
-        if (!box->periodic[axis] && !(atoms->x[axis][i] >= box->lo[axis] && atoms->x[axis][i] <= box->hi[axis])) return true;
+        if (!(atoms->x[axis][i] >= box->lo[axis] && atoms->x[axis][i] <= box->hi[axis])) return true;
     return false;
 }
 
@@ -78,11 +91,12 @@ static hs_status report_lost(const hs_sim *sim, int i, hs_error *err)
                    sim->box.hi[1], sim->box.lo[2], sim->box.hi[2]);
 }
 
-/** Atoms beyond a fixed face are lost: an error, or (thermo_modify lost warn|ignore) they are removed. */
-static hs_status find_lost(hs_sim *sim, hs_error *err)
+/** Atoms beyond a fixed face, or too far away to be wrapped, are lost: an error, or (thermo_modify lost warn|ignore) they
+ *  are removed. */
+static hs_status find_lost(hs_sim *sim, bool is_wrapped, hs_error *err)
 {
     hs_atoms *atoms = &sim->atoms;
-    if (sim->box.periodic[0] && sim->box.periodic[1] && sim->box.periodic[2]) return HS_OK;
+    if (is_wrapped && sim->box.periodic[0] && sim->box.periodic[1] && sim->box.periodic[2]) return HS_OK;
     int first = -1;
     for (int i = 0; i < atoms->n_local && first < 0; ++i)
         if (is_outside(&sim->box, atoms, i)) first = i;
@@ -149,9 +163,9 @@ static hs_status renew_neighbors(hs_sim *sim, hs_error *err)
 hs_status hs_sim_exchange(hs_sim *sim, bool is_listing, hs_error *err)
 {
     hs_timer_mark(&sim->timer);
-    wrap(sim);
+    const bool is_wrapped = wrap(sim);
     if (is_listing) hs_sim_shrink_box(sim);
-    (void)find_lost(sim, err);
+    (void)find_lost(sim, is_wrapped, err);
     HS_TRY(hs_parallel_agree(&sim->parallel, err));
     if (is_listing) hs_neighbor_list_now(&sim->neighbor, &sim->atoms);
     hs_timer_add(&sim->timer, HS_PHASE_COMM);

@@ -36,6 +36,7 @@ static hs_status init_styles(hs_sim *sim, hs_error *err)
 hs_status hs_sim_setup(hs_sim *sim, hs_error *err)
 {
     HS_TRY(check_system(sim, err));
+    sim->is_initialized = false;   /* until the end of this: the exchange below may find atoms that were placed far away */
     hs_timer_reset(&sim->timer);
     HS_TRY(hs_sim_setup_pair(sim, err));
     HS_TRY(init_styles(sim, err));
