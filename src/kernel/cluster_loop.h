@@ -5,16 +5,7 @@
 
 #define HS_INLINE static inline __attribute__((always_inline))
 
-/** Bits of row i (the i-atom's pairs) for the lanes of one vector. */
-HS_INLINE uint32_t row_bits(const hs_cluster_entry *entry, int row, int sub)
-{
-    if (HS_SUBS > 1) return entry->mask >> (4 * row + HS_LANES * sub);
-    uint32_t bits = 0;
-    for (int k = 0; k < HS_GROUP; ++k) bits |= (entry[k].mask >> 4 * row & 0xfu) << HS_CLUSTER * k;
-    return bits;
-}
-
-/** Sums of the pairs seen by one i-cluster, and the energy and virial, in vectors. */
+/** Sums over the pairs of one i-cluster, in vectors: minus the forces on the i-atoms, energy, virial. */
 typedef struct cluster_sums {
     hs_vec f[HS_CLUSTER][3];
     hs_vec energy, virial[6];
@@ -25,7 +16,8 @@ HS_INLINE void row_pairs(const hs_kernel_input *in, int i, int row, const hs_vec
                          const hs_cluster_entry *entry, int sub, cluster_sums *sums, hs_vec reaction[3], bool with_energy,
                          bool listed_only)
 {
-    const hs_vec dx = hs_set1(in->x[0][i]) - x_j[0], dy = hs_set1(in->x[1][i]) - x_j[1], dz = hs_set1(in->x[2][i]) - x_j[2];
+    /* from i to j, so that the i-atom's coordinate can be broadcast by the subtraction itself */
+    const hs_vec dx = x_j[0] - hs_set1(in->x[0][i]), dy = x_j[1] - hs_set1(in->x[1][i]), dz = x_j[2] - hs_set1(in->x[2][i]);
     const hs_vec r2 = hs_fma(dz, dz, hs_fma(dy, dy, dx * dx));
     hs_msk mask = hs_mask_and(listed, hs_less(r2, params[HS_TABLE_CUT_R2]));
     if (listed_only) {
@@ -82,6 +74,7 @@ HS_INLINE void vector_rows(const hs_kernel_input *in, hs_kernel_output *out, int
     const int stride = HS_TABLE_PARAMS + N_PARAMS;
     const hs_vec x_j[3] = {hs_load_clusters(in->x[0], entry, sub), hs_load_clusters(in->x[1], entry, sub),
                            hs_load_clusters(in->x[2], entry, sub)};
+    const hs_masks masks = hs_masks_of(entry, sub);
     hs_vec reaction[3] = {hs_set1(0.0), hs_set1(0.0), hs_set1(0.0)};
 #pragma GCC unroll 4
     for (int row = 0; row < HS_CLUSTER; ++row) {
@@ -89,10 +82,10 @@ HS_INLINE void vector_rows(const hs_kernel_input *in, hs_kernel_output *out, int
         hs_vec params[HS_TABLE_PARAMS + N_PARAMS];
         for (int k = 0; k < stride; ++k)
             params[k] = by_type ? hs_lookup(constants->row_table[row] + k, in->type, stride, entry, sub) : constants->params[k];
-        row_pairs(in, first + row, row, x_j, params, hs_mask_bits(row_bits(entry, row, sub)), entry, sub, sums, reaction,
+        row_pairs(in, first + row, row, x_j, params, hs_masks_row(masks, row), entry, sub, sums, reaction,
                   with_energy, listed_only);
     }
-    for (int axis = 0; axis < 3; ++axis) hs_subtract_clusters(out->f[axis], entry, sub, reaction[axis]);
+    for (int axis = 0; axis < 3; ++axis) hs_add_clusters(out->f[axis], entry, sub, reaction[axis]);
 }
 
 HS_INLINE void cluster_loop(const hs_kernel_input *in, hs_kernel_output *out, int first, const hs_cluster_entry *entry,
@@ -103,25 +96,11 @@ HS_INLINE void cluster_loop(const hs_kernel_input *in, hs_kernel_output *out, in
     for (int e = 0; e < n_entries; e += HS_GROUP) {
         const uint32_t rows = entry[e].mask >> HS_ENTRY_ROWS_SHIFT;
         for (int sub = 0; sub < HS_SUBS; ++sub) {
-#define VECTOR_ROWS(r) \
-    vector_rows(in, out, first, entry + e, sub, &constants, &sums, (r), with_energy, by_type, listed_only)
-            if (with_energy) {
-                VECTOR_ROWS(rows);
-                continue;
-            }
-            /* One copy of the code per set of rows: a jump that is right as long as the set does not change (lists are
-               ordered by it) instead of four branches. */
-#define CASE(r) case r: VECTOR_ROWS(r); break;
-            switch (rows) {
-                CASE(1) CASE(2) CASE(3) CASE(4) CASE(5) CASE(6) CASE(7) CASE(8) CASE(9) CASE(10) CASE(11) CASE(12) CASE(13)
-                CASE(14) CASE(15)
-            }
-#undef CASE
-#undef VECTOR_ROWS
+            vector_rows(in, out, first, entry + e, sub, &constants, &sums, rows, with_energy, by_type, listed_only);
         }
     }
     for (int row = 0; row < HS_CLUSTER; ++row)
-        for (int axis = 0; axis < 3; ++axis) out->f[axis][first + row] += hs_sum(sums.f[row][axis]);
+        for (int axis = 0; axis < 3; ++axis) out->f[axis][first + row] -= hs_sum(sums.f[row][axis]);
     if (with_energy) {
         out->energy += hs_sum(sums.energy);
         for (int k = 0; k < 6; ++k) out->virial[k] += hs_sum(sums.virial[k]);

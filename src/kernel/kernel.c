@@ -11,7 +11,7 @@ static bool has_isa(hs_isa isa)
 {
 #if defined(__x86_64__)
     switch (isa) {
-    case HS_ISA_AVX512: return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+    case HS_ISA_AVX512: return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("bmi2") && __builtin_cpu_supports("avx512dq") &&
                                __builtin_cpu_supports("avx512vl");
     case HS_ISA_AVX2: return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
     default: return true;

@@ -6,6 +6,7 @@
 static inline void refine_vector(const hs_kernel_input *in, int first, hs_cluster_entry *entry)
 {
     const hs_pair_table *table = in->table;
+    const double only = table->values[(table->n_types + 1) * table->stride + HS_TABLE_LISTED_R2];
     uint32_t refined[HS_GROUP] = {0};
     for (int sub = 0; sub < HS_SUBS; ++sub) {
         const hs_vec x_j[3] = {hs_load_clusters(in->x[0], entry, sub), hs_load_clusters(in->x[1], entry, sub),
@@ -15,7 +16,8 @@ static inline void refine_vector(const hs_kernel_input *in, int first, hs_cluste
             const hs_vec dx = hs_set1(in->x[0][i]) - x_j[0], dy = hs_set1(in->x[1][i]) - x_j[1],
                          dz = hs_set1(in->x[2][i]) - x_j[2];
             const double *row_table = table->values + (size_t)in->type[i] * (size_t)(table->n_types * table->stride);
-            const hs_vec limit = hs_lookup(row_table + HS_TABLE_LISTED_R2, in->type, table->stride, entry, sub);
+            const hs_vec limit = table->is_uniform ? hs_set1(only)
+                                                   : hs_lookup(row_table + HS_TABLE_LISTED_R2, in->type, table->stride, entry, sub);
             const uint32_t near = hs_mask_to_bits(hs_less(dx * dx + dy * dy + dz * dz, limit));
             for (int k = 0; k < HS_GROUP; ++k)
                 refined[k] |= (near >> HS_CLUSTER * k & 0xfu) << (4 * row + (HS_SUBS > 1 ? HS_LANES * sub : 0));

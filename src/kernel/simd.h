@@ -8,14 +8,15 @@
  *      hs_set1(a)                         a in all lanes
  *      hs_fma(a, b, c)                    a * b + c, fused where the machine can
  *      hs_sqrt(a)
- *      hs_mask_bits(bits)                 mask from bits, lane 0 lowest
- *      hs_mask_to_bits(m)                 and back
+ *      hs_masks_of(entry, sub)            the masks of all rows of this vector, of type hs_masks
+ *      hs_masks_row(masks, row)           and the mask of one row (i-atom)
+ *      hs_mask_to_bits(m)                 bits of a mask, lane 0 lowest
  *      hs_mask_and(m, n)
  *      hs_less(a, b)                      mask of a < b
  *      hs_keep(m, a)                      a where m is set, else 0 (also where a is not a number)
  *      hs_sum(a)                          sum of the lanes
  *      hs_load_clusters(x, entry, sub)    x of the j-atoms of this vector
- *      hs_subtract_clusters(f, entry, sub, a)   f of the j-atoms -= a
+ *      hs_add_clusters(f, entry, sub, a)  f of the j-atoms += a
  *      hs_lookup(table, type, stride, entry, sub)   table[stride * type of the j-atom]
  *
  *  A vector covers HS_GROUP entries of a cluster list (vectors of 4 and more lanes), or HS_SUBS vectors cover one entry

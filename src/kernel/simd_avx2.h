@@ -9,12 +9,19 @@ static inline hs_vec hs_set1(double a) { return _mm256_set1_pd(a); }
 static inline hs_vec hs_fma(hs_vec a, hs_vec b, hs_vec c) { return _mm256_fmadd_pd(a, b, c); }
 static inline hs_vec hs_sqrt(hs_vec a) { return _mm256_sqrt_pd(a); }
 
-static inline hs_msk hs_mask_bits(uint32_t bits)
+/* Masks of an entry: its bits. A row's are spread to the lanes when it is their turn: one broadcast for all rows and a
+   constant for each measured slower, for want of registers. */
+typedef uint32_t hs_masks;
+static inline hs_masks hs_masks_of(const hs_cluster_entry *entry, int sub)
+{
+    (void)sub;
+    return entry->mask;
+}
+static inline hs_msk hs_masks_row(hs_masks masks, int row)
 {
     const __m256i lane = _mm256_set_epi64x(8, 4, 2, 1);
-    return _mm256_castsi256_pd(_mm256_cmpeq_epi64(_mm256_and_si256(_mm256_set1_epi64x(bits), lane), lane));
+    return _mm256_castsi256_pd(_mm256_cmpeq_epi64(_mm256_and_si256(_mm256_set1_epi64x(masks >> 4 * row), lane), lane));
 }
-
 static inline uint32_t hs_mask_to_bits(hs_msk m) { return (uint32_t)_mm256_movemask_pd(m); }
 static inline hs_msk hs_mask_and(hs_msk m, hs_msk n) { return _mm256_and_pd(m, n); }
 static inline hs_msk hs_less(hs_vec a, hs_vec b) { return _mm256_cmp_pd(a, b, _CMP_LT_OQ); }
@@ -32,11 +39,11 @@ static inline hs_vec hs_load_clusters(const double *x, const hs_cluster_entry *e
     return _mm256_loadu_pd(x + entry->first);
 }
 
-static inline void hs_subtract_clusters(double *f, const hs_cluster_entry *entry, int sub, hs_vec a)
+static inline void hs_add_clusters(double *f, const hs_cluster_entry *entry, int sub, hs_vec a)
 {
     (void)sub;
     double *at = f + entry->first;
-    _mm256_storeu_pd(at, _mm256_sub_pd(_mm256_loadu_pd(at), a));
+    _mm256_storeu_pd(at, _mm256_add_pd(_mm256_loadu_pd(at), a));
 }
 
 static inline hs_vec hs_lookup(const double *table, const int32_t *type, int stride, const hs_cluster_entry *entry, int sub)

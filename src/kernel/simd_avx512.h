@@ -8,7 +8,16 @@ typedef __mmask8 hs_msk;
 static inline hs_vec hs_set1(double a) { return _mm512_set1_pd(a); }
 static inline hs_vec hs_fma(hs_vec a, hs_vec b, hs_vec c) { return _mm512_fmadd_pd(a, b, c); }
 static inline hs_vec hs_sqrt(hs_vec a) { return _mm512_sqrt_pd(a); }
-static inline hs_msk hs_mask_bits(uint32_t bits) { return (hs_msk)bits; }
+
+/* Masks of a group: for row i the byte i, whose bits are the lanes. */
+typedef uint32_t hs_masks;
+static inline hs_masks hs_masks_of(const hs_cluster_entry *entry, int sub)
+{
+    (void)sub;
+    return _pdep_u32(entry[0].mask, 0x0f0f0f0fu) | _pdep_u32(entry[1].mask, 0xf0f0f0f0u);
+}
+static inline hs_msk hs_masks_row(hs_masks masks, int row) { return (hs_msk)(masks >> 8 * row); }
+
 static inline uint32_t hs_mask_to_bits(hs_msk m) { return m; }
 static inline hs_msk hs_mask_and(hs_msk m, hs_msk n) { return m & n; }
 static inline hs_msk hs_less(hs_vec a, hs_vec b) { return _mm512_cmp_pd_mask(a, b, _CMP_LT_OQ); }
@@ -22,12 +31,12 @@ static inline hs_vec hs_load_clusters(const double *x, const hs_cluster_entry *e
     return _mm512_insertf64x4(low, _mm256_loadu_pd(x + entry[1].first), 1);
 }
 
-static inline void hs_subtract_clusters(double *f, const hs_cluster_entry *entry, int sub, hs_vec a)
+static inline void hs_add_clusters(double *f, const hs_cluster_entry *entry, int sub, hs_vec a)
 {
     (void)sub;
     double *f0 = f + entry[0].first, *f1 = f + entry[1].first;
-    _mm256_storeu_pd(f0, _mm256_sub_pd(_mm256_loadu_pd(f0), _mm512_castpd512_pd256(a)));
-    _mm256_storeu_pd(f1, _mm256_sub_pd(_mm256_loadu_pd(f1), _mm512_extractf64x4_pd(a, 1)));
+    _mm256_storeu_pd(f0, _mm256_add_pd(_mm256_loadu_pd(f0), _mm512_castpd512_pd256(a)));
+    _mm256_storeu_pd(f1, _mm256_add_pd(_mm256_loadu_pd(f1), _mm512_extractf64x4_pd(a, 1)));
 }
 
 static inline hs_vec hs_lookup(const double *table, const int32_t *type, int stride, const hs_cluster_entry *entry, int sub)

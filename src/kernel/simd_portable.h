@@ -6,7 +6,9 @@ typedef bool hs_msk;
 static inline hs_vec hs_set1(double a) { return a; }
 static inline hs_vec hs_fma(hs_vec a, hs_vec b, hs_vec c) { return a * b + c; }
 static inline hs_vec hs_sqrt(hs_vec a) { return sqrt(a); }
-static inline hs_msk hs_mask_bits(uint32_t bits) { return (bits & 1u) != 0; }
+typedef uint32_t hs_masks;
+static inline hs_masks hs_masks_of(const hs_cluster_entry *entry, int sub) { return entry->mask >> sub; }
+static inline hs_msk hs_masks_row(hs_masks masks, int row) { return (masks >> 4 * row & 1u) != 0; }
 static inline uint32_t hs_mask_to_bits(hs_msk m) { return m; }
 static inline hs_msk hs_mask_and(hs_msk m, hs_msk n) { return m && n; }
 static inline hs_msk hs_less(hs_vec a, hs_vec b) { return a < b; }
@@ -15,9 +17,9 @@ static inline double hs_sum(hs_vec a) { return a; }
 
 static inline hs_vec hs_load_clusters(const double *x, const hs_cluster_entry *entry, int sub) { return x[entry->first + sub]; }
 
-static inline void hs_subtract_clusters(double *f, const hs_cluster_entry *entry, int sub, hs_vec a)
+static inline void hs_add_clusters(double *f, const hs_cluster_entry *entry, int sub, hs_vec a)
 {
-    f[entry->first + sub] -= a;
+    f[entry->first + sub] += a;
 }
 
 static inline hs_vec hs_lookup(const double *table, const int32_t *type, int stride, const hs_cluster_entry *entry, int sub)

@@ -9,10 +9,19 @@ static inline hs_vec hs_set1(double a) { return _mm_set1_pd(a); }
 static inline hs_vec hs_fma(hs_vec a, hs_vec b, hs_vec c) { return _mm_add_pd(_mm_mul_pd(a, b), c); }
 static inline hs_vec hs_sqrt(hs_vec a) { return _mm_sqrt_pd(a); }
 
-static inline hs_msk hs_mask_bits(uint32_t bits)
+/* Masks of an entry: its bits in every lane; a row picks one bit in each (in both halves of the lane: SSE2 compares only
+   32 bits). */
+typedef __m128i hs_masks;
+static inline hs_masks hs_masks_of(const hs_cluster_entry *entry, int sub)
 {
-    return _mm_castsi128_pd(_mm_set_epi64x(-(int64_t)(bits >> 1 & 1u), -(int64_t)(bits & 1u)));
+    return _mm_set1_epi32((int)(entry->mask >> 2 * sub));
 }
+static inline hs_msk hs_masks_row(hs_masks masks, int row)
+{
+    const __m128i lane = _mm_set_epi32(2 << 4 * row, 2 << 4 * row, 1 << 4 * row, 1 << 4 * row);
+    return _mm_castsi128_pd(_mm_cmpeq_epi32(_mm_and_si128(masks, lane), lane));
+}
+
 
 static inline uint32_t hs_mask_to_bits(hs_msk m) { return (uint32_t)_mm_movemask_pd(m); }
 static inline hs_msk hs_mask_and(hs_msk m, hs_msk n) { return _mm_and_pd(m, n); }
@@ -25,10 +34,10 @@ static inline hs_vec hs_load_clusters(const double *x, const hs_cluster_entry *e
     return _mm_loadu_pd(x + entry->first + 2 * sub);
 }
 
-static inline void hs_subtract_clusters(double *f, const hs_cluster_entry *entry, int sub, hs_vec a)
+static inline void hs_add_clusters(double *f, const hs_cluster_entry *entry, int sub, hs_vec a)
 {
     double *at = f + entry->first + 2 * sub;
-    _mm_storeu_pd(at, _mm_sub_pd(_mm_loadu_pd(at), a));
+    _mm_storeu_pd(at, _mm_add_pd(_mm_loadu_pd(at), a));
 }
 
 static inline hs_vec hs_lookup(const double *table, const int32_t *type, int stride, const hs_cluster_entry *entry, int sub)

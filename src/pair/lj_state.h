@@ -48,9 +48,9 @@ static inline void hs_lj_params(lj_coeff c, bool shift, double *p)
 {
     const double sigma6 = pow(c.sigma, 6.0), sigma12 = pow(c.sigma, 12.0);
     p[0] = 48.0 * c.epsilon * sigma12;
-    p[1] = 24.0 * c.epsilon * sigma6;
+    p[1] = -24.0 * c.epsilon * sigma6;
     p[2] = 4.0 * c.epsilon * sigma12;
-    p[3] = 4.0 * c.epsilon * sigma6;
+    p[3] = -4.0 * c.epsilon * sigma6;
     const double ratio = shift && c.cutoff > 0.0 ? c.sigma / c.cutoff : 0.0;
     p[4] = 4.0 * c.epsilon * (pow(ratio, 12.0) - pow(ratio, 6.0));
 }

@@ -32,8 +32,8 @@ static double next_uniform(uint64_t *state)
 
 static void set_pair(system_t *s, int i, int j, double epsilon, double sigma, double cutoff)
 {
-    const double p[5] = {48 * epsilon * pow(sigma, 12), 24 * epsilon * pow(sigma, 6), 4 * epsilon * pow(sigma, 12),
-                         4 * epsilon * pow(sigma, 6), 0.1 * i};
+    const double p[5] = {48 * epsilon * pow(sigma, 12), -24 * epsilon * pow(sigma, 6), 4 * epsilon * pow(sigma, 12),
+                         -4 * epsilon * pow(sigma, 6), 0.1 * i};
     for (int swap = 0; swap < 2; ++swap) {
         double *row = s->table.values + (swap ? j * s->table.n_types + i : i * s->table.n_types + j) * s->table.stride;
         row[HS_TABLE_CUT_R2] = cutoff * cutoff;
@@ -337,7 +337,7 @@ END_TEST
 
 START_TEST(lj_values)
 {
-    const double p[5] = {48.0, 24.0, 4.0, 4.0, 0.0};
+    const double p[5] = {48.0, -24.0, 4.0, -4.0, 0.0};
     double over_r, energy;
     hs_evaluator_lj_cut.single(p, 1.0, &over_r, &energy);
     ck_assert_double_eq_tol(over_r, 24.0, 1e-13);
