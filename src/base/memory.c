@@ -4,23 +4,34 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/mman.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
-/* An array starts at the first 64-byte boundary that leaves room for the pointer calloc gave. calloc (and not
-   aligned_alloc and memset) because it leaves large blocks untouched: pages become resident on the node of the thread
-   that first writes them, and pages that nobody writes cost nothing. */
+/** Stands before every array. */
+typedef struct array_header {
+    void *block;          /**< what the system gave */
+    size_t mapped_bytes;  /**< length of the mapping; 0: the block is from calloc */
+} array_header;
+
+/* From this size on an array is a mapping of its own: it comes zeroed and untouched (pages become resident on the node of
+   the thread that first writes them, and pages that nobody writes cost nothing), and goes back to the system when freed,
+   which malloc's heap does not promise. */
+static const size_t mapping_bytes_min = 1u << 20;
+
 hs_status hs_memory_alloc(void **array, size_t n, size_t size, hs_error *err)
 {
     *array = NULL;
-    const size_t overhead = HS_ALIGNMENT + sizeof(void *);
-    if (size != 0 && n > (SIZE_MAX - overhead) / size)
+    const size_t overhead = HS_ALIGNMENT + sizeof(array_header);
+    if (size > 0 && n > (SIZE_MAX - overhead) / size)
         return hs_fail(err, HS_ERROR_MEMORY, "an array of %zu elements of %zu bytes is larger than memory can be", n, size);
-    void *block = calloc(1, n * size + overhead);
-    if (block == NULL)
+    const size_t bytes = n * size + overhead;
+    const bool is_mapped = bytes >= mapping_bytes_min;
+    void *block = is_mapped ? mmap(NULL, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0) : calloc(1, bytes);
+    if (block == NULL || block == MAP_FAILED)
         return hs_fail(err, HS_ERROR_MEMORY, "out of memory: %zu bytes more were needed", n * size);
-    uintptr_t start = ((uintptr_t)block + overhead) / HS_ALIGNMENT * HS_ALIGNMENT;
-    ((void **)start)[-1] = block;
+    const uintptr_t start = ((uintptr_t)block + overhead) / HS_ALIGNMENT * HS_ALIGNMENT;
+    ((array_header *)start)[-1] = (array_header){block, is_mapped ? bytes : 0};
     *array = (void *)start;
     return HS_OK;
 }
@@ -37,7 +48,12 @@ hs_status hs_memory_grow(void **array, size_t n_keep, size_t n_new, size_t size,
 
 void hs_memory_free(void *array)
 {
-    if (array != NULL) free(((void **)array)[-1]);
+    if (array == NULL) return;
+    const array_header header = ((array_header *)array)[-1];
+    if (header.mapped_bytes > 0)
+        munmap(header.block, header.mapped_bytes);
+    else
+        free(header.block);
 }
 
 hs_status hs_memory_strdup(char **copy, const char *text, hs_error *err)
