@@ -21,7 +21,7 @@ diff <(echo "$declared") <(echo "$visible") || { echo "symbols of libhalfshell.s
 
 # The installed header stands alone, in C and (where a compiler is there) in C++.
 echo '#include <halfshell/halfshell.h>' >"$work/alone.c"
-cc -std=c99 -Wall -Wextra -Werror -pedantic -I"$prefix/include" -c "$work/alone.c" -o "$work/alone.o"
+"$CC" -std=c99 -Wall -Wextra -Werror -pedantic -I"$prefix/include" -c "$work/alone.c" -o "$work/alone.o"
 if command -v c++ >/dev/null 2>&1; then
     c++ -x c++ -Wall -Wextra -Werror -I"$prefix/include" -c "$work/alone.c" -o "$work/alone.o"
 fi
@@ -46,7 +46,7 @@ diff "$work/out.shared" "$work/out"
 
 export PKG_CONFIG_PATH=$libdir/pkgconfig
 read -ra pc < <(pkg-config --cflags --libs halfshell)
-cc "${flags[@]}" "$PROJECT_ROOT/tests/package/main.c" "${pc[@]}" -Wl,-rpath,"$libdir" -o "$work/with_pkgconfig"
+"$CC" "${flags[@]}" "$PROJECT_ROOT/tests/package/main.c" "${pc[@]}" -Wl,-rpath,"$libdir" -o "$work/with_pkgconfig"
 check_output "$work/with_pkgconfig"
 diff "$work/out.shared" "$work/out"
 [ "$(pkg-config --modversion halfshell)" = "${version#halfshell }" ]
