@@ -72,10 +72,20 @@ void hs_sim_shrink_box(hs_sim *sim)
     }
 }
 
+static inline bool is_shrink_wrapped(hs_boundary kind)
+{
+    return kind == HS_BOUNDARY_SHRINK || kind == HS_BOUNDARY_SHRINK_MIN;
+}
+
+/** Shrink-wrapped faces follow the atoms, though only when lists are made: nothing is ever outside of them. */
 static inline bool is_outside(const hs_box *box, const hs_atoms *atoms, int i)
 {
-    for (int axis = 0; axis < 3; ++axis)
-        if (!(atoms->x[axis][i] >= box->lo[axis] && atoms->x[axis][i] <= box->hi[axis])) return true;
+    for (int axis = 0; axis < 3; ++axis) {
+        const double x = atoms->x[axis][i];
+        const bool is_below = !(x >= box->lo[axis]), is_above = !(x <= box->hi[axis]);
+        if (is_below && !is_shrink_wrapped(box->boundary[axis][0])) return true;
+        if (is_above && !is_shrink_wrapped(box->boundary[axis][1])) return true;
+    }
     return false;
 }
 
