@@ -16,7 +16,7 @@ typedef struct shift_range {
 typedef struct image_space {
     int max_shift[3];
     double lo[3], hi[3], length[3];
-    double inner_lo[3], inner_hi[3];   /**< atoms within need no image along this axis */
+    double inner_lo[3];   /**< atoms from here on need no image at a positive shift along this axis */
     double reach;
     int middle, n_directions;
 } image_space;
@@ -36,7 +36,6 @@ static hs_status image_space_init(image_space *space, const hs_box *box, double 
                            "forces: make the box larger or the cutoff shorter", space->length[axis], "xyz"[axis], reach);
         space->max_shift[axis] = (int)layers;
         space->inner_lo[axis] = has_images ? space->lo[axis] + reach : -INFINITY;
-        space->inner_hi[axis] = has_images ? space->hi[axis] - reach : INFINITY;
         n *= 2 * space->max_shift[axis] + 1;
     }
     space->middle = (int)(n / 2);
@@ -44,10 +43,10 @@ static hs_status image_space_init(image_space *space, const hs_box *box, double 
     return HS_OK;
 }
 
+/** Whether an atom has an image in the upper half of directions: only if it is near a lower face. */
 static inline bool needs_images(const image_space *space, const double x[3])
 {
-    return x[0] < space->inner_lo[0] || x[0] >= space->inner_hi[0] || x[1] < space->inner_lo[1] ||
-           x[1] >= space->inner_hi[1] || x[2] < space->inner_lo[2] || x[2] >= space->inner_hi[2];
+    return x[0] < space->inner_lo[0] || x[1] < space->inner_lo[1] || x[2] < space->inner_lo[2];
 }
 
 static shift_range shifts_of(const image_space *space, const double x[3])
@@ -163,6 +162,7 @@ hs_status hs_halo_build(hs_halo *halo, const hs_box *box, hs_atoms *atoms, doubl
         halo->n = (int)n;
         atoms->n_halo = (int)n;
         halo->generation = atoms->generation;
+#pragma omp parallel for schedule(static)
         for (int k = 0; k < halo->n; ++k) halo->slot[k] = k;
         hs_halo_forward(halo, atoms);
         hs_halo_forward_int(halo, atoms, atoms->type);

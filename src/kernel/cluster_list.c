@@ -152,14 +152,15 @@ static void chunks_of_thread(const hs_cluster_list *list, int thread, int n_thre
     if (*begin > *end) *begin = *end;
 }
 
-static hs_status work_cluster(hs_force_buffer *buffer, const hs_force_job *job, int thread, int n_threads)
+static hs_status work_cluster(hs_force_space *space, const hs_force_job *job, int thread)
 {
+    hs_force_buffer *buffer = &space->buffer[thread];
     const hs_cluster_list *list = job->list;
     const hs_cluster_kernel kernel = job->evaluator->set[job->isa]->cluster[job->with_energy][!job->input.table->is_uniform][0];
     const int64_t n_room = (int64_t)job->atoms->n_local + job->atoms->n_halo + HS_ATOMS_PAD;
     hs_kernel_output out = {.f = {buffer->f[0], buffer->f[1], buffer->f[2]}};
     int begin, end;
-    chunks_of_thread(list, thread, n_threads, &begin, &end);
+    chunks_of_thread(list, thread, space->n_threads, &begin, &end);
     for (int k = begin; k < end; ++k) {
         const hs_list_chunk *chunk = &list->chunk[k];
         for (int64_t block = 0; block < (n_room >> HS_FORCE_BLOCK_BITS) + 1; ++block)

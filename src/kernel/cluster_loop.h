@@ -24,7 +24,7 @@ HS_INLINE void row_pairs(const hs_kernel_input *in, int i, int row, const hs_vec
         const hs_vec lx = hs_set1(in->x_listed[0][i]) - hs_load_clusters(in->x_listed[0], entry, sub);
         const hs_vec ly = hs_set1(in->x_listed[1][i]) - hs_load_clusters(in->x_listed[1], entry, sub);
         const hs_vec lz = hs_set1(in->x_listed[2][i]) - hs_load_clusters(in->x_listed[2], entry, sub);
-        const hs_vec listed_r2 = lx * lx + ly * ly + lz * lz;
+        const hs_vec listed_r2 = hs_fma(lz, lz, hs_fma(ly, ly, lx * lx));
         mask = hs_mask_and(mask, hs_less(listed_r2, params[HS_TABLE_LISTED_R2]));
     }
     hs_vec force_over_r, energy = hs_set1(0.0);

@@ -49,6 +49,7 @@ static void begin_thread(hs_force_buffer *buffer, int64_t n_atoms)
     buffer->entries.n = 0;
     buffer->energy = 0.0;
     memset(buffer->virial, 0, sizeof buffer->virial);
+    memset(buffer->weight, 0, sizeof buffer->weight);
 }
 
 /** Add what the other threads wrote in one block to thread 0's (the atoms') forces. */
@@ -77,7 +78,7 @@ hs_status hs_force_run_threads(hs_force_space *space, const hs_force_job *job, h
     {
         hs_force_buffer *buffer = &space->buffer[hs_thread_number()];
         begin_thread(buffer, n_room);
-        (void)work(buffer, job, hs_thread_number(), space->n_threads);
+        (void)work(space, job, hs_thread_number());
 #pragma omp barrier
 #pragma omp for schedule(static)
         for (int64_t block = 0; block < n_blocks(n_room); ++block) reduce_block(space, block, n_room);
@@ -105,33 +106,56 @@ void hs_force_add_output(hs_force_buffer *buffer, const hs_kernel_output *out)
     for (int k = 0; k < 6; ++k) buffer->virial[k] += out->virial[k];
 }
 
-static hs_status work_cell(hs_force_buffer *buffer, const hs_force_job *job, int thread, int n_threads)
+/** Clusters [*begin, *end) of a thread: shares of equal weight, where a chunk of the clusters weighs as many entries as it
+ *  had at the evaluation before (near upper faces, where halo atoms are searched too, there are more). */
+static void clusters_of_thread(const hs_force_space *space, int n_clusters, int thread, int n_threads, int *begin, int *end)
 {
+    int64_t total = 0, before = 0;
+    for (int k = 0; k < HS_FORCE_CHUNKS; ++k) total += space->weight[k] + 1;
+    int *const bound[2] = {begin, end};
+    for (int side = 0; side < 2; ++side) {
+        const int64_t wanted = total * (thread + side) / n_threads;
+        int k = 0;
+        for (before = 0; k < HS_FORCE_CHUNKS && before + space->weight[k] + 1 <= wanted; ++k) before += space->weight[k] + 1;
+        const double chunk = k < HS_FORCE_CHUNKS ? k + (double)(wanted - before) / (double)(space->weight[k] + 1) : k;
+        *bound[side] = (int)(chunk * n_clusters / HS_FORCE_CHUNKS);
+    }
+    if (thread == n_threads - 1) *end = n_clusters;
+}
+
+static inline void touch_entries(hs_force_buffer *buffer, int first, const hs_entry_list *entries, int64_t n_room)
+{
+    hs_force_touch(buffer, first, n_room);
+    hs_force_touch(buffer, first + HS_CLUSTER - 1, n_room);
+    for (int e = 0; e < entries->n; ++e) {
+        hs_force_touch(buffer, entries->entry[e].first, n_room);
+        hs_force_touch(buffer, entries->entry[e].first + HS_CLUSTER - 1, n_room);
+    }
+}
+
+static hs_status work_cell(hs_force_space *space, const hs_force_job *job, int thread)
+{
+    hs_force_buffer *buffer = &space->buffer[thread];
     const hs_cluster_part *local = &job->clusters->local;
     const int64_t n_room = (int64_t)job->atoms->n_local + job->atoms->n_halo + HS_ATOMS_PAD;
-    int group;
+    int group, begin, end;
     const hs_cluster_kernel kernel = choose_kernel(job, &group);
     const hs_cluster_find find = hs_isa_find(job->isa);
     hs_kernel_output out = {.f = {buffer->f[0], buffer->f[1], buffer->f[2]}};
-    int64_t begin, end;
-    hs_thread_range(local->n, 1, thread, n_threads, &begin, &end);
-    int column = begin < end ? hs_clusters_column(job->clusters, job->cells, (int)begin) : 0;
+    clusters_of_thread(space, local->n, thread, space->n_threads, &begin, &end);
+    int column = begin < end ? hs_clusters_column(job->clusters, job->cells, begin) : 0;
     hs_entry_list *entries = &buffer->entries;
     hs_cluster_search_begin(&buffer->search, job->clusters, job->cells, job->cutoff_max);
-    for (int ci = (int)begin; ci < end; ++ci) {
+    for (int ci = begin; ci < end; ++ci) {
         while (local->column_begin[column + 1] <= ci) ++column;
         entries->n = 0;
         HS_TRY(find(&buffer->search, ci, column, entries, &buffer->error));
         if (entries->n == 0) continue;
         const int first = local->entry[ci].first;
         HS_TRY(hs_entry_list_pad(entries, 0, group, first, &buffer->error));
-        hs_force_touch(buffer, first, n_room);
-        hs_force_touch(buffer, first + HS_CLUSTER - 1, n_room);
-        for (int e = 0; e < entries->n; ++e) {
-            hs_force_touch(buffer, entries->entry[e].first, n_room);
-            hs_force_touch(buffer, entries->entry[e].first + HS_CLUSTER - 1, n_room);
-        }
+        touch_entries(buffer, first, entries, n_room);
         kernel(&job->input, &out, first, entries->entry, entries->n);
+        buffer->weight[(int64_t)ci * HS_FORCE_CHUNKS / local->n] += entries->n;
     }
     hs_force_add_output(buffer, &out);
     return HS_OK;
@@ -139,7 +163,12 @@ static hs_status work_cell(hs_force_buffer *buffer, const hs_force_job *job, int
 
 hs_status hs_force_cell(hs_force_space *space, const hs_force_job *job, hs_force_result *result, hs_error *err)
 {
-    return hs_force_run_threads(space, job, work_cell, result, err);
+    const hs_status status = hs_force_run_threads(space, job, work_cell, result, err);
+    for (int k = 0; k < HS_FORCE_CHUNKS; ++k) {
+        space->weight[k] = 0;
+        for (int t = 0; t < space->n_threads; ++t) space->weight[k] += space->buffer[t].weight[k];
+    }
+    return status;
 }
 
 /** One pair of the double loop. */
@@ -177,11 +206,12 @@ static inline void nsq_pair(hs_force_buffer *buffer, const hs_force_job *job, in
     buffer->virial[5] += d[1] * f[2];
 }
 
-static hs_status work_nsq(hs_force_buffer *buffer, const hs_force_job *job, int thread, int n_threads)
+static hs_status work_nsq(hs_force_space *space, const hs_force_job *job, int thread)
 {
+    hs_force_buffer *buffer = &space->buffer[thread];
     const int n_local = job->atoms->n_local, n_all = n_local + job->atoms->n_halo;
     for (int64_t i = 0; i < n_all; i += HS_FORCE_BLOCK) hs_force_touch(buffer, i, n_all + HS_ATOMS_PAD);
-    for (int i = thread; i < n_local; i += n_threads)
+    for (int i = thread; i < n_local; i += space->n_threads)
         for (int j = i + 1; j < n_all; ++j) nsq_pair(buffer, job, i, j);
     return HS_OK;
 }

@@ -8,6 +8,12 @@
 #include "kernel/kernel.h"
 #include "neighbor/clusters.h"
 
+enum {
+    HS_FORCE_BLOCK_BITS = 8,   /**< forces are cleared and reduced in blocks of this many atoms */
+    HS_FORCE_BLOCK = 1 << HS_FORCE_BLOCK_BITS,
+    HS_FORCE_CHUNKS = 64       /**< parts of the clusters that are weighed to balance the threads */
+};
+
 /** Buffers of one thread. Thread 0 adds to the atoms' own force arrays. */
 typedef struct hs_force_buffer {
     double *f[3];              /**< owned (borrowed from atoms for thread 0): [n_local + n_halo + pad] */
@@ -16,15 +22,16 @@ typedef struct hs_force_buffer {
     hs_search search;
     hs_error error;            /**< what went wrong on this thread */
     double energy, virial[6];
+    int64_t weight[HS_FORCE_CHUNKS];   /**< method cell: entries met in each chunk of the clusters */
 } hs_force_buffer;
 
-enum { HS_FORCE_BLOCK_BITS = 8, HS_FORCE_BLOCK = 1 << HS_FORCE_BLOCK_BITS };
 
 /** Work space of force evaluations; one per simulation. Zero it before use. */
 typedef struct hs_force_space {
     hs_force_buffer *buffer;   /**< owned [n_threads] */
     int n_threads;
     int64_t capacity_atoms;    /**< room of each buffer */
+    int64_t weight[HS_FORCE_CHUNKS];   /**< method cell: entries of each chunk at the evaluation before */
 } hs_force_space;
 
 struct hs_cluster_list;
@@ -59,7 +66,7 @@ static inline void hs_force_touch(hs_force_buffer *buffer, int64_t i, int64_t n_
 }
 
 /** Work of one thread: fill its buffer. */
-typedef hs_status (*hs_force_work)(hs_force_buffer *buffer, const hs_force_job *job, int thread, int n_threads);
+typedef hs_status (*hs_force_work)(hs_force_space *space, const hs_force_job *job, int thread);
 /** Run `work` on all threads and reduce their buffers to the atoms' forces, touched blocks only. */
 HS_MUST_USE hs_status hs_force_run_threads(hs_force_space *space, const hs_force_job *job, hs_force_work work,
                                            hs_force_result *result, hs_error *err);
