@@ -108,9 +108,11 @@ static hs_status apply(const parser *p, operator kind, const operand *a, const o
 {
     if (a->is_word || b->is_word) {
         if (kind != EQUAL && kind != NOT_EQUAL)
-            return hs_fail(p->err, HS_ERROR_INPUT, "if: the condition '%.400s': words can only be compared with == and !=", p->text);
+            return hs_fail(p->err, HS_ERROR_INPUT,
+                           "if: the condition '%.400s': words can only be compared with == and !=", p->text);
         if (a->is_word != b->is_word)
-            return hs_fail(p->err, HS_ERROR_INPUT, "if: the condition '%.400s': the word '%.*s' is compared with a number", p->text,
+            return hs_fail(p->err, HS_ERROR_INPUT,
+                           "if: the condition '%.400s': the word '%.*s' is compared with a number", p->text,
                            (int)(a->is_word ? a->n_word : b->n_word), a->is_word ? a->word : b->word);
         const bool same = a->n_word == b->n_word && memcmp(a->word, b->word, a->n_word) == 0;
         *value = (operand){.number = same == (kind == EQUAL)};

@@ -6,8 +6,10 @@ static bool is_divider(const char *word) { return strcmp(word, "elif") == 0 || s
 
 static hs_status fail(const char *what, hs_error *err)
 {
-    return hs_fail(err, HS_ERROR_INPUT, "if: %s; expected: if <condition> then \"command\" ... [elif <condition> \"command\" ...] "
-                   "[else \"command\" ...]", what);
+    return hs_fail(err, HS_ERROR_INPUT,
+                   "if: %s; expected: if <condition> then \"command\" ... [elif <condition> \"command\" ...] "
+                   "[else \"command\" ...]",
+                   what);
 }
 
 hs_status hs_branches_next(const hs_args *args, int *at, hs_branch *branch, bool *found, hs_error *err)

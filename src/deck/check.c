@@ -93,7 +93,8 @@ static hs_status check_files(checker *c, const file *f, const char *word, bool i
         if (!is_there && (files.n > 1 || !is_certain || hs_name_list_has(&c->names.written, name))) continue;
         bool may_end = false;
         for (const file *above = f; above != NULL; above = above->above) may_end = may_end || above->may_end;
-        for (const file *above = f; above != NULL && status == HS_OK && is_certain && label == NULL; above = above->above)
+        for (const file *above = f; above != NULL && status == HS_OK && is_certain && label == NULL;
+             above = above->above)
             if (strcmp(above->name, name) == 0 && !may_end)
                 status = hs_fail(c->err, HS_ERROR_INPUT, "include: '%.400s' includes itself without an end", name);
         if (status == HS_OK) status = check_file(c, name, f, is_certain && label == NULL);
@@ -142,7 +143,8 @@ static hs_status check_if(checker *c, file *f, const hs_args *args)
         if (status != HS_OK) return is_unsure ? HS_OK : status;
         if (!found) return HS_OK;
         bool holds;
-        if (branch.condition != NULL && !is_open(branch.condition)) HS_TRY(hs_boolean_eval(branch.condition, &holds, c->err));
+        if (branch.condition != NULL && !is_open(branch.condition))
+            HS_TRY(hs_boolean_eval(branch.condition, &holds, c->err));
         HS_TRY(check_nested(c, f, args, branch.first, branch.end));
     }
     return HS_OK;
@@ -233,8 +235,9 @@ static hs_status check_file(checker *c, const char *name, const file *above, boo
 {
     if (hs_name_list_has(&c->names.visited, hs_source_name(name))) return HS_OK;
     if (c->depth >= HS_SOURCES_MAX && above != NULL && is_certain)
-        return hs_fail(c->err, HS_ERROR_INPUT, "include: '%.400s' would be file number %d within one another (at most %d)", name,
-                       c->depth + 1, HS_SOURCES_MAX);
+        return hs_fail(c->err, HS_ERROR_INPUT,
+                       "include: '%.400s' would be file number %d within one another (at most %d)", name, c->depth + 1,
+                       HS_SOURCES_MAX);
     if (c->depth >= 2 * HS_SOURCES_MAX) return HS_OK;
     hs_text text = {0};
     hs_status status = hs_source_read(c->deck, name, &text, c->err);

@@ -37,7 +37,8 @@ void hs_name_list_fini(hs_name_list *list)
 static hs_known_variable *find(const hs_check_names *names, const char *name, size_t n)
 {
     for (int i = 0; i < names->n_variables; ++i)
-        if (strlen(names->variable[i].name) == n && memcmp(names->variable[i].name, name, n) == 0) return &names->variable[i];
+        if (strlen(names->variable[i].name) == n && memcmp(names->variable[i].name, name, n) == 0)
+            return &names->variable[i];
     return NULL;
 }
 
@@ -82,6 +83,8 @@ void hs_check_names_fini(hs_check_names *names)
 
 hs_status hs_check_names_define(hs_check_names *names, const hs_args *args, hs_error *err)
 {
+    /* A line with `$` may not show all its words yet. */
+    if (args->n < 2) return HS_OK;
     hs_known_variable *known = find(names, args->word[0], strlen(args->word[0]));
     if (known != NULL && known->is_fixed && strcmp(args->word[1], "delete") != 0) return HS_OK;
     if (known == NULL) HS_TRY(add(names, args->word[0], &known, err));
@@ -96,8 +99,8 @@ hs_status hs_check_names_define(hs_check_names *names, const hs_args *args, hs_e
     return HS_OK;
 }
 
-static hs_status expand(const hs_check_names *names, const char *word, int depth, hs_name_list *expanded, bool *is_known,
-                        hs_error *err)
+static hs_status expand(const hs_check_names *names, const char *word, int depth, hs_name_list *expanded,
+                        bool *is_known, hs_error *err)
 {
     const char *at = strchr(word, '$');
     if (at == NULL) return hs_name_list_add(expanded, word, err);
@@ -115,7 +118,9 @@ static hs_status expand(const hs_check_names *names, const char *word, int depth
     for (int i = 0; i < known->values.n && status == HS_OK && *is_known; ++i) {
         hs_text_clear(&one);
         if (strchr(known->values.name[i], '$') != NULL) *is_known = false;
-        else status = hs_text_printf(&one, err, "%.*s%s%s", (int)(at - word), word, known->values.name[i], at + dollar.length);
+        else
+            status = hs_text_printf(&one, err, "%.*s%s%s", (int)(at - word), word, known->values.name[i],
+                                    at + dollar.length);
         if (status == HS_OK && *is_known) status = expand(names, hs_text_get(&one), depth + 1, expanded, is_known, err);
     }
     hs_text_fini(&one);

@@ -35,6 +35,7 @@ void hs_check_names_fini(hs_check_names *names);
 /** Learn from a `variable` command. */
 HS_MUST_USE hs_status hs_check_names_define(hs_check_names *names, const hs_args *args, hs_error *err);
 /** All words that @p word may become, as far as its variables are known; none when one is not. */
-HS_MUST_USE hs_status hs_check_names_expand(const hs_check_names *names, const char *word, hs_name_list *expanded, hs_error *err);
+HS_MUST_USE hs_status hs_check_names_expand(const hs_check_names *names, const char *word, hs_name_list *expanded,
+                                            hs_error *err);
 
 #endif

@@ -25,7 +25,8 @@ static void tell_system(hs_sink *out, const hs_deck *deck)
     hs_say(out, "Boundaries    =");
     for (int d = 0; d < 3; ++d) hs_say(out, " %c%c", (char)box->boundary[d][0], (char)box->boundary[d][1]);
     if (box->exists)
-        for (int d = 0; d < 3; ++d) hs_say(out, "\n%clo, %chi      = %.8g, %.8g", "xyz"[d], "xyz"[d], box->lo[d], box->hi[d]);
+        for (int d = 0; d < 3; ++d)
+            hs_say(out, "\n%clo, %chi      = %.8g, %.8g", "xyz"[d], "xyz"[d], box -> lo[d], box -> hi[d]);
     else
         hs_say(out, "\nBox has not yet been created");
     hs_say(out, "\nPair style    = %s\n", sim->pair != NULL ? sim->pair->style->about.name : "none");
@@ -43,8 +44,8 @@ static void tell_memory(hs_sink *out, const hs_deck *deck)
 static void tell_communication(hs_sink *out, const hs_deck *deck)
 {
     hs_say(out, "\nCommunication information:\n");
-    hs_say(out, "Nprocs        = %d,   Nthreads = %d\n", deck->sim->parallel.n_ranks > 1 ? deck->sim->parallel.n_ranks : 1,
-           hs_threads_get());
+    hs_say(out, "Nprocs        = %d,   Nthreads = %d\n",
+           deck->sim->parallel.n_ranks > 1 ? deck->sim->parallel.n_ranks : 1, hs_threads_get());
 }
 
 static void tell_computes(hs_sink *out, const hs_deck *deck)
@@ -52,8 +53,8 @@ static void tell_computes(hs_sink *out, const hs_deck *deck)
     const hs_sim *sim = deck->sim;
     hs_say(out, "\nCompute information:\n");
     for (int i = 0; i < sim->n_computes; ++i)
-        hs_say(out, "Compute[%3d]:  %s,  style = %s,  group = %s\n", i, sim->compute[i]->id, sim->compute[i]->style->about.name,
-               sim->groups.name[sim->compute[i]->group]);
+        hs_say(out, "Compute[%3d]:  %s,  style = %s,  group = %s\n", i, sim->compute[i]->id,
+               sim->compute[i]->style->about.name, sim->groups.name[sim->compute[i]->group]);
 }
 
 static void tell_dumps(hs_sink *out, const hs_deck *deck)
@@ -61,8 +62,9 @@ static void tell_dumps(hs_sink *out, const hs_deck *deck)
     const hs_sim *sim = deck->sim;
     hs_say(out, "\nDump information:\n");
     for (int i = 0; i < sim->n_dumps; ++i)
-        hs_say(out, "Dump[%3d]:     %s,  file = %s,  style = %s,  group = %s,  every = %lld\n", i, sim->dump[i]->id, sim->dump[i]->file,
-               sim->dump[i]->style->about.name, sim->groups.name[sim->dump[i]->group], (long long)sim->dump[i]->every);
+        hs_say(out, "Dump[%3d]:     %s,  file = %s,  style = %s,  group = %s,  every = %lld\n", i, sim->dump[i]->id,
+               sim->dump[i]->file, sim->dump[i]->style->about.name, sim->groups.name[sim->dump[i]->group],
+               (long long)sim->dump[i]->every);
 }
 
 static void tell_fixes(hs_sink *out, const hs_deck *deck)
@@ -86,8 +88,8 @@ static void tell_regions(hs_sink *out, const hs_deck *deck)
     const hs_sim *sim = deck->sim;
     hs_say(out, "\nRegion information:\n");
     for (int i = 0; i < sim->n_regions; ++i)
-        hs_say(out, "Region[%3d]:   %s,  style = %s,  side = %s\n", i, sim->region[i]->id, sim->region[i]->style->about.name,
-               sim->region[i]->is_outside ? "out" : "in");
+        hs_say(out, "Region[%3d]:   %s,  style = %s,  side = %s\n", i, sim->region[i]->id,
+               sim->region[i]->style->about.name, sim->region[i]->is_outside ? "out" : "in");
 }
 
 /** Definitions, not values: a formula's value may need a run. */
@@ -96,13 +98,16 @@ static void tell_variables(hs_sink *out, const hs_deck *deck)
     hs_say(out, "\nVariable information:\n");
     for (int i = 0; i < deck->variables->n; ++i) {
         const hs_variable *variable = deck->variables->variable[i];
-        hs_say(out, "Variable[%3d]: %-10s,  style = %-10s,  def =", i, variable->name, hs_variable_styles[variable->style]);
+        hs_say(out, "Variable[%3d]: %-10s,  style = %-10s,  def =", i, variable->name,
+               hs_variable_styles[variable->style]);
         if (variable->style == HS_VARIABLE_LOOP)
-            hs_say(out, " %lld of %lld to %lld", (long long)variable->which, (long long)variable->first, (long long)variable->last);
+            hs_say(out, " %lld of %lld to %lld", (long long)variable->which, (long long)variable->first,
+                   (long long)variable->last);
         if (variable->style == HS_VARIABLE_INTERNAL) hs_say(out, " %.15g", variable->number);
         if (variable->formula != NULL) hs_say(out, " %s", hs_formula_text(variable->formula));
         for (int k = 0; k < variable->n_values; ++k)
-            hs_say(out, variable->style == HS_VARIABLE_INDEX && k == variable->which ? " [%s]" : " %s", variable->value[k]);
+            hs_say(out, variable->style == HS_VARIABLE_INDEX && k == variable->which ? " [%s]" : " %s",
+                   variable->value[k]);
         hs_say(out, "\n");
     }
 }
@@ -136,9 +141,10 @@ static void tell_styles(hs_sink *out, const hs_deck *deck)
 }
 
 static const topic topics[] = {
-    {"system", tell_system, true}, {"memory", tell_memory, true}, {"communication", tell_communication, true},
-    {"computes", tell_computes, true}, {"dumps", tell_dumps, true}, {"fixes", tell_fixes, true}, {"groups", tell_groups, true},
-    {"regions", tell_regions, true}, {"variables", tell_variables, true}, {"time", tell_time, true}, {"styles", tell_styles, false},
+    {"system", tell_system, true},     {"memory", tell_memory, true},   {"communication", tell_communication, true},
+    {"computes", tell_computes, true}, {"dumps", tell_dumps, true},     {"fixes", tell_fixes, true},
+    {"groups", tell_groups, true},     {"regions", tell_regions, true}, {"variables", tell_variables, true},
+    {"time", tell_time, true},         {"styles", tell_styles, false},
 };
 enum { N_TOPICS = sizeof topics / sizeof topics[0] };
 
@@ -151,8 +157,8 @@ static int find_topic(const char *word)
 
 static hs_status info_check(const hs_args *args, bool has_variables, hs_error *err)
 {
-    static const char *const words[] = {"all", "out", "system", "memory", "communication", "computes", "dumps", "fixes", "groups",
-                                        "regions", "variables", "time", "styles", NULL};
+    static const char *const words[] = {"all",   "out",    "system",  "memory",    "communication", "computes", "dumps",
+                                        "fixes", "groups", "regions", "variables", "time",          "styles",   NULL};
     static const char *const outs[] = {"screen", "log", NULL};
     int which;
     if (has_variables) return HS_OK;
@@ -179,7 +185,8 @@ static hs_status info_run(hs_deck *deck, const hs_args *args, hs_error *err)
         }
         const int which = find_topic(args->word[i]);
         any = true;
-        for (int k = 0; k < N_TOPICS; ++k) is_wanted[k] = is_wanted[k] || k == which || (which < 0 && topics[k].is_default);
+        for (int k = 0; k < N_TOPICS; ++k)
+            is_wanted[k] = is_wanted[k] || k == which || (which < 0 && topics[k].is_default);
     }
     for (int k = 0; k < N_TOPICS; ++k)
         if (is_wanted[k] || (!any && topics[k].is_default)) topics[k].tell(&out, deck);
@@ -189,15 +196,19 @@ static hs_status info_run(hs_deck *deck, const hs_args *args, hs_error *err)
 
 const hs_command hs_commands_info[] = {
     {
-        .about = {
-            .name = "info",
-            .syntax = {"[all] [system] [memory] [communication] [computes] [dumps] [fixes] [groups] [regions] [variables] [time] "
-                       "[styles] [out screen|log]", 0, -1, NULL},
-            .summary = "Tell what there is at this point of the deck",
-            .details = "Without words, and with `all`, everything but `styles`, the lists of what Halfshell supports. `out` chooses "
-                       "where it is\nwritten (default: screen). Variables are shown by their definitions.\n",
-            .example = "info system groups variables out log",
-        },
+        .about =
+            {
+                .name = "info",
+                .syntax = {"[all] [system] [memory] [communication] [computes] [dumps] [fixes] [groups] [regions] "
+                           "[variables] [time] "
+                           "[styles] [out screen|log]",
+                           0, -1, NULL},
+                .summary = "Tell what there is at this point of the deck",
+                .details = "Without words, and with `all`, everything but `styles`, the lists of what Halfshell "
+                           "supports. `out` chooses "
+                           "where it is\nwritten (default: screen). Variables are shown by their definitions.\n",
+                .example = "info system groups variables out log",
+            },
         .run = info_run,
         .check = info_check,
     },

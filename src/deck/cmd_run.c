@@ -27,7 +27,9 @@ static hs_status read_every(const hs_args *args, int i, run_words *run, hs_error
     run->first_command = i + 2;
     run->end = args->n;
     if (strcmp(args->word[i + 2], "NULL") == 0) {
-        if (i + 3 < args->n) return hs_arg_refuse(args, i + 3, "expected after NULL: 'every <M> NULL' must be the last words", NULL, err);
+        if (i + 3 < args->n)
+            return hs_arg_refuse(args, i + 3, "expected after NULL: 'every <M> NULL' must be the last words", NULL,
+                                 err);
         run->end = run->first_command;
     }
     return HS_OK;
@@ -81,19 +83,20 @@ static hs_status plan_run(const hs_sim *sim, const run_words *run, hs_run_plan *
 {
     const int64_t now = sim->env.step;
     if (run->is_upto && run->n < now)
-        return hs_fail(err, HS_ERROR_INPUT, "run: 'upto %lld' is before the present step %lld", (long long)run->n, (long long)now);
+        return hs_fail(err, HS_ERROR_INPUT, "run: 'upto %lld' is before the present step %lld", (long long)run->n,
+                       (long long)now);
     if (run->n > step_max - now)
-        return hs_fail(err, HS_ERROR_INPUT, "run: %lld steps from step %lld would go beyond step %lld", (long long)run->n, (long long)now,
-                       (long long)step_max);
+        return hs_fail(err, HS_ERROR_INPUT, "run: %lld steps from step %lld would go beyond step %lld",
+                       (long long)run->n, (long long)now, (long long)step_max);
     *plan = (hs_run_plan){.n_steps = run->is_upto ? run->n - now : run->n, .pre = run->pre, .post = run->post};
     plan->start = run->has_start ? run->start : now;
     plan->stop = run->has_stop ? run->stop : now + plan->n_steps;
     if (plan->start > now)
-        return hs_fail(err, HS_ERROR_INPUT, "run: 'start %lld' is after the run's first step %lld", (long long)plan->start,
-                       (long long)now);
+        return hs_fail(err, HS_ERROR_INPUT, "run: 'start %lld' is after the run's first step %lld",
+                       (long long)plan->start, (long long)now);
     if (plan->stop < now + plan->n_steps)
-        return hs_fail(err, HS_ERROR_INPUT, "run: 'stop %lld' is before the run's last step %lld", (long long)plan->stop,
-                       (long long)(now + plan->n_steps));
+        return hs_fail(err, HS_ERROR_INPUT, "run: 'stop %lld' is before the run's last step %lld",
+                       (long long)plan->stop, (long long)(now + plan->n_steps));
     return HS_OK;
 }
 
@@ -103,15 +106,17 @@ static hs_status pretend(hs_deck *deck, const hs_run_plan *plan, hs_error *err)
     hs_sim *sim = deck->sim;
     HS_TRY(hs_sim_setup(sim, err));
     hs_report_setup(sim);
-    hs_say(deck->out, "Run of %lld steps from step %lld, of %.15g time units each, with %lld atoms\n", (long long)plan->n_steps,
-           (long long)sim->env.step, sim->env.dt, (long long)sim->atoms.n_all);
+    hs_say(deck->out, "Run of %lld steps from step %lld, of %.15g time units each, with %lld atoms\n",
+           (long long)plan->n_steps, (long long)sim->env.step, sim->env.dt, (long long)sim->atoms.n_all);
     sim->env.step += plan->n_steps;
-    sim->env.energy_step = -1;
+    /* Later commands may ask for energies: those of the start stand for those of the end. */
+    sim->env.energy_step = sim->env.step;
     return HS_OK;
 }
 
 /** One run of the series; the last one of a series always has its timing table, and the first one its set-up. */
-static hs_status run_part(hs_deck *deck, const run_words *run, int64_t n_steps, bool is_first, bool is_last, hs_error *err)
+static hs_status run_part(hs_deck *deck, const run_words *run, int64_t n_steps, bool is_first, bool is_last,
+                          hs_error *err)
 {
     hs_sim *sim = deck->sim;
     hs_run_plan plan = {.n_steps = n_steps};
@@ -140,7 +145,8 @@ static hs_status run_run(hs_deck *deck, const hs_args *args, hs_error *err)
     do {
         const int64_t n = is_cut && run.every < left ? run.every : left;
         HS_TRY(run_part(deck, &run, n, is_first, n == left, err));
-        for (int i = run.first_command; i < run.end && !deck->quit; ++i) HS_TRY(hs_deck_command(deck, args->word[i], err));
+        for (int i = run.first_command; i < run.end && !deck->quit; ++i)
+            HS_TRY(hs_deck_command(deck, args->word[i], err));
         left -= n;
         is_first = false;
     } while (left > 0 && !deck->quit && deck->label_wanted == NULL);
@@ -182,9 +188,11 @@ static hs_status reset_run(hs_deck *deck, const hs_args *args, hs_error *err)
     int64_t step;
     HS_TRY(hs_arg_int(args, 0, 0, step_max, &step, err));
     hs_sim *sim = deck->sim;
+    /* Energies of the present positions stay those of the present step; what was remembered for another step of the old
+     * count must not be taken for this one's. */
+    const bool has_energy = sim->env.energy_step == sim->env.step;
     keep_time(&sim->env, step, sim->env.dt);
-    /* What was remembered for a step of the old count would else be taken for this one's. */
-    sim->env.energy_step = -1;
+    sim->env.energy_step = has_energy ? step : -1;
     sim->env.first_step = sim->env.last_step = step;
     for (int i = 0; i < sim->n_computes; ++i) hs_compute_invalidate(sim->compute[i]);
     for (int i = 0; i < sim->n_dumps; ++i) sim->dump[i]->last_written = -1;
@@ -197,44 +205,50 @@ static const hs_keyword run_keywords[] = {
     {"stop", 1, "<step>", "last step of that range (default: this run's last)"},
     {"pre", 1, "yes|no", "`no` skips the set-up of a run that goes on where the last one ended (default: yes)"},
     {"post", 1, "yes|no", "`no` leaves out the timing table (default: yes)"},
-    {"every", -1, "<M> \"command\" ...", "carry out the commands after each M steps; `NULL` for none; must be the last keyword"},
+    {"every", -1, "<M> \"command\" ...",
+     "carry out the commands after each M steps; `NULL` for none; must be the last keyword"},
     {0},
 };
 
 const hs_command hs_commands_run[] = {
     {
-        .about = {
-            .name = "run",
-            .syntax = {"<N> [keyword value ...]", 1, 1, run_keywords},
-            .summary = "Run N timesteps",
-            .details =
-                "With `every`, the run is cut into runs of M steps, each with its own table, and the commands, each one quoted, are "
-                "carried\nout after each. Everything behind `every M` is a command. `quit` ends the run.\n",
-            .example = "run 1000\nrun 5000 upto\nrun 1000 start 0 stop 10000\nrun 1000 every 100 \"print 'T = $(temp)'\"",
-        },
+        .about =
+            {
+                .name = "run",
+                .syntax = {"<N> [keyword value ...]", 1, 1, run_keywords},
+                .summary = "Run N timesteps",
+                .details = "With `every`, the run is cut into runs of M steps, each with its own table, and the "
+                           "commands, each one quoted, are "
+                           "carried\nout after each. Everything behind `every M` is a command. `quit` ends the run.\n",
+                .example =
+                    "run 1000\nrun 5000 upto\nrun 1000 start 0 stop 10000\nrun 1000 every 100 \"print 'T = $(temp)'\"",
+            },
         .run = run_run,
         .check = run_check,
     },
     {
-        .about = {
-            .name = "timestep",
-            .syntax = {"<dt>", 1, 1, NULL},
-            .summary = "Length of a timestep",
-            .details = "In time units. The default depends on `units`: 0.005 for lj, 1 fs for real, 0.001 ps for metal. A negative step "
-                       "runs\nbackwards in time.\n",
-            .example = "timestep 0.002",
-        },
+        .about =
+            {
+                .name = "timestep",
+                .syntax = {"<dt>", 1, 1, NULL},
+                .summary = "Length of a timestep",
+                .details = "In time units. The default depends on `units`: 0.005 for lj, 1 fs for real, 0.001 ps for "
+                           "metal. A negative step "
+                           "runs\nbackwards in time.\n",
+                .example = "timestep 0.002",
+            },
         .run = timestep_run,
         .check = timestep_check,
     },
     {
-        .about = {
-            .name = "reset_timestep",
-            .syntax = {"<N>", 1, 1, NULL},
-            .summary = "Set the number of the present timestep",
-            .details = "The simulated time goes on as it is.\n",
-            .example = "reset_timestep 0",
-        },
+        .about =
+            {
+                .name = "reset_timestep",
+                .syntax = {"<N>", 1, 1, NULL},
+                .summary = "Set the number of the present timestep",
+                .details = "The simulated time goes on as it is.\n",
+                .example = "reset_timestep 0",
+            },
         .run = reset_run,
         .check = reset_check,
     },

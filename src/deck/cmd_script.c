@@ -48,7 +48,8 @@ static hs_status log_run(hs_deck *deck, const hs_args *args, hs_error *err)
     if (parallel->rank == 0) {
         deck->log_opened = fopen(args->word[0], is_append ? "a" : "w");
         if (deck->log_opened == NULL)
-            (void)hs_fail(err, HS_ERROR_IO, "log: the file '%.400s' cannot be written: %s", args->word[0], strerror(errno));
+            (void)hs_fail(err, HS_ERROR_IO, "log: the file '%.400s' cannot be written: %s", args->word[0],
+                          strerror(errno));
         deck->out->log = deck->log_opened;
     }
     return hs_parallel_agree(parallel, err);
@@ -86,7 +87,8 @@ static hs_status print_to_file(const print_plan *plan, const char *text, hs_erro
         return hs_fail(err, HS_ERROR_IO, "print: the file '%.400s' cannot be written: %s", plan->file, strerror(errno));
     const bool is_written = fprintf(stream, "%s\n", text) >= 0;
     if (fclose(stream) == 0 && is_written) return HS_OK;
-    return hs_fail(err, HS_ERROR_IO, "print: the file '%.400s' could not be written in full: %s", plan->file, strerror(errno));
+    return hs_fail(err, HS_ERROR_IO, "print: the file '%.400s' could not be written in full: %s", plan->file,
+                   strerror(errno));
 }
 
 static hs_status print_run(hs_deck *deck, const hs_args *args, hs_error *err)
@@ -211,123 +213,144 @@ static const hs_keyword print_keywords[] = {
     {"file", 1, "<name>", "also write the line to this file, in place of what it held"},
     {"append", 1, "<name>", "also add the line to the end of this file"},
     {"screen", 1, "yes|no", "whether the line goes to screen and log (default: yes)"},
-    {"universe", 1, "yes|no", "whether the line goes to the log even with `screen no`: one simulation is the whole universe"},
+    {"universe", 1, "yes|no",
+     "whether the line goes to the log even with `screen no`: one simulation is the whole universe"},
     {0},
 };
 
 const hs_command hs_commands_script[] = {
     {
-        .about = {
-            .name = "echo",
-            .syntax = {"none|screen|log|both", 1, 1, NULL},
-            .summary = "Where commands are echoed as they are read",
-            .details = "Each command is shown as it stands in the deck; where variables are replaced in it, once more after "
-                       "each replacement.\nThe default, `log`, is changed by the option `-echo`.\n",
-            .example = "echo both",
-        },
+        .about =
+            {
+                .name = "echo",
+                .syntax = {"none|screen|log|both", 1, 1, NULL},
+                .summary = "Where commands are echoed as they are read",
+                .details = "Each command is shown as it stands in the deck; where variables are replaced in it, once "
+                           "more after "
+                           "each replacement.\nThe default, `log`, is changed by the option `-echo`.\n",
+                .example = "echo both",
+            },
         .run = echo_run,
         .check = echo_check,
     },
     {
-        .about = {
-            .name = "log",
-            .syntax = {"<file>|none [append]", 1, 2, NULL},
-            .summary = "Go on with another log file",
-            .details = "The present log file is closed. `none` writes no log from here on. `append` adds to the end of the file, "
-                       "which else is\nemptied.\n",
-            .example = "log log.melt\nlog log.$t append",
-        },
+        .about =
+            {
+                .name = "log",
+                .syntax = {"<file>|none [append]", 1, 2, NULL},
+                .summary = "Go on with another log file",
+                .details = "The present log file is closed. `none` writes no log from here on. `append` adds to the "
+                           "end of the file, "
+                           "which else is\nemptied.\n",
+                .example = "log log.melt\nlog log.$t append",
+            },
         .run = log_run,
         .check = log_check,
     },
     {
-        .about = {
-            .name = "print",
-            .syntax = {"\"<text>\" [keyword value ...]", 1, 1, print_keywords},
-            .summary = "Print a line to screen, log and files",
-            .details = "A text with blanks needs quotes: `'...'`, `\"...\"`, or `\"\"\"...\"\"\"`, which may hold several lines. "
-                       "Variables in it are\nreplaced, but not within further quotes inside of the text.\n",
-            .example = "print \"T = $T, pressure $(press:%.4f)\" append results.txt screen no",
-        },
+        .about =
+            {
+                .name = "print",
+                .syntax = {"\"<text>\" [keyword value ...]", 1, 1, print_keywords},
+                .summary = "Print a line to screen, log and files",
+                .details = "A text with blanks needs quotes: `'...'`, `\"...\"`, or `\"\"\"...\"\"\"`, which may hold "
+                           "several lines. "
+                           "Variables in it are\nreplaced, but not within further quotes inside of the text.\n",
+                .example = "print \"T = $T, pressure $(press:%.4f)\" append results.txt screen no",
+            },
         .run = print_run,
     },
     {
-        .about = {
-            .name = "include",
-            .syntax = {"<file>", 1, 1, NULL},
-            .summary = "Carry out the commands of another file, then go on",
-            .details = "At most 16 files can be open within one another.\n",
-            .example = "include in.potential",
-        },
+        .about =
+            {
+                .name = "include",
+                .syntax = {"<file>", 1, 1, NULL},
+                .summary = "Carry out the commands of another file, then go on",
+                .details = "At most 16 files can be open within one another.\n",
+                .example = "include in.potential",
+            },
         .run = include_run,
     },
     {
-        .about = {
-            .name = "jump",
-            .syntax = {"<file>|SELF [label]", 1, 2, NULL},
-            .summary = "Go on reading at the start, or at a label, of a file",
-            .details = "`SELF` is the present file. Lines up to `label <label>` are skipped. After `next` has come to the end of its "
-                       "variables,\nthe next `jump` does nothing: that is how loops end.\n",
-            .example = "variable i loop 10\nlabel loop\nrun 100\nnext i\njump SELF loop",
-        },
+        .about =
+            {
+                .name = "jump",
+                .syntax = {"<file>|SELF [label]", 1, 2, NULL},
+                .summary = "Go on reading at the start, or at a label, of a file",
+                .details = "`SELF` is the present file. Lines up to `label <label>` are skipped. After `next` has come "
+                           "to the end of its "
+                           "variables,\nthe next `jump` does nothing: that is how loops end.\n",
+                .example = "variable i loop 10\nlabel loop\nrun 100\nnext i\njump SELF loop",
+            },
         .run = jump_run,
     },
     {
-        .about = {
-            .name = "label",
-            .syntax = {"<name>", 1, 1, NULL},
-            .summary = "A place that jump can go to",
-            .details = "Without a jump to it the command does nothing.\n",
-            .example = "label loop",
-        },
+        .about =
+            {
+                .name = "label",
+                .syntax = {"<name>", 1, 1, NULL},
+                .summary = "A place that jump can go to",
+                .details = "Without a jump to it the command does nothing.\n",
+                .example = "label loop",
+            },
         .run = label_run,
     },
     {
-        .about = {
-            .name = "next",
-            .syntax = {"<variable> ...", 1, -1, NULL},
-            .summary = "Give variables their next values",
-            .details = "All must be `index` variables, or all `loop` variables. When one has no further value, all of them are "
-                       "deleted and the\nnext `jump` is skipped.\n",
-            .example = "variable T index 0.7 0.8 0.9\nlabel loop\nprint \"T = $T\"\nnext T\njump SELF loop",
-        },
+        .about =
+            {
+                .name = "next",
+                .syntax = {"<variable> ...", 1, -1, NULL},
+                .summary = "Give variables their next values",
+                .details = "All must be `index` variables, or all `loop` variables. When one has no further value, all "
+                           "of them are "
+                           "deleted and the\nnext `jump` is skipped.\n",
+                .example = "variable T index 0.7 0.8 0.9\nlabel loop\nprint \"T = $T\"\nnext T\njump SELF loop",
+            },
         .run = next_run,
     },
     {
-        .about = {
-            .name = "if",
-            .syntax = {"<condition> then \"command\" ... [elif <condition> \"command\" ...] [else \"command\" ...]", 0, -1, NULL},
-            .summary = "Carry out commands only if a condition holds",
-            .details =
-                "A condition compares numbers with `== != < <= > >=` and words with `==` and `!=`; `&& || |^ !` and parentheses "
-                "join\ncomparisons. A number alone holds unless it is 0. Arithmetic needs an immediate variable: `$(v_a+1)`. "
-                "Conditions with\nblanks, and commands, are quoted; a command that itself holds quotes goes into the other kind. "
-                "All branches are checked\nbefore anything runs.\n",
-            .example = "if \"$(step) > 1000 && ${mode} == fast\" then \"timestep 0.01\" \"run 100\" else \"quit\"",
-        },
+        .about =
+            {
+                .name = "if",
+                .syntax = {"<condition> then \"command\" ... [elif <condition> \"command\" ...] [else \"command\" ...]",
+                           0, -1, NULL},
+                .summary = "Carry out commands only if a condition holds",
+                .details = "A condition compares numbers with `== != < <= > >=` and words with `==` and `!=`; `&& || "
+                           "|^ !` and parentheses "
+                           "join\ncomparisons. A number alone holds unless it is 0. Arithmetic needs an immediate "
+                           "variable: `$(v_a+1)`. "
+                           "Conditions with\nblanks, and commands, are quoted; a command that itself holds quotes goes "
+                           "into the other kind. "
+                           "All branches are checked\nbefore anything runs.\n",
+                .example = "if \"$(step) > 1000 && ${mode} == fast\" then \"timestep 0.01\" \"run 100\" else \"quit\"",
+            },
         .run = if_run,
         .check = if_check,
     },
     {
-        .about = {
-            .name = "quit",
-            .syntax = {"[status]", 0, 1, NULL},
-            .summary = "End here",
-            .details = "The program's exit code is `status`, 0 to 255 (default 0). What stands behind a `quit` outside of `if` is not "
-                       "read, up to\nthe next `label`.\n",
-            .example = "if \"$(v_error) > 0.1\" then \"quit 1\"",
-        },
+        .about =
+            {
+                .name = "quit",
+                .syntax = {"[status]", 0, 1, NULL},
+                .summary = "End here",
+                .details = "The program's exit code is `status`, 0 to 255 (default 0). What stands behind a `quit` "
+                           "outside of `if` is not "
+                           "read, up to\nthe next `label`.\n",
+                .example = "if \"$(v_error) > 0.1\" then \"quit 1\"",
+            },
         .run = quit_run,
         .check = quit_check,
     },
     {
-        .about = {
-            .name = "clear",
-            .syntax = {"", 0, 0, NULL},
-            .summary = "Forget the simulation and start anew",
-            .details = "Atoms, box, styles and settings go back to how they were at the start; variables, the log and echo stay.\n",
-            .example = "clear",
-        },
+        .about =
+            {
+                .name = "clear",
+                .syntax = {"", 0, 0, NULL},
+                .summary = "Forget the simulation and start anew",
+                .details = "Atoms, box, styles and settings go back to how they were at the start; variables, the log "
+                           "and echo stay.\n",
+                .example = "clear",
+            },
         .run = clear_run,
     },
     {.about = {.name = NULL}},

@@ -18,7 +18,8 @@ static hs_status shell_check(const hs_args *args, bool has_variables, hs_error *
 {
     (void)args;
     (void)has_variables;
-    return hs_fail(err, HS_ERROR_INPUT, "shell: a deck cannot run programs or change files around it; do that in a script that "
+    return hs_fail(err, HS_ERROR_INPUT,
+                   "shell: a deck cannot run programs or change files around it; do that in a script that "
                    "calls Halfshell (-var hands values in, print ... file hands them out)");
 }
 
@@ -44,7 +45,8 @@ static hs_status suffix_check(const hs_args *args, bool has_variables, hs_error 
     HS_TRY(hs_arg_choice(args, 0, words, &which, err));
     const int n_wanted = strcmp(args->word[0], "hybrid") == 0 ? 3 : 1;
     if (args->n == n_wanted) return HS_OK;
-    return hs_fail(err, HS_ERROR_INPUT, "suffix: expected: suffix on|off|gpu|intel|kk|omp|opt, or suffix hybrid <first> <second>");
+    return hs_fail(err, HS_ERROR_INPUT,
+                   "suffix: expected: suffix on|off|gpu|intel|kk|omp|opt, or suffix hybrid <first> <second>");
 }
 
 static hs_status no_effect_run(hs_deck *deck, const hs_args *args, hs_error *err)
@@ -56,73 +58,90 @@ static hs_status no_effect_run(hs_deck *deck, const hs_args *args, hs_error *err
 
 const hs_command hs_commands_variable[] = {
     {
-        .about = {
-            .name = "variable",
-            .syntax = {"<name> index|loop|string|format|getenv|equal|atom|internal|delete <words>", 2, -1, NULL},
-            .summary = "Define a variable",
-            .details =
-                "| style | words | value |\n"
-                "|---|---|---|\n"
-                "| `index` | `<value> ...` | one of the values; `next` goes on to the next one |\n"
-                "| `loop` | `<N>` or `<N1> <N2>`, `[pad]` | 1 to N, or N1 to N2; `pad` writes all with equally many digits |\n"
-                "| `string` | `<text>` | the text |\n"
-                "| `format` | `<variable> <format>` | the number of another variable in a format such as `%10.4f` |\n"
-                "| `getenv` | `<name>` | an environment variable |\n"
-                "| `equal` | `<formula>` | the formula's value whenever it is asked for |\n"
-                "| `atom` | `<formula>` | one value per atom |\n"
-                "| `internal` | `<number>` | a number that other commands set |\n"
-                "| `delete` | | the variable is forgotten |\n\n"
-                "`$x` (one letter) or `${name}` puts a variable's value into a line before it is carried out, `$(formula)` that of a "
-                "formula\n(`$(formula:%fmt)` in a format); not within quotes, except in the texts of `print` and `if`. `index`, "
-                "`loop` and `getenv`\nvariables that exist already keep their value, so that the option `-var` wins; `string`, "
-                "`format`, `equal`, `atom` and\n`internal` ones are replaced.\n\n"
-                "Formulas know `+ - * / % ^`, `== != < <= > >=`, `&& || |^ !`, parentheses, where signs bind tighter than `^`, so that "
-                "`-2^2`\nis 4; `PI`, `version`, `yes`, `no`, `true`, `false`, `on`, `off`; thermo keywords; `c_ID`, `c_ID[i]` of "
-                "computes and\n`f_ID`, `f_ID[i]` of fixes; `v_name`, rounded to 15 digits as in LAMMPS; `x[ID]` and the like for one "
-                "atom. In `atom`\nstyle also `id mass type x y z vx vy vz fx fy fz`.\n\n"
-                "Functions: `sqrt exp ln log abs sin cos tan asin acos atan atan2 random normal ceil floor round`; of time `ramp "
-                "stagger\nlogfreq logfreq2 logfreq3 stride stride2 vdisplace swiggle cwiggle`; of groups `count mass xcm vcm fcm bound "
-                "gyration ke\nangmom torque inertia` with the group, `x`, `y` or `z` where there is a direction, and optionally a region; "
-                "of vectors\n`sum min max ave trap slope`; per atom `gmask rmask grmask`; `is_defined is_available is_file`.\n\n"
-                "Division by zero, roots and logarithms of numbers that have none, and results that are not finite are errors. LAMMPS's "
-                "styles\n`file atomfile python timer vector world universe uloop` are refused.\n",
-            .example = "variable T index 0.7 0.8 0.9\nvariable p equal press*2.0\nvariable r atom sqrt(x*x+y*y)\n"
-                       "print \"at T = $T: $p, $(temp:%.3f)\"",
-        },
+        .about =
+            {
+                .name = "variable",
+                .syntax = {"<name> index|loop|string|format|getenv|equal|atom|internal|delete <words>", 2, -1, NULL},
+                .summary = "Define a variable",
+                .details = "| style | words | value |\n"
+                           "|---|---|---|\n"
+                           "| `index` | `<value> ...` | one of the values; `next` goes on to the next one |\n"
+                           "| `loop` | `<N>` or `<N1> <N2>`, `[pad]` | 1 to N, or N1 to N2; `pad` writes all with "
+                           "equally many digits |\n"
+                           "| `string` | `<text>` | the text |\n"
+                           "| `format` | `<variable> <format>` | the number of another variable in a format such as "
+                           "`%10.4f` |\n"
+                           "| `getenv` | `<name>` | an environment variable |\n"
+                           "| `equal` | `<formula>` | the formula's value whenever it is asked for |\n"
+                           "| `atom` | `<formula>` | one value per atom |\n"
+                           "| `internal` | `<number>` | a number that other commands set |\n"
+                           "| `delete` | | the variable is forgotten |\n\n"
+                           "`$x` (one letter) or `${name}` puts a variable's value into a line before it is carried "
+                           "out, `$(formula)` that of a "
+                           "formula\n(`$(formula:%fmt)` in a format); not within quotes, except in the texts of "
+                           "`print` and `if`. `index`, "
+                           "`loop` and `getenv`\nvariables that exist already keep their value, so that the option "
+                           "`-var` wins; `string`, "
+                           "`format`, `equal`, `atom` and\n`internal` ones are replaced.\n\n"
+                           "Formulas know `+ - * / % ^`, `== != < <= > >=`, `&& || |^ !`, parentheses, where signs "
+                           "bind tighter than `^`, so that "
+                           "`-2^2`\nis 4; `PI`, `version`, `yes`, `no`, `true`, `false`, `on`, `off`; thermo keywords; "
+                           "`c_ID`, `c_ID[i]` of "
+                           "computes and\n`f_ID`, `f_ID[i]` of fixes; `v_name`, rounded to 15 digits as in LAMMPS; "
+                           "`x[ID]` and the like for one "
+                           "atom. In `atom`\nstyle also `id mass type x y z vx vy vz fx fy fz`.\n\n"
+                           "Functions: `sqrt exp ln log abs sin cos tan asin acos atan atan2 random normal ceil floor "
+                           "round`; of time `ramp "
+                           "stagger\nlogfreq logfreq2 logfreq3 stride stride2 vdisplace swiggle cwiggle`; of groups "
+                           "`count mass xcm vcm fcm bound "
+                           "gyration ke\nangmom torque inertia` with the group, `x`, `y` or `z` where there is a "
+                           "direction, and optionally a region; "
+                           "of vectors\n`sum min max ave trap slope`; per atom `gmask rmask grmask`; `is_defined "
+                           "is_available is_file`.\n\n"
+                           "Division by zero, roots and logarithms of numbers that have none, and results that are not "
+                           "finite are errors. LAMMPS's "
+                           "styles\n`file atomfile python timer vector world universe uloop` are refused.\n",
+                .example = "variable T index 0.7 0.8 0.9\nvariable p equal press*2.0\nvariable r atom sqrt(x*x+y*y)\n"
+                           "print \"at T = $T: $p, $(temp:%.3f)\"",
+            },
         .run = variable_run,
         .check = variable_check,
     },
     {
-        .about = {
-            .name = "shell",
-            .syntax = {"<words>", 0, -1, NULL},
-            .summary = "Refused: decks cannot run programs",
-            .details = "A deck changes nothing around it. Let a script call Halfshell: `-var` hands values in, `print ... file` hands "
-                       "them out.\n",
-            .example = NULL,
-        },
+        .about =
+            {
+                .name = "shell",
+                .syntax = {"<words>", 0, -1, NULL},
+                .summary = "Refused: decks cannot run programs",
+                .details = "A deck changes nothing around it. Let a script call Halfshell: `-var` hands values in, "
+                           "`print ... file` hands "
+                           "them out.\n",
+                .example = NULL,
+            },
         .run = shell_run,
         .check = shell_check,
     },
     {
-        .about = {
-            .name = "package",
-            .syntax = {"gpu|intel|kokkos|omp <words>", 1, -1, NULL},
-            .summary = "Settings of LAMMPS's accelerators, accepted without effect",
-            .details = "Halfshell chooses its own kernels; threads are set with the option `-threads`.\n",
-            .example = "package omp 4",
-        },
+        .about =
+            {
+                .name = "package",
+                .syntax = {"gpu|intel|kokkos|omp <words>", 1, -1, NULL},
+                .summary = "Settings of LAMMPS's accelerators, accepted without effect",
+                .details = "Halfshell chooses its own kernels; threads are set with the option `-threads`.\n",
+                .example = "package omp 4",
+            },
         .run = no_effect_run,
         .check = package_check,
     },
     {
-        .about = {
-            .name = "suffix",
-            .syntax = {"on|off|gpu|intel|kk|omp|opt, or hybrid <first> <second>", 1, 3, NULL},
-            .summary = "Variants of LAMMPS's styles, accepted without effect",
-            .details = "Halfshell has one variant of each style and chooses its kernels itself.\n",
-            .example = "suffix omp",
-        },
+        .about =
+            {
+                .name = "suffix",
+                .syntax = {"on|off|gpu|intel|kk|omp|opt, or hybrid <first> <second>", 1, 3, NULL},
+                .summary = "Variants of LAMMPS's styles, accepted without effect",
+                .details = "Halfshell has one variant of each style and chooses its kernels itself.\n",
+                .example = "suffix omp",
+            },
         .run = no_effect_run,
         .check = suffix_check,
     },

@@ -15,8 +15,8 @@ typedef struct hs_command {
     HS_MUST_USE hs_status (*check)(const hs_args *args, bool has_variables, hs_error *err);
 } hs_command;
 
-/** All families, ended by NULL; each is an array ended by an entry without a name. Made by the build: src/deck/cmd_NAME.c
- *  must define `const hs_command hs_commands_NAME[]`. */
+/** All families, ended by NULL; each is an array ended by an entry without a name. Made by the build:
+ *  src/deck/cmd_NAME.c must define `const hs_command hs_commands_NAME[]`. */
 extern const hs_command *const hs_command_families[];
 
 /** The command of that name, or NULL. */

@@ -16,7 +16,7 @@ typedef struct hs_deck {
     struct hs_variables *variables;    /**< owned; kept over `clear` */
     struct hs_source *source;          /**< owned stack of files being read; deck/interpreter.c */
     bool echo_screen, echo_log;
-    FILE *log_opened;                  /**< log file opened by -log or the command `log`; owned; NULL: out->log is not ours */
+    FILE *log_opened; /**< log file opened by -log or the command `log`; owned; NULL: out->log is not ours */
     char *label_wanted;                /**< owned; skipping to this label (jump); NULL: not skipping */
     bool jump_skipped;                 /**< `next` has come to its end: the next jump does nothing */
     bool quit;                         /**< the command quit was met */
@@ -32,7 +32,8 @@ HS_MUST_USE hs_status hs_deck_create(hs_deck **deck, const hs_options *options, 
 void hs_deck_destroy(hs_deck **deck);
 
 /** Set an index variable from the command line (-var NAME VALUE...); wins over `variable NAME index`. */
-HS_MUST_USE hs_status hs_deck_set_variable(hs_deck *deck, const char *name, int n, const char *const *values, hs_error *err);
+HS_MUST_USE hs_status hs_deck_set_variable(hs_deck *deck, const char *name, int n, const char *const *values,
+                                           hs_error *err);
 
 /** First pass: read the whole deck, includes and both branches of `if` too, and refuse what can never be right. Runs
  *  nothing. "-" or NULL reads standard input (kept in memory for the second pass). */

@@ -6,11 +6,11 @@
 
 typedef struct hs_formula hs_formula;
 
-/** Read a formula. Operators from weakest to strongest, all from left to right: || |^, &&, == !=, < <= > >=, + -, * / %, ^,
- *  and last the signs - and !, so that -2^2 is 4 as in LAMMPS. Names of functions, keywords and attributes are checked
- *  here; IDs of computes, fixes, groups, regions and variables when the formula is evaluated.
- *  @param per_atom  per-atom quantities are allowed (atom-style variables)
- *  The caller frees it with hs_formula_destroy. Not collective. */
+/** Read a formula. Operators from weakest to strongest, all from left to right: || |^, &&, == !=, < <= > >=, + -,
+ *  * / %, ^, and last the signs - and !, so that -2^2 is 4 as in LAMMPS. Names of functions, keywords and attributes
+ *  are checked here; IDs of computes, fixes, groups, regions and variables when the formula is evaluated.
+ *  The caller frees it with hs_formula_destroy. Not collective.
+ *  @param per_atom  per-atom quantities are allowed (atom-style variables) */
 HS_MUST_USE hs_status hs_formula_parse(hs_formula **formula, const char *text, bool per_atom, hs_error *err);
 void hs_formula_destroy(hs_formula **formula);
 /** The text it was made from; borrowed. */

@@ -26,7 +26,8 @@ double hs_formula_attribute(const hs_sim *sim, int attribute, int i)
     }
 }
 
-static hs_status apply_binary(const hs_formula *formula, hs_node_kind kind, double a, double b, double *value, hs_error *err)
+static hs_status apply_binary(const hs_formula *formula, hs_node_kind kind, double a, double b, double *value,
+                              hs_error *err)
 {
     switch (kind) {
     case HS_NODE_ADD: *value = a + b; break;
@@ -44,8 +45,8 @@ static hs_status apply_binary(const hs_formula *formula, hs_node_kind kind, doub
         if (a == 0.0 && b < 0.0)
             return hs_fail(err, HS_ERROR_INPUT, "formula '%.400s': 0 to the negative power %g", formula->text, b);
         if (a < 0.0 && b != floor(b))
-            return hs_fail(err, HS_ERROR_INPUT, "formula '%.400s': the negative number %g to the broken power %g", formula->text,
-                           a, b);
+            return hs_fail(err, HS_ERROR_INPUT, "formula '%.400s': the negative number %g to the broken power %g",
+                           formula->text, a, b);
         *value = b == 0.0 ? 1.0 : pow(a, b);
         break;
     case HS_NODE_EQUAL: *value = a == b; break;
@@ -63,8 +64,8 @@ static hs_status apply_binary(const hs_formula *formula, hs_node_kind kind, doub
 }
 
 /** Value of an operation on numbers. */
-static hs_status apply(const hs_formula *formula, const hs_node *node, const double *arg, const hs_call *place, double *value,
-                       hs_error *err)
+static hs_status apply(const hs_formula *formula, const hs_node *node, const double *arg, const hs_call *place,
+                       double *value, hs_error *err)
 {
     if (node->kind == HS_NODE_NEGATE) {
         *value = -arg[0];
@@ -79,12 +80,13 @@ static hs_status apply(const hs_formula *formula, const hs_node *node, const dou
         HS_TRY(apply_binary(formula, node->kind, arg[0], arg[1], value, err));
     }
     if (isfinite(*value)) return HS_OK;
-    return hs_fail(err, HS_ERROR_INPUT, "formula '%.400s': a result is too large for a number (not finite)", formula->text);
+    return hs_fail(err, HS_ERROR_INPUT, "formula '%.400s': a result is too large for a number (not finite)",
+                   formula->text);
 }
 
 /** An operation whose operands are known; per atom as soon as one operand is. */
-static hs_status eval_operation(const hs_formula *formula, const hs_node *node, hs_deck *deck, bool per_atom, result *results,
-                                result *out, hs_error *err)
+static hs_status eval_operation(const hs_formula *formula, const hs_node *node, hs_deck *deck, bool per_atom,
+                                result *results, result *out, hs_error *err)
 {
     double arg[HS_FUNCTION_ARGS_MAX];
     const bool is_random = node->kind == HS_NODE_FUNCTION && node->function->is_random && per_atom;
@@ -111,7 +113,8 @@ static hs_status eval_compute(const hs_node *node, hs_deck *deck, const result *
 {
     hs_compute *compute = hs_sim_find_compute(deck->sim, node->text);
     if (compute == NULL)
-        return hs_fail(err, HS_ERROR_INPUT, "c_%s: there is no compute '%s': the command 'compute' makes one", node->text, node->text);
+        return hs_fail(err, HS_ERROR_INPUT, "c_%s: there is no compute '%s': the command 'compute' makes one",
+                       node->text, node->text);
     if (node->n_args == 0) return hs_compute_scalar(compute, value, err);
     if (node->n_args == 2)
         return hs_fail(err, HS_ERROR_INPUT, "c_%s[i][j]: the compute has no array; its style is %s", node->text,
@@ -127,13 +130,16 @@ static hs_status eval_fix(const hs_node *node, hs_deck *deck, const result *resu
 {
     hs_fix *fix = hs_sim_find_fix(deck->sim, node->text);
     if (fix == NULL)
-        return hs_fail(err, HS_ERROR_INPUT, "f_%s: there is no fix '%s': the command 'fix' makes one", node->text, node->text);
+        return hs_fail(err, HS_ERROR_INPUT, "f_%s: there is no fix '%s': the command 'fix' makes one", node->text,
+                       node->text);
     if (node->n_args == 0) {
         if (fix->style->scalar != NULL) return fix->style->scalar(fix, value, err);
-        return hs_fail(err, HS_ERROR_INPUT, "f_%s: the fix has no value; its style is %s", node->text, fix->style->about.name);
+        return hs_fail(err, HS_ERROR_INPUT, "f_%s: the fix has no value; its style is %s", node->text,
+                       fix->style->about.name);
     }
     if (node->n_args == 2)
-        return hs_fail(err, HS_ERROR_INPUT, "f_%s[i][j]: the fix has no array; its style is %s", node->text, fix->style->about.name);
+        return hs_fail(err, HS_ERROR_INPUT, "f_%s[i][j]: the fix has no array; its style is %s", node->text,
+                       fix->style->about.name);
     const double index = results[node->arg[0]].number;
     const int n = fix->style->vector == NULL ? 0 : fix->style->n_vector;
     if (!(index >= 1.0) || index > (double)n)
@@ -148,7 +154,8 @@ static hs_status eval_keyword(const hs_node *node, hs_deck *deck, double *value,
     for (size_t i = 0; i < sizeof without_box / sizeof without_box[0]; ++i)
         if (strcmp(node->text, without_box[i]) == 0) needs_box = false;
     if (needs_box && !deck->sim->box.exists)
-        return hs_fail(err, HS_ERROR_INPUT, "the thermo keyword '%s' has no value before the box exists (create_box, read_data)",
+        return hs_fail(err, HS_ERROR_INPUT,
+                       "the thermo keyword '%s' has no value before the box exists (create_box, read_data)",
                        node->text);
     HS_TRY(hs_thermo_keyword(deck->sim->thermo, node->text, value, &found, err));
     if (!found) return hs_fail(err, HS_ERROR_INPUT, "the thermo keyword '%s' has no value", node->text);
@@ -156,7 +163,8 @@ static hs_status eval_keyword(const hs_node *node, hs_deck *deck, double *value,
 }
 
 /** x[ID]: the rank that owns the atom tells the others. */
-static hs_status eval_atom_value(const hs_node *node, hs_deck *deck, const result *results, double *value, hs_error *err)
+static hs_status eval_atom_value(const hs_node *node, hs_deck *deck, const result *results, double *value,
+                                 hs_error *err)
 {
     const hs_sim *sim = deck->sim;
     const double id = results[node->arg[0]].number;
@@ -169,7 +177,8 @@ static hs_status eval_atom_value(const hs_node *node, hs_deck *deck, const resul
     hs_parallel_sum_double(&sim->parallel, found, 2);
     *value = found[1];
     if (found[0] == 1.0) return HS_OK;
-    return hs_fail(err, HS_ERROR_INPUT, "%s[%.15g]: there is no atom of that ID", hs_formula_attributes[node->attribute], id);
+    return hs_fail(err, HS_ERROR_INPUT, "%s[%.15g]: there is no atom of that ID",
+                   hs_formula_attributes[node->attribute], id);
 }
 
 static hs_status eval_attribute(const hs_node *node, const hs_sim *sim, result *out, hs_error *err)
@@ -185,8 +194,10 @@ static hs_status eval_variable(const hs_node *node, hs_deck *deck, bool per_atom
     if (variable == NULL || variable->style != HS_VARIABLE_ATOM)
         return hs_variables_rounded(deck, node->text, &out->number, err);
     if (!per_atom)
-        return hs_fail(err, HS_ERROR_INPUT, "v_%s is an atom-style variable: it has one value per atom, and this formula needs one "
-                       "number", node->text);
+        return hs_fail(err, HS_ERROR_INPUT,
+                       "v_%s is an atom-style variable: it has one value per atom, and this formula needs one "
+                       "number",
+                       node->text);
     HS_TRY(HS_ALLOC(out->array, (size_t)deck->sim->atoms.n_local, err));
     return hs_variables_atoms(deck, node->text, out->array, err);
 }
@@ -199,7 +210,8 @@ static hs_status eval_words(const hs_node *node, hs_deck *deck, result *out, hs_
     return function->atoms(deck, node, out->array, err);
 }
 
-static hs_status eval_node(const hs_formula *formula, int n, hs_deck *deck, bool per_atom, result *results, hs_error *err)
+static hs_status eval_node(const hs_formula *formula, int n, hs_deck *deck, bool per_atom, result *results,
+                           hs_error *err)
 {
     const hs_node *node = &formula->node[n];
     result *out = &results[n];
@@ -231,7 +243,8 @@ static hs_status evaluate(const hs_formula *formula, hs_deck *deck, double *numb
     const result *last = &results[formula->n_nodes - 1];
     if (status == HS_OK && values == NULL) *number = last->number;
     if (status == HS_OK && values != NULL)
-        for (int i = 0; i < deck->sim->atoms.n_local; ++i) values[i] = last->array != NULL ? last->array[i] : last->number;
+        for (int i = 0; i < deck->sim->atoms.n_local; ++i)
+            values[i] = last->array != NULL ? last->array[i] : last->number;
     for (int n = 0; n < formula->n_nodes; ++n) HS_FREE(results[n].array);
     HS_FREE(results);
     return status;

@@ -22,8 +22,8 @@ static hs_status select_atoms(hs_deck *deck, const hs_node *node, selection *cho
     const char *region = node->words[node->n_words - 1];
     chosen->region = hs_sim_find_region(sim, region);
     if (chosen->region != NULL) return HS_OK;
-    return hs_fail(err, HS_ERROR_INPUT, "%s: there is no region '%s': the command 'region' makes one", node->words_of->usage,
-                   region);
+    return hs_fail(err, HS_ERROR_INPUT, "%s: there is no region '%s': the command 'region' makes one",
+                   node->words_of->usage, region);
 }
 
 static bool is_chosen(const selection *chosen, int i)
@@ -44,8 +44,8 @@ static void unwrap(const hs_sim *sim, int i, double x[3])
 static hs_status need_mass(double mass, const hs_node *node, hs_error *err)
 {
     if (mass > 0.0) return HS_OK;
-    return hs_fail(err, HS_ERROR_INPUT, "%s: the group '%s' has no atoms here, or they have no mass", node->words_of->usage,
-                   node->words[0]);
+    return hs_fail(err, HS_ERROR_INPUT, "%s: the group '%s' has no atoms here, or they have no mass",
+                   node->words_of->usage, node->words[0]);
 }
 
 static hs_status axis_of(const hs_node *node, const char *word, int *axis, hs_error *err)
@@ -144,8 +144,10 @@ static hs_status do_bound(hs_deck *deck, const hs_node *node, double *value, hs_
 {
     const char *word = node->words[1];
     selection chosen;
-    if (strlen(word) != 4 || word[0] < 'x' || word[0] > 'z' || (strcmp(word + 1, "min") != 0 && strcmp(word + 1, "max") != 0))
-        return hs_fail(err, HS_ERROR_INPUT, "%s: '%s' must be xmin, xmax, ymin, ymax, zmin or zmax", node->words_of->usage, word);
+    if (strlen(word) != 4 || word[0] < 'x' || word[0] > 'z' ||
+        (strcmp(word + 1, "min") != 0 && strcmp(word + 1, "max") != 0))
+        return hs_fail(err, HS_ERROR_INPUT, "%s: '%s' must be xmin, xmax, ymin, ymax, zmin or zmax",
+                       node->words_of->usage, word);
     HS_TRY(select_atoms(deck, node, &chosen, err));
     const double *x = chosen.sim->atoms.x[word[0] - 'x'], sign = word[2] == 'a' ? 1.0 : -1.0;
     /* The minimum is the maximum of the negatives. */
@@ -166,15 +168,17 @@ static hs_status do_ke(hs_deck *deck, const hs_node *node, double *value, hs_err
     double sum = 0.0;
     for (int i = 0; i < atoms->n_local; ++i)
         if (is_chosen(&chosen, i))
-            sum += (atoms->v[0][i] * atoms->v[0][i] + atoms->v[1][i] * atoms->v[1][i] + atoms->v[2][i] * atoms->v[2][i]) *
-                   atoms->mass[atoms->type[i]];
+            sum +=
+                (atoms->v[0][i] * atoms->v[0][i] + atoms->v[1][i] * atoms->v[1][i] + atoms->v[2][i] * atoms->v[2][i]) *
+                atoms->mass[atoms->type[i]];
     hs_parallel_sum_double(&chosen.sim->parallel, &sum, 1);
     *value = 0.5 * chosen.sim->env.units->mvv2e * sum;
     return HS_OK;
 }
 
 /** Centre of mass of the selection; an error without mass. */
-static hs_status find_centre(const selection *chosen, const hs_node *node, double centre[3], double *mass, hs_error *err)
+static hs_status find_centre(const selection *chosen, const hs_node *node, double centre[3], double *mass,
+                             hs_error *err)
 {
     double sums[4];
     sum_mass(chosen, sums);
@@ -271,6 +275,7 @@ const hs_word_function hs_group_functions[] = {
     {"ke", 1, 2, do_ke, NULL, "ke(group[,region])", "kinetic energy"},
     {"angmom", 2, 3, do_angmom, NULL, "angmom(group,x|y|z[,region])", "angular momentum about the centre of mass"},
     {"torque", 2, 3, do_torque, NULL, "torque(group,x|y|z[,region])", "torque about the centre of mass"},
-    {"inertia", 2, 3, do_inertia, NULL, "inertia(group,xx|yy|zz|xy|yz|xz[,region])", "component of the moment of inertia"},
+    {"inertia", 2, 3, do_inertia, NULL, "inertia(group,xx|yy|zz|xy|yz|xz[,region])",
+     "component of the moment of inertia"},
     {0},
 };

@@ -68,7 +68,7 @@ typedef struct hs_word_function {
     const char *name;
     int n_min, n_max;
     hs_status (*value)(hs_deck *deck, const hs_node *node, double *value, hs_error *err);   /**< NULL: per atom only */
-    hs_status (*atoms)(hs_deck *deck, const hs_node *node, double *values, hs_error *err);  /**< NULL: one number only */
+    hs_status (*atoms)(hs_deck *deck, const hs_node *node, double *values, hs_error *err); /**< NULL: one number only */
     const char *usage, *help;
 } hs_word_function;
 

@@ -18,15 +18,22 @@ typedef struct parser {
     hs_error *err;
 } parser;
 
-const char *const hs_formula_attributes[] = {"id", "mass", "type", "x", "y", "z", "vx", "vy", "vz", "fx", "fy", "fz", NULL};
+const char *const hs_formula_attributes[] = {"id", "mass", "type", "x",  "y",  "z", "vx",
+                                             "vy", "vz",   "fx",   "fy", "fz", NULL};
 
 const char *const hs_refused_functions[] = {
-    "next", "it reads file-style and atomfile-style variables, which Halfshell does not have",
-    "charge", "Halfshell's atoms carry no charge",
-    "omega", "angular velocities of groups are not supported; angmom() and inertia() are",
-    "is_active", "it asks for settings of LAMMPS's own parts; is_defined(category,ID) and is_available(category,name) are supported",
-    "extract_setting", "it asks for LAMMPS's internal settings",
-    "label2type", "there are no type labels",
+    "next",
+    "it reads file-style and atomfile-style variables, which Halfshell does not have",
+    "charge",
+    "Halfshell's atoms carry no charge",
+    "omega",
+    "angular velocities of groups are not supported; angmom() and inertia() are",
+    "is_active",
+    "it asks for settings of LAMMPS's own parts; is_defined(category,ID) and is_available(category,name) are supported",
+    "extract_setting",
+    "it asks for LAMMPS's internal settings",
+    "label2type",
+    "there are no type labels",
     NULL,
 };
 
@@ -46,7 +53,8 @@ static void skip_blanks(parser *p)
 static hs_status fail_here(const parser *p, const char *what)
 {
     if (*p->at == '\0')
-        return hs_fail(p->err, HS_ERROR_INPUT, "formula '%.400s': %s, but the formula ends there", p->formula->text, what);
+        return hs_fail(p->err, HS_ERROR_INPUT, "formula '%.400s': %s, but the formula ends there", p->formula->text,
+                       what);
     return hs_fail(p->err, HS_ERROR_INPUT, "formula '%.400s': %s at '%.40s'", p->formula->text, what, p->at);
 }
 
@@ -141,8 +149,10 @@ static hs_status parse_reference(parser *p, char prefix, int *node)
         ++reference.n_args;
     }
     if (status == HS_OK && prefix == 'v' && reference.n_args > 0)
-        status = hs_fail(p->err, HS_ERROR_INPUT, "formula '%.400s': v_%s[...] asks for an element of a vector-style variable or "
-                         "of one atom; the supported styles have a single value", p->formula->text, reference.text);
+        status = hs_fail(p->err, HS_ERROR_INPUT,
+                         "formula '%.400s': v_%s[...] asks for an element of a vector-style variable or "
+                         "of one atom; the supported styles have a single value",
+                         p->formula->text, reference.text);
     if (status == HS_OK) status = add_node(p, &reference, node);
     if (status != HS_OK) HS_FREE(reference.text);
     return status;
@@ -154,8 +164,8 @@ static hs_status parse_call(parser *p, const hs_function *function, int *node)
     ++p->at;
     for (;;) {
         if (call.n_args == function->n_args)
-            return hs_fail(p->err, HS_ERROR_INPUT, "formula '%.400s': too many arguments; expected: %s", p->formula->text,
-                           function->usage);
+            return hs_fail(p->err, HS_ERROR_INPUT, "formula '%.400s': too many arguments; expected: %s",
+                           p->formula->text, function->usage);
         HS_TRY(parse_binary(p, 1, &call.arg[call.n_args++]));
         skip_blanks(p);
         if (*p->at != ',') break;
@@ -191,7 +201,8 @@ static hs_status cut_words(const parser *p, hs_node *node)
 static hs_status parse_word_call(parser *p, const hs_word_function *function, hs_node_kind kind, int *node)
 {
     if (!p->per_atom && function->value == NULL)
-        return hs_fail(p->err, HS_ERROR_INPUT, "formula '%.400s': %s has one value per atom: only atom-style variables may use it",
+        return hs_fail(p->err, HS_ERROR_INPUT,
+                       "formula '%.400s': %s has one value per atom: only atom-style variables may use it",
                        p->formula->text, function->usage);
     const char *end = strchr(p->at, ')');
     if (end == NULL) return fail_here(p, "a ')' is missing for the '('");
@@ -222,8 +233,8 @@ static hs_status refuse_name(const parser *p, const char *name, bool is_function
     const char *nearest = hs_text_nearest(name, names, n);
     const char *what = is_function ? "function" : "keyword, attribute or constant";
     if (nearest != NULL)
-        return hs_fail(p->err, HS_ERROR_INPUT, "formula '%.400s': there is no %s '%.80s'; did you mean '%s'?", p->formula->text,
-                       what, name, nearest);
+        return hs_fail(p->err, HS_ERROR_INPUT, "formula '%.400s': there is no %s '%.80s'; did you mean '%s'?",
+                       p->formula->text, what, name, nearest);
     return hs_fail(p->err, HS_ERROR_INPUT, "formula '%.400s': there is no %s '%.80s'", p->formula->text, what, name);
 }
 
@@ -237,8 +248,8 @@ static hs_status parse_function(parser *p, const char *name, int *node)
         if (strcmp(f->name, name) == 0) return parse_word_call(p, f, HS_NODE_SPECIAL, node);
     for (int i = 0; hs_refused_functions[i] != NULL; i += 2)
         if (strcmp(hs_refused_functions[i], name) == 0)
-            return hs_fail(p->err, HS_ERROR_INPUT, "formula '%.400s': the function %s() is not supported: %s", p->formula->text,
-                           name, hs_refused_functions[i + 1]);
+            return hs_fail(p->err, HS_ERROR_INPUT, "formula '%.400s': the function %s() is not supported: %s",
+                           p->formula->text, name, hs_refused_functions[i + 1]);
     return refuse_name(p, name, true);
 }
 
@@ -278,8 +289,10 @@ static hs_status parse_plain_name(parser *p, char *name, int *node)
             return status;
         }
     if (plain.attribute >= 0)
-        return hs_fail(p->err, HS_ERROR_INPUT, "formula '%.400s': '%s' has one value per atom: only atom-style variables may "
-                       "use it (%s[ID] is that of one atom)", p->formula->text, name, name);
+        return hs_fail(p->err, HS_ERROR_INPUT,
+                       "formula '%.400s': '%s' has one value per atom: only atom-style variables may "
+                       "use it (%s[ID] is that of one atom)",
+                       p->formula->text, name, name);
     return refuse_name(p, name, false);
 }
 
@@ -288,7 +301,8 @@ static hs_status parse_name(parser *p, int *node)
     if (strchr("cCfFvd", p->at[0]) != NULL && p->at[1] == '_') {
         const char prefix = p->at[0];
         if (strchr("cfv", prefix) == NULL)
-            return fail_here(p, "per-atom and grid references of other LAMMPS versions are not supported; use c_ID, f_ID or v_name");
+            return fail_here(
+                p, "per-atom and grid references of other LAMMPS versions are not supported; use c_ID, f_ID or v_name");
         p->at += 2;
         return parse_reference(p, prefix, node);
     }
@@ -319,7 +333,8 @@ static hs_status parse_operand(parser *p, int *node)
         status = parse_operand(p, &sign.arg[0]);
         if (status == HS_OK) status = add_node(p, &sign, node);
     } else if (c == '$') {
-        status = fail_here(p, "'$' has no meaning within a formula (quotes keep it from being replaced); write v_name:");
+        status =
+            fail_here(p, "'$' has no meaning within a formula (quotes keep it from being replaced); write v_name:");
     } else {
         status = fail_here(p, "expected a number, a name or '('");
     }

@@ -1,4 +1,5 @@
-/** Special functions of formulas: about vectors of computes and fixes, groups and regions per atom, and what is defined. */
+/** Special functions of formulas: about vectors of computes and fixes, groups and regions per atom, and what is
+ *  defined. */
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>
@@ -20,14 +21,16 @@ static hs_status find_vector(hs_deck *deck, const hs_node *node, vector *found, 
     memset(found, 0, sizeof *found);
     if (strncmp(word, "c_", 2) == 0) {
         found->compute = hs_sim_find_compute(deck->sim, word + 2);
-        if (found->compute == NULL) return hs_fail(err, HS_ERROR_INPUT, "%s: there is no compute '%s'", usage, word + 2);
+        if (found->compute == NULL)
+            return hs_fail(err, HS_ERROR_INPUT, "%s: there is no compute '%s'", usage, word + 2);
         found->n = found->compute->style->vector != NULL ? found->compute->n_vector : 0;
     } else if (strncmp(word, "f_", 2) == 0) {
         found->fix = hs_sim_find_fix(deck->sim, word + 2);
         if (found->fix == NULL) return hs_fail(err, HS_ERROR_INPUT, "%s: there is no fix '%s'", usage, word + 2);
         found->n = found->fix->style->vector != NULL ? found->fix->style->n_vector : 0;
     } else {
-        return hs_fail(err, HS_ERROR_INPUT, "%s: '%s' must be c_ID or f_ID, the vector of a compute or fix", usage, word);
+        return hs_fail(err, HS_ERROR_INPUT, "%s: '%s' must be c_ID or f_ID, the vector of a compute or fix", usage,
+                       word);
     }
     if (found->n > 0) return HS_OK;
     return hs_fail(err, HS_ERROR_INPUT, "%s: '%s' has no vector", usage, word);
@@ -35,7 +38,8 @@ static hs_status find_vector(hs_deck *deck, const hs_node *node, vector *found, 
 
 static hs_status element(const vector *from, int i, double *value, hs_error *err)
 {
-    return from->compute != NULL ? hs_compute_vector(from->compute, i, value, err) : from->fix->style->vector(from->fix, i, value, err);
+    return from->compute != NULL ? hs_compute_vector(from->compute, i, value, err)
+                                 : from->fix->style->vector(from->fix, i, value, err);
 }
 
 static hs_status do_vector(hs_deck *deck, const hs_node *node, double *value, hs_error *err)
@@ -67,14 +71,16 @@ static hs_status do_vector(hs_deck *deck, const hs_node *node, double *value, hs
 static hs_status do_masks(hs_deck *deck, const hs_node *node, double *values, hs_error *err)
 {
     hs_sim *sim = deck->sim;
-    const bool has_group = node->words_of->name[0] == 'g', has_region = node->words_of->name[0] == 'r' || node->n_words == 2;
+    const bool has_group = node->words_of->name[0] == 'g',
+               has_region = node->words_of->name[0] == 'r' || node->n_words == 2;
     int bit = 0;
     const hs_region *region = NULL;
     if (has_group) HS_TRY(hs_groups_get(&sim->groups, node->words[0], &bit, err));
     if (has_region) {
         const char *id = node->words[node->n_words - 1];
         region = hs_sim_find_region(sim, id);
-        if (region == NULL) return hs_fail(err, HS_ERROR_INPUT, "%s: there is no region '%s'", node->words_of->usage, id);
+        if (region == NULL)
+            return hs_fail(err, HS_ERROR_INPUT, "%s: there is no region '%s'", node->words_of->usage, id);
     }
     for (int i = 0; i < sim->atoms.n_local; ++i) {
         const double x[3] = {sim->atoms.x[0][i], sim->atoms.x[1][i], sim->atoms.x[2][i]};
@@ -114,8 +120,8 @@ static hs_status do_is_available(hs_deck *deck, const hs_node *node, double *val
     else if (strcmp(category, "region") == 0) { IS_STYLE(hs_region_styles, id, value) }
     else if (strcmp(category, "dump") == 0) { IS_STYLE(hs_dump_styles, id, value) }
     else
-        return hs_fail(err, HS_ERROR_INPUT, "%s: '%s' must be command, pair, fix, compute, region or dump", node->words_of->usage,
-                       category);
+        return hs_fail(err, HS_ERROR_INPUT, "%s: '%s' must be command, pair, fix, compute, region or dump",
+                       node->words_of->usage, category);
     return HS_OK;
 }
 
@@ -138,8 +144,10 @@ const hs_word_function hs_special_functions[] = {
     {"gmask", 1, 1, NULL, do_masks, "gmask(group)", "1 for atoms of the group, 0 for others (per atom)"},
     {"rmask", 1, 1, NULL, do_masks, "rmask(region)", "1 for atoms in the region (per atom)"},
     {"grmask", 2, 2, NULL, do_masks, "grmask(group,region)", "1 for atoms of the group in the region (per atom)"},
-    {"is_defined", 2, 2, do_is_defined, NULL, "is_defined(category,ID)", "whether a compute, dump, fix, group, region or variable exists"},
-    {"is_available", 2, 2, do_is_available, NULL, "is_available(category,name)", "whether a command or style is supported"},
+    {"is_defined", 2, 2, do_is_defined, NULL, "is_defined(category,ID)",
+     "whether a compute, dump, fix, group, region or variable exists"},
+    {"is_available", 2, 2, do_is_available, NULL, "is_available(category,name)",
+     "whether a command or style is supported"},
     {"is_file", 1, 1, do_is_file, NULL, "is_file(name)", "whether a file can be read"},
     {0},
 };

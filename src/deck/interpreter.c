@@ -101,11 +101,28 @@ static void echo(hs_deck *deck, const char *line)
     if (deck->echo_log) hs_say_log(deck->out, "%s\n", line);
 }
 
+/** A `$` that is left in a word stood in quotes or came out of a variable. Only commands that take texts and
+ *  commands have a use for it; all others would take it for a part of a name or number. */
+static hs_status refuse_dollars(const hs_args *args, hs_error *err)
+{
+    static const char *const with_texts[] = {"print", "if", "run", "variable", "fix"};
+    for (size_t i = 0; i < sizeof with_texts / sizeof with_texts[0]; ++i)
+        if (strcmp(args->command, with_texts[i]) == 0) return HS_OK;
+    for (int i = 0; i < args->n; ++i)
+        if (strchr(args->word[i], '$') != NULL)
+            return hs_fail(err, HS_ERROR_INPUT,
+                           "%s: the '$' in '%.80s' is not replaced, because it stands in quotes or came out of a "
+                           "variable",
+                           args->command, args->word[i]);
+    return HS_OK;
+}
+
 static hs_status run_words(hs_deck *deck, const hs_words *words, hs_error *err)
 {
     const hs_command *command = hs_command_find(words->word[0]);
     if (command == NULL) return hs_command_refuse(words->word[0], err);
     const hs_args args = {.command = words->word[0], .n = words->n - 1, .word = words->word + 1};
+    HS_TRY(refuse_dollars(&args, err));
     HS_TRY(hs_syntax_check(&command->about.syntax, &args, false, err));
     if (command->check != NULL) HS_TRY(command->check(&args, false, err));
     return command->run(deck, &args, err);
@@ -144,7 +161,8 @@ static hs_status run_line(hs_deck *deck, const char *text, hs_error *err)
 static hs_status fail_label(hs_deck *deck, hs_error *err)
 {
     hs_source *source = deck->source;
-    hs_status status = hs_fail(err, HS_ERROR_INPUT, "jump: there is no 'label %s' in %s", deck->label_wanted, source->name);
+    hs_status status =
+        hs_fail(err, HS_ERROR_INPUT, "jump: there is no 'label %s' in %s", deck->label_wanted, source->name);
     hs_error_locate(err, source->jump_name, source->jump_line);
     return status;
 }
@@ -156,7 +174,8 @@ hs_status hs_source_run(hs_deck *deck, hs_error *err)
     while (status == HS_OK && !deck->quit) {
         hs_source *source = deck->source;
         bool found;
-        status = hs_lexer_line(source->text.data, source->text.length, &source->cursor, &line, &source->line, &found, err);
+        status =
+            hs_lexer_line(source->text.data, source->text.length, &source->cursor, &line, &source->line, &found, err);
         if (status == HS_OK && !found) {
             if (deck->label_wanted != NULL) status = fail_label(deck, err);
             break;

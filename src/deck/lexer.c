@@ -49,7 +49,8 @@ hs_status hs_lexer_line(const char *data, size_t size, hs_cursor *cursor, hs_tex
         n_kept = line->length;
     }
     if (*found && line->data != NULL && count_triple_quotes(line->data) % 2 != 0)
-        return hs_fail(err, HS_ERROR_INPUT, "the triple quotes (\"\"\") opened here are not closed before the end of the file");
+        return hs_fail(err, HS_ERROR_INPUT,
+                       "the triple quotes (\"\"\") opened here are not closed before the end of the file");
     return HS_OK;
 }
 
@@ -97,7 +98,8 @@ static hs_status take_word(char **at, const char **word, bool *was_quoted, hs_er
                        strlen(*at) > 40 ? "..." : "", (int)n_mark, *at);
     char *close = *at + (end - *at), *behind = close + n_mark;
     if (*behind != '\0' && strchr(blanks, *behind) == NULL)
-        return hs_fail(err, HS_ERROR_INPUT, "'%.20s' follows a closing quotation mark: a blank must stand between them", behind);
+        return hs_fail(err, HS_ERROR_INPUT, "'%.20s' follows a closing quotation mark: a blank must stand between them",
+                       behind);
     *word = *at + n_mark;
     *at = *behind != '\0' ? behind + 1 : behind;
     *close = '\0';

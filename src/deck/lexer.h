@@ -37,9 +37,9 @@ typedef struct hs_words {
     int n;
 } hs_words;
 
-/** Split a line (comment and variables already done) into words at blanks. A word that begins with '…', "…" or """…"""
- *  is what stands between the marks; after the closing mark a blank or the end must follow. Zero @p words first;
- *  free with hs_words_fini. */
+/** Split a line (comment and variables already done) into words at blanks. A word that begins with '…', "…" or
+ *  """…""" is what stands between the marks; after the closing mark a blank or the end must follow. Zero @p words
+ *  first; free with hs_words_fini. */
 HS_MUST_USE hs_status hs_words_split(hs_words *words, const char *line, hs_error *err);
 void hs_words_fini(hs_words *words);
 

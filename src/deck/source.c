@@ -21,7 +21,8 @@ static hs_status read_stream(FILE *stream, const char *file, hs_text *text, hs_e
     size_t n;
     while ((n = fread(part, 1, sizeof part, stream)) > 0) {
         HS_TRY(hs_text_append(text, part, n, err));
-        if (text->length > size_max) return hs_fail(err, HS_ERROR_INPUT, "%s: larger than 256 MiB, so not a deck", file);
+        if (text->length > size_max)
+            return hs_fail(err, HS_ERROR_INPUT, "%s: larger than 256 MiB, so not a deck", file);
     }
     if (ferror(stream)) return hs_fail(err, HS_ERROR_INPUT, "%s: cannot be read: %s", file, strerror(errno));
     return HS_OK;
@@ -34,7 +35,8 @@ static hs_status read_here(const char *file, hs_text *text, hs_error *err)
     if (stat(file, &info) == 0 && !S_ISREG(info.st_mode) && !S_ISFIFO(info.st_mode) && !S_ISCHR(info.st_mode))
         return hs_fail(err, HS_ERROR_INPUT, "the file '%.400s' cannot be read: it is not a file of text", file);
     FILE *stream = fopen(file, "rb");
-    if (stream == NULL) return hs_fail(err, HS_ERROR_INPUT, "the file '%.400s' cannot be read: %s", file, strerror(errno));
+    if (stream == NULL)
+        return hs_fail(err, HS_ERROR_INPUT, "the file '%.400s' cannot be read: %s", file, strerror(errno));
     hs_status status = read_stream(stream, file, text, err);
     fclose(stream);
     return status;
@@ -60,7 +62,8 @@ hs_status hs_source_read(hs_deck *deck, const char *file, hs_text *text, hs_erro
 {
     const hs_parallel *parallel = &deck->sim->parallel;
     const bool is_input = file == NULL || strcmp(file, "-") == 0;
-    if (is_input && deck->input_is_read) return hs_text_append(text, hs_text_get(&deck->input), deck->input.length, err);
+    if (is_input && deck->input_is_read)
+        return hs_text_append(text, hs_text_get(&deck->input), deck->input.length, err);
     hs_status status = parallel->rank == 0 ? read_here(file, text, err) : HS_OK;
     status = hs_parallel_agree(parallel, err);
     HS_TRY(status);
@@ -82,8 +85,10 @@ hs_status hs_source_push(hs_deck *deck, const char *file, hs_error *err)
 {
     const int depth = deck->source != NULL ? deck->source->depth + 1 : 1;
     if (depth > HS_SOURCES_MAX)
-        return hs_fail(err, HS_ERROR_INPUT, "include: '%.400s' would be file number %d within one another (at most %d): does it include "
-                       "itself?", file, depth, HS_SOURCES_MAX);
+        return hs_fail(err, HS_ERROR_INPUT,
+                       "include: '%.400s' would be file number %d within one another (at most %d): does it include "
+                       "itself?",
+                       file, depth, HS_SOURCES_MAX);
     hs_source *source = NULL;
     HS_TRY(HS_ALLOC(source, 1, err));
     hs_status status = hs_memory_strdup(&source->name, hs_source_name(file), err);

@@ -42,7 +42,8 @@ hs_status hs_dollar_read(const char *at, hs_dollar *dollar, hs_error *err)
     *dollar = (hs_dollar){.kind = HS_DOLLAR_NAME, .length = 2, .inside = at + 1, .n_inside = 1};
     if (at[1] == '{') {
         const char *close = strchr(at, '}');
-        if (close == NULL) return hs_fail(err, HS_ERROR_INPUT, "'%.40s': the '}' that ends the variable's name is missing", at);
+        if (close == NULL)
+            return hs_fail(err, HS_ERROR_INPUT, "'%.40s': the '}' that ends the variable's name is missing", at);
         dollar->inside = at + 2;
         dollar->n_inside = (size_t)(close - at - 2);
         dollar->length = dollar->n_inside + 3;
@@ -77,8 +78,10 @@ hs_status hs_dollar_formula(const hs_dollar *dollar, char **formula, char **form
     if (has_format) *colon = '\0';
     hs_status status = hs_memory_strdup(format, has_format ? colon + 1 : "%.20g", err);
     if (status == HS_OK && !hs_format_is_for_double(*format))
-        status = hs_fail(err, HS_ERROR_INPUT, "$(%s:%s): the format must hold one conversion for a number, such as %%10.4f, %%.3e "
-                         "or %%.0f", *formula, *format);
+        status = hs_fail(err, HS_ERROR_INPUT,
+                         "$(%s:%s): the format must hold one conversion for a number, such as %%10.4f, %%.3e "
+                         "or %%.0f",
+                         *formula, *format);
     if (status != HS_OK) {
         HS_FREE(*formula);
         HS_FREE(*format);

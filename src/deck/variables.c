@@ -11,7 +11,8 @@
 /** Formulas within formulas: more would only end in the stack's overflow. */
 enum { DEPTH_MAX = 100 };
 
-const char *const hs_variable_styles[] = {"index", "loop", "string", "format", "getenv", "equal", "atom", "internal", NULL};
+const char *const hs_variable_styles[] = {"index", "loop", "string",   "format", "getenv",
+                                          "equal", "atom", "internal", NULL};
 
 hs_status hs_variables_create(hs_variables **variables, hs_error *err) { return HS_ALLOC(*variables, 1, err); }
 
@@ -57,18 +58,21 @@ hs_status hs_variables_need(const hs_variables *variables, const char *name, hs_
     const char *nearest = hs_text_nearest(name, names, n);
     if (nearest != NULL)
         return hs_fail(err, HS_ERROR_INPUT, "there is no variable '%.80s'; did you mean '%s'?", name, nearest);
-    return hs_fail(err, HS_ERROR_INPUT, "there is no variable '%.80s': the command 'variable' or the option -var makes one", name);
+    return hs_fail(err, HS_ERROR_INPUT,
+                   "there is no variable '%.80s': the command 'variable' or the option -var makes one", name);
 }
 
 static hs_status check_name(const char *name, hs_error *err)
 {
     for (const char *c = name; *c != '\0' || c == name; ++c)
         if (!isalnum((unsigned char)*c) && *c != '_')
-            return hs_fail(err, HS_ERROR_INPUT, "variable: the name '%.80s' may have only letters, digits and underscores", name);
+            return hs_fail(err, HS_ERROR_INPUT,
+                           "variable: the name '%.80s' may have only letters, digits and underscores", name);
     return HS_OK;
 }
 
-static hs_status add(hs_variables *variables, const char *name, hs_variable_style style, hs_variable **variable, hs_error *err)
+static hs_status add(hs_variables *variables, const char *name, hs_variable_style style, hs_variable **variable,
+                     hs_error *err)
 {
     if (variables->n == variables->capacity) {
         int capacity = variables->capacity == 0 ? 16 : 2 * variables->capacity;
@@ -105,7 +109,8 @@ static hs_status copy_values(hs_variable *variable, int n, const char *const *va
     return HS_OK;
 }
 
-hs_status hs_variables_set_index(hs_variables *variables, const char *name, int n, const char *const *values, hs_error *err)
+hs_status hs_variables_set_index(hs_variables *variables, const char *name, int n, const char *const *values,
+                                 hs_error *err)
 {
     hs_variable *variable;
     HS_TRY(check_name(name, err));
@@ -124,7 +129,8 @@ static hs_status set_loop(hs_variable *variable, const hs_args *args, hs_error *
     HS_TRY(hs_arg_int(args, 2, 0, INT32_MAX, &n[n_numbers == 1 ? 1 : 0], err));
     if (n_numbers == 2) HS_TRY(hs_arg_int(args, 3, 0, INT32_MAX, &n[1], err));
     if (n[0] > n[1])
-        return hs_fail(err, HS_ERROR_INPUT, "variable: a loop from %lld to %lld has no values", (long long)n[0], (long long)n[1]);
+        return hs_fail(err, HS_ERROR_INPUT, "variable: a loop from %lld to %lld has no values", (long long)n[0],
+                       (long long)n[1]);
     variable->first = variable->which = n[0];
     variable->last = n[1];
     variable->width = is_padded ? snprintf(NULL, 0, "%lld", (long long)n[1]) : 0;
@@ -171,11 +177,14 @@ hs_status hs_variables_define(hs_deck *deck, const hs_args *args, hs_error *err)
     if (variable != NULL) {
         if (keeps_first((hs_variable_style)style)) return HS_OK;
         if (variable->style != (hs_variable_style)style)
-            return hs_fail(err, HS_ERROR_INPUT, "variable: '%s' exists as %s-style; 'variable %s delete' must come before it can be "
-                           "%s-style", variable->name, hs_variable_styles[variable->style], variable->name,
+            return hs_fail(err, HS_ERROR_INPUT,
+                           "variable: '%s' exists as %s-style; 'variable %s delete' must come before it can be "
+                           "%s-style",
+                           variable->name, hs_variable_styles[variable->style], variable->name,
                            hs_variable_styles[style]);
         if (variable->is_evaluating)
-            return hs_fail(err, HS_ERROR_INPUT, "variable: '%s' cannot change while it is being evaluated", variable->name);
+            return hs_fail(err, HS_ERROR_INPUT, "variable: '%s' cannot change while it is being evaluated",
+                           variable->name);
         return fill(variable, args, err);
     }
     HS_TRY(add(variables, args->word[0], (hs_variable_style)style, &variable, err));
@@ -201,11 +210,12 @@ static hs_status check_next(const hs_variables *variables, const hs_args *args, 
         hs_variable *variable;
         HS_TRY(hs_variables_need(variables, args->word[i], &variable, err));
         if (variable->style != HS_VARIABLE_INDEX && variable->style != HS_VARIABLE_LOOP)
-            return hs_fail(err, HS_ERROR_INPUT, "next: the variable '%s' is %s-style; only index and loop have a next value",
-                           variable->name, hs_variable_styles[variable->style]);
+            return hs_fail(err, HS_ERROR_INPUT,
+                           "next: the variable '%s' is %s-style; only index and loop have a next value", variable->name,
+                           hs_variable_styles[variable->style]);
         if (i > 0 && variable->style != style)
-            return hs_fail(err, HS_ERROR_INPUT, "next: the variables '%s' and '%s' must have the same style", args->word[0],
-                           args->word[i]);
+            return hs_fail(err, HS_ERROR_INPUT, "next: the variables '%s' and '%s' must have the same style",
+                           args->word[0], args->word[i]);
         style = variable->style;
     }
     return HS_OK;
@@ -237,11 +247,12 @@ static void blame(hs_error *err, const char *name)
 static hs_status enter(hs_variables *variables, hs_variable *variable, hs_error *err)
 {
     if (variable->is_evaluating)
-        return hs_fail(err, HS_ERROR_INPUT, "variable '%s': its formula '%.400s' uses the variable itself, directly or through others",
+        return hs_fail(err, HS_ERROR_INPUT,
+                       "variable '%s': its formula '%.400s' uses the variable itself, directly or through others",
                        variable->name, hs_formula_text(variable->formula));
     if (variables->depth >= DEPTH_MAX)
-        return hs_fail(err, HS_ERROR_INPUT, "variable '%s': more than %d variables use one another in a chain", variable->name,
-                       DEPTH_MAX);
+        return hs_fail(err, HS_ERROR_INPUT, "variable '%s': more than %d variables use one another in a chain",
+                       variable->name, DEPTH_MAX);
     variable->is_evaluating = true;
     ++variables->depth;
     return HS_OK;
@@ -310,7 +321,8 @@ hs_status hs_variables_text(hs_deck *deck, const char *name, hs_text *text, hs_e
         return hs_text_printf(text, err, "%.15g", value);
     case HS_VARIABLE_INTERNAL: return hs_text_printf(text, err, "%.15g", variable->number);
     default:
-        return hs_fail(err, HS_ERROR_INPUT, "the variable '%s' is atom-style: it has one value per atom and no text", variable->name);
+        return hs_fail(err, HS_ERROR_INPUT, "the variable '%s' is atom-style: it has one value per atom and no text",
+                       variable->name);
     }
 }
 
@@ -326,7 +338,8 @@ hs_status hs_variables_rounded(hs_deck *deck, const char *name, double *value, h
     const char *word = hs_text_get(&text);
     while (isspace((unsigned char)*word)) ++word;
     if (status == HS_OK && !hs_text_to_double(word, value))
-        status = hs_fail(err, HS_ERROR_INPUT, "the value '%.80s' of the variable '%s' is not a number", hs_text_get(&text), name);
+        status = hs_fail(err, HS_ERROR_INPUT, "the value '%.80s' of the variable '%s' is not a number",
+                         hs_text_get(&text), name);
     hs_text_fini(&text);
     return status;
 }

@@ -25,7 +25,7 @@ extern const char *const hs_variable_styles_refused[];
 typedef struct hs_variable {
     char *name;                 /**< owned */
     hs_variable_style style;
-    char **value;               /**< owned [n_values]: index: all values; string; format: variable and format; getenv: name */
+    char **value; /**< owned [n_values]: index: all values; string; format: variable and format; getenv: name */
     int n_values;
     int64_t which;              /**< index: place of the present value; loop: the present number */
     int64_t first, last;        /**< loop */
@@ -48,7 +48,8 @@ void hs_variables_destroy(hs_variables **variables);
 /** NULL when there is none. */
 hs_variable *hs_variables_find(const hs_variables *variables, const char *name);
 /** Fail with the nearest name. */
-HS_MUST_USE hs_status hs_variables_need(const hs_variables *variables, const char *name, hs_variable **variable, hs_error *err);
+HS_MUST_USE hs_status hs_variables_need(const hs_variables *variables, const char *name, hs_variable **variable,
+                                        hs_error *err);
 
 /** The command `variable`; the words after it. */
 HS_MUST_USE hs_status hs_variables_define(hs_deck *deck, const hs_args *args, hs_error *err);
@@ -56,12 +57,13 @@ HS_MUST_USE hs_status hs_variables_define(hs_deck *deck, const hs_args *args, hs
  *  known and pass. */
 HS_MUST_USE hs_status hs_variables_check(const hs_args *args, bool first_pass, hs_error *err);
 /** -var: an index variable that later definitions in the deck do not change. */
-HS_MUST_USE hs_status hs_variables_set_index(hs_variables *variables, const char *name, int n, const char *const *values,
-                                             hs_error *err);
+HS_MUST_USE hs_status hs_variables_set_index(hs_variables *variables, const char *name, int n,
+                                             const char *const *values, hs_error *err);
 /** The command `next`: advance them all; at the end all are deleted and *exhausted is true. */
 HS_MUST_USE hs_status hs_variables_next(hs_variables *variables, const hs_args *args, bool *exhausted, hs_error *err);
 /** Give an internal variable its number. */
-HS_MUST_USE hs_status hs_variables_set_internal(hs_variables *variables, const char *name, double number, hs_error *err);
+HS_MUST_USE hs_status hs_variables_set_internal(hs_variables *variables, const char *name, double number,
+                                                hs_error *err);
 
 /** The text that ${name} becomes (collective for formulas). Replaces what is in @p text. */
 HS_MUST_USE hs_status hs_variables_text(hs_deck *deck, const char *name, hs_text *text, hs_error *err);

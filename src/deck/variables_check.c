@@ -32,7 +32,8 @@ static hs_status check_style(const hs_args *args, hs_error *err)
 static hs_status check_count(const hs_args *args, int n_min, int n_max, const char *usage, hs_error *err)
 {
     if (args->n - 2 >= n_min && (n_max < 0 || args->n - 2 <= n_max)) return HS_OK;
-    return hs_fail(err, HS_ERROR_INPUT, "variable: expected: variable <name> %s (a formula or text with blanks needs quotes)", usage);
+    return hs_fail(err, HS_ERROR_INPUT,
+                   "variable: expected: variable <name> %s (a formula or text with blanks needs quotes)", usage);
 }
 
 static hs_status check_loop(const hs_args *args, bool first_pass, hs_error *err)
@@ -46,7 +47,8 @@ static hs_status check_loop(const hs_args *args, bool first_pass, hs_error *err)
         HS_TRY(hs_arg_int(args, 2 + i, 0, INT32_MAX, i == n - 1 ? &last : &first, err));
     }
     if (first <= last) return HS_OK;
-    return hs_fail(err, HS_ERROR_INPUT, "variable: a loop from %lld to %lld has no values", (long long)first, (long long)last);
+    return hs_fail(err, HS_ERROR_INPUT, "variable: a loop from %lld to %lld has no values", (long long)first,
+                   (long long)last);
 }
 
 static hs_status check_formula(const hs_args *args, bool per_atom, bool first_pass, hs_error *err)
@@ -63,8 +65,10 @@ static hs_status check_format(const hs_args *args, bool first_pass, hs_error *er
 {
     HS_TRY(check_count(args, 2, 2, "format <variable> <format>", err));
     if (is_open(args->word[3], first_pass) || hs_format_is_for_double(args->word[3])) return HS_OK;
-    return hs_fail(err, HS_ERROR_INPUT, "variable: the format '%.80s' must hold one conversion for a number, such as %%10.4f, %%.3e or "
-                   "%%g", args->word[3]);
+    return hs_fail(err, HS_ERROR_INPUT,
+                   "variable: the format '%.80s' must hold one conversion for a number, such as %%10.4f, %%.3e or "
+                   "%%g",
+                   args->word[3]);
 }
 
 hs_status hs_variables_check(const hs_args *args, bool first_pass, hs_error *err)
@@ -74,7 +78,8 @@ hs_status hs_variables_check(const hs_args *args, bool first_pass, hs_error *err
     const char *name = args->word[0], *style = args->word[1];
     for (const char *c = name; !is_open(name, first_pass) && (*c != '\0' || c == name); ++c)
         if (strchr("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_", *c) == NULL || *c == '\0')
-            return hs_fail(err, HS_ERROR_INPUT, "variable: the name '%.80s' may have only letters, digits and underscores", name);
+            return hs_fail(err, HS_ERROR_INPUT,
+                           "variable: the name '%.80s' may have only letters, digits and underscores", name);
     if (is_open(name, first_pass) || is_open(style, first_pass)) return HS_OK;
     if (strcmp(style, "delete") == 0) return check_count(args, 0, 0, "delete", err);
     HS_TRY(check_style(args, err));

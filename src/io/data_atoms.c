@@ -133,7 +133,7 @@ static int by_id(const void *a, const void *b)
 /** Sort the ids and refuse equal ones. */
 static hs_status check_ids(hs_data_reader *reader, hs_error *err)
 {
-    qsort(reader->id, (size_t)reader->n_ids, sizeof *reader->id, by_id);
+    if (reader->n_ids > 0) qsort(reader->id, (size_t)reader->n_ids, sizeof *reader->id, by_id);
     for (int k = 1; k < reader->n_ids; ++k) {
         const hs_data_id *a = &reader->id[k - 1], *b = &reader->id[k];
         if (a->id != b->id) continue;

@@ -1,6 +1,8 @@
 /* Every deck of bad_decks.txt must be refused with exactly the message that stands there.
  *
  * With HALFSHELL_PRINT_MESSAGES set, the table is printed with the messages of today: to be read, not just copied. */
+#define _GNU_SOURCE
+#include <ftw.h>
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>
@@ -25,11 +27,26 @@ static char *read_table(void)
     return text;
 }
 
+static char folder[] = "/tmp/halfshell_bad_XXXXXX";
+
 static void go_to_empty_folder(void)
 {
-    char folder[] = "/tmp/halfshell_bad_XXXXXX";
     ck_assert_ptr_nonnull(mkdtemp(folder));
     ck_assert_int_eq(chdir(folder), 0);
+}
+
+static int remove_one(const char *path, const struct stat *info, int type, struct FTW *place)
+{
+    (void)info;
+    (void)type;
+    (void)place;
+    return remove(path);
+}
+
+static void remove_folder(void)
+{
+    ck_assert_int_eq(chdir("/"), 0);
+    ck_assert_int_eq(nftw(folder, remove_one, 8, FTW_DEPTH | FTW_PHYS), 0);
 }
 
 /** What the program says of in.bad: "in.bad:LINE: error: TEXT". */
@@ -100,6 +117,7 @@ START_TEST(every_deck_is_refused_with_its_message)
     }
     hs_text_fini(&message);
     free(table);
+    remove_folder();
     ck_assert_int_eq(n_wrong, 0);
     ck_assert_int_ge(n, N_MIN);
 }

@@ -1,5 +1,5 @@
-/* What decks mean: loops, conditions, jumps, files, quotes, echo. The expected texts were printed by lmp (29 Sep 2021) for the
- * same decks, unless a case says otherwise. */
+/* What decks mean: loops, conditions, jumps, files, quotes, echo. The expected texts were printed by lmp (29 Sep
+ * 2021) for the same decks, unless a case says otherwise. */
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>
@@ -74,10 +74,13 @@ START_TEST(loops)
     check("variable i loop 3\nlabel l\nprint \"i $i\"\nnext i\njump SELF l\nprint done\n", "i 1\ni 2\ni 3\ndone\n");
     check("variable q index a b\nvariable p index 3 4 5\nlabel x\nprint \"$q $p\"\nnext q p\njump SELF x\nprint end\n",
           "a 3\nb 4\nend\n");
-    check("variable b loop 2\nlabel outer\nvariable a index 3 4\nlabel inner\nprint \"$a $b\"\nnext a\njump SELF inner\nnext b\n"
-          "jump SELF outer\nprint end\n", "3 1\n4 1\n3 2\n4 2\nend\n");
+    check("variable b loop 2\nlabel outer\nvariable a index 3 4\nlabel inner\nprint \"$a $b\"\nnext a\njump SELF "
+          "inner\nnext b\n"
+          "jump SELF outer\nprint end\n",
+          "3 1\n4 1\n3 2\n4 2\nend\n");
     check("variable i loop 8 11 pad\nlabel l\nprint f.$i\nnext i\njump SELF l\n", "f.08\nf.09\nf.10\nf.11\n");
-    check("variable i loop 100\nlabel l\nif \"$i == 5\" then \"jump SELF break\"\nnext i\njump SELF l\nlabel break\nprint \"i $i\"\n",
+    check("variable i loop 100\nlabel l\nif \"$i == 5\" then \"jump SELF break\"\nnext i\njump SELF l\nlabel "
+          "break\nprint \"i $i\"\n",
           "i 5\n");
 }
 END_TEST
@@ -93,7 +96,8 @@ END_TEST
 START_TEST(branches)
 {
     static const char deck[] = "variable a index 1 2 3\nlabel l\n"
-        "if \"$a == 1\" then 'print \"one\"' 'print again' elif \"$a == 2\" \"print two\" else \"print many\"\nnext a\njump SELF l\n";
+                               "if \"$a == 1\" then 'print \"one\"' 'print again' elif \"$a == 2\" \"print two\" else "
+                               "\"print many\"\nnext a\njump SELF l\n";
     check(deck, "one\nagain\ntwo\nmany\n");
     check("if 0 then \"print a\"\nif 1 then \"if 1 then 'print inner'\"\n", "inner\n");
     check("if \"$(1+1) == 2 && abc == abc\" then \"variable x equal 4\" \"print $(v_x)\"\n", "4\n");
@@ -110,19 +114,24 @@ START_TEST(quotes_and_substitution)
           "b 0.333333333333333 -3.3306690738754696213e-16 0.333 3.33e-01|\n");
     check("variable a string x\nprint 'single \"inner\" $a'\nprint \"mixed 'inner ${a}' ${a}\"\n",
           "single \"inner\" x\nmixed 'inner ${a}' x\n");
-    check("variable x string \"a # b\"\nprint 'q$x' # comment\nprint \"\"\"ab # not comment\"\"\"\n", "qa # b\nab # not comment\n");
+    check("variable x string \"a # b\"\nprint 'q$x' # comment\nprint \"\"\"ab # not comment\"\"\"\n",
+          "qa # b\nab # not comment\n");
     check("print a\"b\nprint \"cont &\n  inued\"\n", "a\"b\ncont   inued\n");
     check("print \"\"\"triple\n line 'x' \"y\" two\"\"\"\n", "triple\n line 'x' \"y\" two\n");
     check("variable c string \"print hello\"\n$c\n${c}\n", "hello\nhello\n");
-    check("variable e equal 0.1+0.2\nprint \"$e $(v_e) $(0.1+0.2)\"\n", "0.3 0.2999999999999999889 0.30000000000000004441\n");
-    check("variable e equal 1e10\nvariable f equal 123456789012345678\nprint \"$e $f\"\n", "10000000000 1.23456789012346e+17\n");
+    check("variable e equal 0.1+0.2\nprint \"$e $(v_e) $(0.1+0.2)\"\n",
+          "0.3 0.2999999999999999889 0.30000000000000004441\n");
+    check("variable e equal 1e10\nvariable f equal 123456789012345678\nprint \"$e $f\"\n",
+          "10000000000 1.23456789012346e+17\n");
 }
 END_TEST
 
 START_TEST(echo_shows_lines_as_read_and_as_run)
 {
-    check_log("variable a index 5\nvariable b index 7   # comment\n\n  print \"$a\"\nvariable  c equal ${a}*${b}  # product\n# end &\nof it\n",
-              "variable a index 5\nvariable b index 7   # comment\n\n  print \"$a\"\n5\nvariable  c equal ${a}*${b}  # product\n"
+    check_log("variable a index 5\nvariable b index 7   # comment\n\n  print \"$a\"\nvariable  c equal ${a}*${b}  # "
+              "product\n# end &\nof it\n",
+              "variable a index 5\nvariable b index 7   # comment\n\n  print \"$a\"\n5\nvariable  c equal ${a}*${b}  # "
+              "product\n"
               "variable  c equal 5*${b}  \nvariable  c equal 5*7  \n# end of it\n");
     check_log("echo none\nprint a\n", "echo none\na\n");
     check("echo screen\nif 1 then \"print a\"\n", "if 1 then \"print a\"\nprint a\na\n");
@@ -153,7 +162,8 @@ END_TEST
 START_TEST(print_goes_where_it_is_told)
 {
     char text[64];
-    run_with("echo none\nprint a file out.txt\nprint \"b $(1+1)\" append out.txt screen no\nprint c screen yes\n", NULL, NULL);
+    run_with("echo none\nprint a file out.txt\nprint \"b $(1+1)\" append out.txt screen no\nprint c screen yes\n", NULL,
+             NULL);
     ck_assert_str_eq(screen_text, "a\nc\n");
     ck_assert_str_eq(log_text, "echo none\na\nc\n");
     forget();
@@ -185,7 +195,8 @@ END_TEST
 
 START_TEST(clear_forgets_the_box_and_keeps_variables)
 {
-    check("variable a index 5\nregion b block 0 1 0 1 0 1\nclear\nregion b block 0 2 0 2 0 2\nprint \"a $a\"\n", "a 5\n");
+    check("variable a index 5\nregion b block 0 1 0 1 0 1\nclear\nregion b block 0 2 0 2 0 2\nprint \"a $a\"\n",
+          "a 5\n");
 }
 END_TEST
 
@@ -208,7 +219,9 @@ static void check_rows(const char *deck, const char *expected)
     run_with(text, NULL, NULL);
     for (char *line = strtok(screen_text, "\n"); line != NULL; line = strtok(NULL, "\n")) {
         line += strspn(line, " ");
-        if (strncmp(line, "say ", 4) != 0 && (line[0] < '0' || line[0] > '9' || strchr(line, '%') != NULL || strstr(line, " by ") != NULL)) continue;
+        if (strncmp(line, "say ", 4) != 0 &&
+            (line[0] < '0' || line[0] > '9' || strchr(line, '%') != NULL || strstr(line, " by ") != NULL))
+            continue;
         strncat(rows, line, sizeof rows - strlen(rows) - 2);
         strcat(rows, "\n");
     }
@@ -218,21 +231,25 @@ static void check_rows(const char *deck, const char *expected)
 
 START_TEST(runs_count_steps_and_time)
 {
-    check_rows("thermo_style custom step time elapsed elaplong\nthermo 2\nrun 4\nreset_timestep 50\nrun 4 start 40 stop 60\n"
-               "timestep 0.02\nrun 56 upto\n",
-               "0            0        0        0 \n2         0.02        2        2 \n4         0.04        4        4 \n"
-               "50         0.04        0       10 \n52         0.06        2       12 \n54         0.08        4       14 \n"
-               "54         0.08        0        0 \n56         0.12        2        2 \n");
+    check_rows(
+        "thermo_style custom step time elapsed elaplong\nthermo 2\nrun 4\nreset_timestep 50\nrun 4 start 40 stop 60\n"
+        "timestep 0.02\nrun 56 upto\n",
+        "0            0        0        0 \n2         0.02        2        2 \n4         0.04        4        4 \n"
+        "50         0.04        0       10 \n52         0.06        2       12 \n54         0.08        4       14 \n"
+        "54         0.08        0        0 \n56         0.12        2        2 \n");
 }
 END_TEST
 
 START_TEST(ramps_and_oscillations_of_a_run)
 {
     check_rows("variable r equal ramp(1,3)\nvariable v equal vdisplace(1,3)\nvariable s equal swiggle(1,3,0.3)\n"
-               "variable c equal cwiggle(1,3,0.3)\nthermo_style custom step v_r v_v v_s v_c\nthermo 2\nrun 4\nreset_timestep 50\n"
+               "variable c equal cwiggle(1,3,0.3)\nthermo_style custom step v_r v_v v_s v_c\nthermo 2\nrun "
+               "4\nreset_timestep 50\n"
                "run 2 start 40 stop 60\n",
-               "0            1            1            1            1 \n2            2         1.06    2.2202099    1.2593636 \n"
-               "4            3         1.12    3.2294345    1.9926082 \n50            2          1.3    3.5980762          5.5 \n"
+               "0            1            1            1            1 \n2            2         1.06    2.2202099    "
+               "1.2593636 \n"
+               "4            3         1.12    3.2294345    1.9926082 \n50            2          1.3    3.5980762      "
+               "    5.5 \n"
                "52          2.2         1.36    2.7633558     6.427051 \n");
 }
 END_TEST
@@ -241,7 +258,8 @@ START_TEST(commands_between_the_parts_of_a_run)
 {
     check_rows("variable k equal 3\nthermo_style custom step v_k\nthermo 10\n"
                "run 5 every 2 'print \"say $(step) $k\"' 'variable k equal $k+1'\nrun 2 every 1 NULL\n",
-               "0            3 \n2            3 \nsay 2 3\n2            4 \n4            4 \nsay 4 4\n4            5 \n5            5 \n"
+               "0            3 \n2            3 \nsay 2 3\n2            4 \n4            4 \nsay 4 4\n4            5 "
+               "\n5            5 \n"
                "say 5 5\n5            6 \n6            6 \n6            6 \n7            6 \n");
     check_rows("thermo_style custom step\nrun 100 every 2 \"if '$(step) == 4' then quit\"\n", "0 \n2 \n2 \n4 \n");
 }

@@ -47,10 +47,11 @@ static void check_table(const char *const (*cases)[2], size_t n)
 START_TEST(operators_bind_as_in_lammps)
 {
     static const char *const cases[][2] = {
-        {"1+2*3-4/2", "5"}, {"-2^2", "4"}, {"2^3^2", "64"}, {"2^-1", "0.5"}, {"2*-3", "-6"}, {"- -3", "3"}, {"7%3", "1"},
-        {"-7%3", "-1"}, {"(1+2)*3", "9"}, {"8/4/2", "1"}, {"2-3-4", "-5"}, {"1<2==1", "1"}, {"3>2>1", "0"}, {"1||0&&0", "1"},
-        {"1|^1", "0"}, {"1|^0", "1"}, {"!0", "1"}, {"!3", "0"}, {"1+!0", "2"}, {"1 != 2", "1"}, {"2>=2", "1"}, {"2<=1", "0"},
-        {"0^0", "1"}, {"  1  ", "1"}, {"((((7))))", "7"}, {"!1==0", "1"}, {"2*3%4", "2"}, {"1&&2&&0", "0"},
+        {"1+2*3-4/2", "5"}, {"-2^2", "4"},    {"2^3^2", "64"},  {"2^-1", "0.5"},  {"2*-3", "-6"},  {"- -3", "3"},
+        {"7%3", "1"},       {"-7%3", "-1"},   {"(1+2)*3", "9"}, {"8/4/2", "1"},   {"2-3-4", "-5"}, {"1<2==1", "1"},
+        {"3>2>1", "0"},     {"1||0&&0", "1"}, {"1|^1", "0"},    {"1|^0", "1"},    {"!0", "1"},     {"!3", "0"},
+        {"1+!0", "2"},      {"1 != 2", "1"},  {"2>=2", "1"},    {"2<=1", "0"},    {"0^0", "1"},    {"  1  ", "1"},
+        {"((((7))))", "7"}, {"!1==0", "1"},   {"2*3%4", "2"},   {"1&&2&&0", "0"},
     };
     CHECK_TABLE(cases);
 }
@@ -69,13 +70,30 @@ END_TEST
 START_TEST(functions)
 {
     static const char *const cases[][2] = {
-        {"sqrt(2)", "1.4142135623730951"}, {"exp(1)", "2.7182818284590451"}, {"ln(2)", "0.69314718055994529"}, {"log(100)", "2"},
-        {"abs(-3)", "3"}, {"sin(1)", "0.8414709848078965"}, {"cos(1)", "0.54030230586813977"}, {"tan(1)", "1.5574077246549023"},
-        {"asin(0.5)", "0.52359877559829893"}, {"acos(0.5)", "1.0471975511965979"}, {"atan(1)", "0.78539816339744828"},
-        {"atan2(1,2)", "0.46364760900080609"}, {"ceil(1.2)", "2"}, {"floor(-1.2)", "-2"}, {"round(2.5)", "3"},
-        {"round(-2.5)", "-2"}, {"sqrt(sqrt(16))", "2"}, {"atan2( 1 , sqrt(4) )", "0.46364760900080609"},
-        {"is_defined(group,all)", "1"}, {"is_defined(variable,nothing)", "0"}, {"is_available(command,run)", "1"},
-        {"is_available(pair,eam)", "0"}, {"is_file(/)", "1"}, {"is_file(/nowhere)", "0"},
+        {"sqrt(2)", "1.4142135623730951"},
+        {"exp(1)", "2.7182818284590451"},
+        {"ln(2)", "0.69314718055994529"},
+        {"log(100)", "2"},
+        {"abs(-3)", "3"},
+        {"sin(1)", "0.8414709848078965"},
+        {"cos(1)", "0.54030230586813977"},
+        {"tan(1)", "1.5574077246549023"},
+        {"asin(0.5)", "0.52359877559829893"},
+        {"acos(0.5)", "1.0471975511965979"},
+        {"atan(1)", "0.78539816339744828"},
+        {"atan2(1,2)", "0.46364760900080609"},
+        {"ceil(1.2)", "2"},
+        {"floor(-1.2)", "-2"},
+        {"round(2.5)", "3"},
+        {"round(-2.5)", "-2"},
+        {"sqrt(sqrt(16))", "2"},
+        {"atan2( 1 , sqrt(4) )", "0.46364760900080609"},
+        {"is_defined(group,all)", "1"},
+        {"is_defined(variable,nothing)", "0"},
+        {"is_available(command,run)", "1"},
+        {"is_available(pair,eam)", "0"},
+        {"is_file(/)", "1"},
+        {"is_file(/nowhere)", "0"},
     };
     CHECK_TABLE(cases);
 }
@@ -96,7 +114,8 @@ START_TEST(functions_of_time)
 {
     /* step, then stagger(100,10), logfreq(10,3,10), logfreq2(1,7,2), logfreq3(1,10,1000), stride(30,777,10),
      * stride2(10,1000,100,200,300,10), as printed by lmp */
-    static const char *const formulas[] = {"stagger(100,10)", "logfreq(10,3,10)", "logfreq2(1,7,2)", "logfreq3(1,10,1000)",
+    static const char *const formulas[] = {"stagger(100,10)",   "logfreq(10,3,10)",
+                                           "logfreq2(1,7,2)",   "logfreq3(1,10,1000)",
                                            "stride(30,777,10)", "stride2(10,1000,100,200,300,10)"};
     static const struct { int step; const char *values[6]; } cases[] = {
         {0, {"10", "10", "1", "1", "30", "10"}},
@@ -140,11 +159,30 @@ static hs_deck *deck_with_cube(void)
 START_TEST(group_functions)
 {
     static const char *const cases[][2] = {
-        {"count(all)", "8"}, {"count(low)", "4"}, {"count(all,lower)", "4"}, {"mass(all)", "10"}, {"mass(low)", "4"},
-        {"xcm(all,x)", "0.59999999999999998"}, {"xcm(low,z)", "0"}, {"vcm(all,x)", "0.40000000000000002"}, {"vcm(low,x)", "0.5"},
-        {"fcm(all,y)", "0"}, {"bound(all,xmax)", "1"}, {"bound(low,zmax)", "0"}, {"bound(all,ymin)", "0"}, {"ke(all)", "2"},
-        {"ke(all,lower)", "1"}, {"gyration(low)", "0.70710678118654757"}, {"angmom(low,z)", "0"}, {"inertia(low,zz)", "2"},
-        {"x[8]+y[8]+z[8]", "3"}, {"type[8]*mass[8]", "6"}, {"vx[1]", "1"}, {"id[5]", "5"}, {"atoms", "8"}, {"lx*ly*lz", "8"},
+        {"count(all)", "8"},
+        {"count(low)", "4"},
+        {"count(all,lower)", "4"},
+        {"mass(all)", "10"},
+        {"mass(low)", "4"},
+        {"xcm(all,x)", "0.59999999999999998"},
+        {"xcm(low,z)", "0"},
+        {"vcm(all,x)", "0.40000000000000002"},
+        {"vcm(low,x)", "0.5"},
+        {"fcm(all,y)", "0"},
+        {"bound(all,xmax)", "1"},
+        {"bound(low,zmax)", "0"},
+        {"bound(all,ymin)", "0"},
+        {"ke(all)", "2"},
+        {"ke(all,lower)", "1"},
+        {"gyration(low)", "0.70710678118654757"},
+        {"angmom(low,z)", "0"},
+        {"inertia(low,zz)", "2"},
+        {"x[8]+y[8]+z[8]", "3"},
+        {"type[8]*mass[8]", "6"},
+        {"vx[1]", "1"},
+        {"id[5]", "5"},
+        {"atoms", "8"},
+        {"lx*ly*lz", "8"},
     };
     hs_deck *deck = deck_with_cube();
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i) check_value(deck, cases[i][0], cases[i][1]);
@@ -158,13 +196,15 @@ START_TEST(atom_style_formulas_give_one_value_per_atom)
     hs_error err = {0};
     double values[8];
     hs_formula *formula = NULL;
-    ck_assert_hs_ok(hs_formula_parse(&formula, "id+10*type+x*y*gmask(low)-v_two*rmask(lower)+count(all)", true, &err), err);
+    ck_assert_hs_ok(hs_formula_parse(&formula, "id+10*type+x*y*gmask(low)-v_two*rmask(lower)+count(all)", true, &err),
+                    err);
     run(deck, "variable two equal 2");
     ck_assert_hs_ok(hs_formula_atoms(formula, deck, values, &err), err);
     const hs_atoms *atoms = &deck->sim->atoms;
     for (int i = 0; i < 8; ++i) {
         const double low = atoms->x[2][i] < 0.5;
-        const double expected = (double)atoms->id[i] + 10.0 * atoms->type[i] + atoms->x[0][i] * atoms->x[1][i] * low - 2.0 * low + 8.0;
+        const double expected =
+            (double)atoms->id[i] + 10.0 * atoms->type[i] + atoms->x[0][i] * atoms->x[1][i] * low - 2.0 * low + 8.0;
         ck_assert_double_eq(values[i], expected);
     }
     hs_formula_destroy(&formula);
@@ -216,10 +256,23 @@ END_TEST
 
 START_TEST(conditions_of_if)
 {
-    static const struct { const char *text; bool holds; } cases[] = {
-        {"1", true}, {"0.0", false}, {"1 == 1", true}, {"abc==abc", true}, {"abc != abd && 2 < 3", true}, {"!(1 == 2)", true},
-        {"1e2 == 100", true}, {"1 |^ 1", false}, {"-1 < 2", true}, {"a/b == a/b", true}, {"1 == 2 || 3 >= 3", true},
-        {"1 || 0 && 0", true}, {"(1 || 0) && 0", false}, {"2 > 1 == 1", true}, {"in.melt != in.flow", true},
+    static const struct { const char *text; bool holds;
+    } cases[] = {
+        {"1", true},
+        {"0.0", false},
+        {"1 == 1", true},
+        {"abc==abc", true},
+        {"abc != abd && 2 < 3", true},
+        {"!(1 == 2)", true},
+        {"1e2 == 100", true},
+        {"1 |^ 1", false},
+        {"-1 < 2", true},
+        {"a/b == a/b", true},
+        {"1 == 2 || 3 >= 3", true},
+        {"1 || 0 && 0", true},
+        {"(1 || 0) && 0", false},
+        {"2 > 1 == 1", true},
+        {"in.melt != in.flow", true},
     };
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i) {
         hs_error err = {0};
@@ -230,6 +283,7 @@ START_TEST(conditions_of_if)
 }
 END_TEST
 
-HS_TEST_MAIN("formula", operators_bind_as_in_lammps, numbers_and_constants, functions, random_numbers_are_those_of_lammps,
-             functions_of_time, group_functions, atom_style_formulas_give_one_value_per_atom,
-             random_numbers_per_atom_depend_on_id_and_draw_only, deep_formulas_are_refused_and_long_ones_are_not, conditions_of_if)
+HS_TEST_MAIN("formula", operators_bind_as_in_lammps, numbers_and_constants, functions,
+             random_numbers_are_those_of_lammps, functions_of_time, group_functions,
+             atom_style_formulas_give_one_value_per_atom, random_numbers_per_atom_depend_on_id_and_draw_only,
+             deep_formulas_are_refused_and_long_ones_are_not, conditions_of_if)

@@ -79,8 +79,12 @@ END_TEST
 START_TEST(comments_end_lines_but_not_within_quotes)
 {
     static const char *const cases[][2] = {
-        {"a # b", "a "}, {"# b", ""}, {"a", "a"}, {"print 'a # b' # c", "print 'a # b' "},
-        {"print \"a # 'b\" # c", "print \"a # 'b\" "}, {"print \"\"\"a \" # b\"\"\" # c", "print \"\"\"a \" # b\"\"\" "},
+        {"a # b", "a "},
+        {"# b", ""},
+        {"a", "a"},
+        {"print 'a # b' # c", "print 'a # b' "},
+        {"print \"a # 'b\" # c", "print \"a # 'b\" "},
+        {"print \"\"\"a \" # b\"\"\" # c", "print \"\"\"a \" # b\"\"\" "},
         {"it's # open", "it's # open"},
     };
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i) {
@@ -100,7 +104,8 @@ static void check_words(const char *line, const char *expected)
     hs_text all = {0};
     if (hs_words_split(&words, line, &err) == HS_OK)
         for (int i = 0; i < words.n; ++i)
-            ck_assert_int_eq(hs_text_printf(&all, &ignored, "[%s]%s", words.word[i], words.was_quoted[i] ? "q" : ""), HS_OK);
+            ck_assert_int_eq(hs_text_printf(&all, &ignored, "[%s]%s", words.word[i], words.was_quoted[i] ? "q" : ""),
+                             HS_OK);
     ck_assert_str_eq(err.status == HS_OK ? hs_text_get(&all) : err.text, expected);
     hs_words_fini(&words);
     hs_text_fini(&all);
@@ -128,6 +133,6 @@ START_TEST(unbalanced_quotes_are_refused)
 END_TEST
 
 HS_TEST_MAIN("lexer", lines_are_counted_and_trimmed_at_their_end, ampersand_joins_lines,
-             comment_ending_in_ampersand_swallows_the_next_line, triple_quotes_keep_line_breaks, text_that_is_no_deck_is_refused,
-             comments_end_lines_but_not_within_quotes, words_are_split_at_blanks_and_held_together_by_quotes,
-             unbalanced_quotes_are_refused)
+             comment_ending_in_ampersand_swallows_the_next_line, triple_quotes_keep_line_breaks,
+             text_that_is_no_deck_is_refused, comments_end_lines_but_not_within_quotes,
+             words_are_split_at_blanks_and_held_together_by_quotes, unbalanced_quotes_are_refused)

@@ -183,12 +183,16 @@ END_TEST
 START_TEST(formats_must_have_one_conversion_for_a_number)
 {
     static const char *const good[] = {"%g", "%10.4f", "%-8.2e", "%+.0f", "%020.15g", "T = %g K", "%g%%", "%a"};
-    static const char *const bad[] = {"", "x", "%", "%d", "%s", "%n", "%g%g", "%ld", "%*g", "%Lf", "%9999g", "%.9999f", "%%", "%5", "%hhn"};
-    for (size_t i = 0; i < sizeof good / sizeof good[0]; ++i) ck_assert_msg(hs_format_is_for_double(good[i]), "%s", good[i]);
-    for (size_t i = 0; i < sizeof bad / sizeof bad[0]; ++i) ck_assert_msg(!hs_format_is_for_double(bad[i]), "%s", bad[i]);
+    static const char *const bad[] = {"",    "x",   "%",      "%d",      "%s", "%n", "%g%g", "%ld",
+                                      "%*g", "%Lf", "%9999g", "%.9999f", "%%", "%5", "%hhn"};
+    for (size_t i = 0; i < sizeof good / sizeof good[0]; ++i)
+        ck_assert_msg(hs_format_is_for_double(good[i]), "%s", good[i]);
+    for (size_t i = 0; i < sizeof bad / sizeof bad[0]; ++i)
+        ck_assert_msg(!hs_format_is_for_double(bad[i]), "%s", bad[i]);
 }
 END_TEST
 
 HS_TEST_MAIN("variables", each_style_has_its_text, command_line_wins_over_index, second_definitions,
-             a_failed_definition_leaves_the_old_one, formulas_see_formulas_rounded_to_15_digits, next_deletes_at_the_end,
-             chains_of_variables_end, lines_that_grow_without_bound_are_refused, formats_must_have_one_conversion_for_a_number)
+             a_failed_definition_leaves_the_old_one, formulas_see_formulas_rounded_to_15_digits,
+             next_deletes_at_the_end, chains_of_variables_end, lines_that_grow_without_bound_are_refused,
+             formats_must_have_one_conversion_for_a_number)
