@@ -11,6 +11,8 @@
 static const double farthest_placed = 1e9;
 /** The same for atoms that move: one that crosses a whole box between two exchanges was thrown there by a nonsensical force. */
 static const double farthest_moved = 1.0;
+/** Cutoffs from the origin at which shrink-wrapped faces follow an atom no more. */
+static const double farthest_wrapped = 1e9;
 
 /** Wrap one atom along one periodic axis, and its listed position with it. An atom farther from the box than so many box
  *  lengths is left where it is, and counts as lost: false. */
@@ -77,14 +79,16 @@ static inline bool is_shrink_wrapped(hs_boundary kind)
     return kind == HS_BOUNDARY_SHRINK || kind == HS_BOUNDARY_SHRINK_MIN;
 }
 
-/** Shrink-wrapped faces follow the atoms, though only when lists are made: nothing is ever outside of them. */
-static inline bool is_outside(const hs_box *box, const hs_atoms *atoms, int i)
+/** Whether an atom is lost. Shrink-wrapped faces follow the atoms, though only when lists are made: nothing is ever outside of
+ *  them, unless it is so far away that no cells can be laid over the box. */
+static inline bool is_outside(const hs_sim *sim, int i)
 {
+    const hs_box *box = &sim->box;
+    const double cutoff = sim->pair->cutoff_max, farthest = cutoff > 0.0 ? farthest_wrapped * cutoff : DBL_MAX;
     for (int axis = 0; axis < 3; ++axis) {
-        const double x = atoms->x[axis][i];
-        const bool is_below = !(x >= box->lo[axis]), is_above = !(x <= box->hi[axis]);
-        if (is_below && !is_shrink_wrapped(box->boundary[axis][0])) return true;
-        if (is_above && !is_shrink_wrapped(box->boundary[axis][1])) return true;
+        const double x = sim->atoms.x[axis][i];
+        if (!(x >= (is_shrink_wrapped(box->boundary[axis][0]) ? -farthest : box->lo[axis]))) return true;
+        if (!(x <= (is_shrink_wrapped(box->boundary[axis][1]) ? farthest : box->hi[axis]))) return true;
     }
     return false;
 }
@@ -109,12 +113,12 @@ static hs_status find_lost(hs_sim *sim, bool is_wrapped, hs_error *err)
     if (is_wrapped && sim->box.periodic[0] && sim->box.periodic[1] && sim->box.periodic[2]) return HS_OK;
     int first = -1;
     for (int i = 0; i < atoms->n_local && first < 0; ++i)
-        if (is_outside(&sim->box, atoms, i)) first = i;
+        if (is_outside(sim, i)) first = i;
     if (first < 0) return HS_OK;
     if (hs_thermo_lost(sim->thermo) == HS_LOST_ERROR) return report_lost(sim, first, err);
     unsigned char *drop;
     HS_TRY(HS_ALLOC(drop, (size_t)atoms->n_local, err));
-    for (int i = first; i < atoms->n_local; ++i) drop[i] = is_outside(&sim->box, atoms, i);
+    for (int i = first; i < atoms->n_local; ++i) drop[i] = is_outside(sim, i);
     hs_atoms_remove(atoms, drop);
     HS_FREE(drop);
     return HS_OK;
@@ -174,9 +178,9 @@ hs_status hs_sim_exchange(hs_sim *sim, bool is_listing, hs_error *err)
 {
     hs_timer_mark(&sim->timer);
     const bool is_wrapped = wrap(sim);
-    if (is_listing) hs_sim_shrink_box(sim);
     (void)find_lost(sim, is_wrapped, err);
     HS_TRY(hs_parallel_agree(&sim->parallel, err));
+    if (is_listing) hs_sim_shrink_box(sim);
     if (is_listing) hs_neighbor_list_now(&sim->neighbor, &sim->atoms);
     hs_timer_add(&sim->timer, HS_PHASE_COMM);
     if (sim->pair->cutoff_max <= 0.0) return HS_OK;
