@@ -1,4 +1,5 @@
-/** What the physics tests share: simulations through the public API, their thermo tables as numbers, simple statistics. */
+/** What the physics tests share: simulations through the public API, their thermo tables as numbers, simple
+ *  statistics. */
 #ifndef HS_TESTS_PHYSICS_H
 #define HS_TESTS_PHYSICS_H
 
@@ -15,7 +16,7 @@
 typedef struct experiment {
     hs_simulation *simulation;
     FILE *log;
-    char *text;         /**< the log so far */
+    char *text;   /**< the log so far */
     size_t text_size;
 } experiment;
 
@@ -87,7 +88,8 @@ static inline table last_table(experiment *e)
     enum { N_MAX = 16 };
     fflush(e->log);
     const char *line = NULL;
-    for (const char *found = strstr(e->text, "\nStep "); found != NULL; found = strstr(found + 1, "\nStep ")) line = found + 1;
+    for (const char *found = strstr(e->text, "\nStep "); found != NULL; found = strstr(found + 1, "\nStep "))
+        line = found + 1;
     ck_assert_msg(line != NULL, "no table in the log");
     table t = {0};
     while ((line = strchr(line, '\n')) != NULL) {
@@ -110,7 +112,8 @@ static inline double cell(const table *t, int row, int column) { return t->value
 /** A table to full precision with a row every so many steps. */
 static inline table run_table(experiment *e, int n_steps, int every, const char *columns)
 {
-    deck(e, "thermo_style custom step %s\nthermo_modify format float %%.17g\nthermo %d\nrun %d\n", columns, every, n_steps);
+    deck(e, "thermo_style custom step %s\nthermo_modify format float %%.17g\nthermo %d\nrun %d\n", columns, every,
+         n_steps);
     return last_table(e);
 }
 

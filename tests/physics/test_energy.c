@@ -1,7 +1,7 @@
 /* Velocity Verlet: the energy error goes with the square of the timestep, the energy does not drift, and reversed
  * velocities lead back to the start.
- * Source: W. C. Swope et al., J. Chem. Phys. 76, 637 (1982), doi:10.1063/1.442716; for the dt^2 of the energy and why there
- * is no drift: E. Hairer, C. Lubich, G. Wanner, Acta Numerica 12, 399 (2003), doi:10.1017/S0962492902000144. */
+ * Source: W. C. Swope et al., J. Chem. Phys. 76, 637 (1982), doi:10.1063/1.442716; for the dt^2 of the energy and why
+ * there is no drift: E. Hairer, C. Lubich, G. Wanner, Acta Numerica 12, 399 (2003), doi:10.1017/S0962492902000144. */
 #include "physics.h"
 
 enum { N_ATOMS = 500, N3 = 3 * N_ATOMS };
@@ -12,9 +12,12 @@ enum { N_ATOMS = 500, N3 = 3 * N_ATOMS };
 static void create_liquid(experiment *e)
 {
     open_experiment(e, 1);
-    deck(e, "units lj\nlattice fcc 0.8442\nregion box block 0 5 0 5 0 5\ncreate_box 1 box\ncreate_atoms 1 box\nmass 1 1.0\n"
-            "velocity all create 1.44 87287 loop geom\npair_style lj/cut 4.0\npair_modify shift yes\npair_coeff 1 1 1.0 1.0\n"
-            "neighbor 0.3 bin\nneigh_modify every 1 delay 0 check yes\nfix 1 all nve\n");
+    deck(
+        e,
+        "units lj\nlattice fcc 0.8442\nregion box block 0 5 0 5 0 5\ncreate_box 1 box\ncreate_atoms 1 box\nmass 1 1.0\n"
+        "velocity all create 1.44 87287 loop geom\npair_style lj/cut 4.0\npair_modify shift yes\npair_coeff 1 1 1.0 "
+        "1.0\n"
+        "neighbor 0.3 bin\nneigh_modify every 1 delay 0 check yes\nfix 1 all nve\n");
     ck_assert_int_eq(hs_simulation_n_atoms(e->simulation), N_ATOMS);
 }
 
@@ -80,8 +83,8 @@ START_TEST(test_no_drift)
     const double fluctuation = energy_fluctuation(&t);
     /* Pairs that cross the cutoff: each atom meets rho 4 pi rc^2 <|v_r|>/2 = 0.8442 * 201 * 0.49 = 83 a tau in one
        direction, twice that in both, half as many pairs; each changes the energy by jump * v dt * u, u even in
-       [-1/2, 1/2]: rms 1.5e-3 * 1.2 * 0.004/sqrt(12) = 2e-6. A line through a random walk of n such steps rises by about
-       their rms times sqrt(n). */
+       [-1/2, 1/2]: rms 1.5e-3 * 1.2 * 0.004/sqrt(12) = 2e-6. A line through a random walk of n such steps rises by
+       about their rms times sqrt(n). */
     const double n_crossings = 83.0 * N_ATOMS * duration, walk = 2e-6 * sqrt(n_crossings) / N_ATOMS;
     printf("  over %g tau at dt %g: drift of E/N %.2e, rms %.2e; random walk at the cutoff %.2e\n", duration, dt, drift,
            fluctuation, walk);
@@ -101,7 +104,8 @@ static void reverse(experiment *e)
     free(v);
 }
 
-/** By how much a small random displacement of all atoms grows in so many steps: exp(Lyapunov exponent * time), measured. */
+/** By how much a small random displacement of all atoms grows in so many steps: exp(Lyapunov exponent * time),
+ *  measured. */
 static double growth_of(experiment *e, const double *x, const double *v, int n_steps)
 {
     const double size = 1e-8;
@@ -140,12 +144,13 @@ START_TEST(test_reversal)
         reverse(&e);
         need(&e, hs_simulation_run(e.simulation, n));
         get_state(&e, &x_end, &v_end);
-        /* Every step rounds 3 N coordinates of size < 16 to 2^-50 (rms 2^-50/sqrt(12)). A rounding error made s steps from
-           the start, on the way out or back, is carried back to the start over s steps and grows on that way at most as a
-           disturbance grows over all n. 2 n of them add up as a random walk. An upper bound therefore. */
+        /* Every step rounds 3 N coordinates of size < 16 to 2^-50 (rms 2^-50/sqrt(12)). A rounding error made s steps
+           from the start, on the way out or back, is carried back to the start over s steps and grows on that way at
+           most as a disturbance grows over all n. 2 n of them add up as a random walk. An upper bound therefore. */
         const double rounding = 0x1p-50 / sqrt(12.0) * sqrt((double)N3) * sqrt(2.0 * n);
         const double distance = distance_of(x, x_end, N3);
-        printf("  %5d   %.3e                         %.3e                %.3g\n", n, distance, rounding * growth, growth);
+        printf("  %5d   %.3e                         %.3e                %.3g\n", n, distance, rounding * growth,
+               growth);
         ck_assert_double_le(distance, rounding * fmax(growth, 1.0));
         double largest_v = 0.0;
         for (int i = 0; i < N3; ++i) largest_v = fmax(largest_v, fabs(v_end[i] + v[i]));

@@ -1,5 +1,5 @@
-/* Energies, forces and pressures whose values are known exactly: pairs of atoms, tail integrals, lattice sums; what motion
- * conserves; and what temperature and pressure mean in each system of units. */
+/* Energies, forces and pressures whose values are known exactly: pairs of atoms, tail integrals, lattice sums; what
+ * motion conserves; and what temperature and pressure mean in each system of units. */
 #include "physics.h"
 
 static const double pi = 3.14159265358979323846;
@@ -39,9 +39,11 @@ static lj_values measure_pair(experiment *e, double r)
 static void open_pair(experiment *e, int type_a, int type_b)
 {
     open_experiment(e, 1);
-    deck(e, "units lj\nboundary f f f\nregion box block -30 30 -30 30 -30 30 units box\ncreate_box 2 box\n"
-            "create_atoms %d single 0 0 0 units box\ncreate_atoms %d single 1 1 1 units box\nmass * 1.0\nfix 1 all nve\n"
-            "thermo_modify norm no\n", type_a, type_b);
+    deck(e,
+         "units lj\nboundary f f f\nregion box block -30 30 -30 30 -30 30 units box\ncreate_box 2 box\n"
+         "create_atoms %d single 0 0 0 units box\ncreate_atoms %d single 1 1 1 units box\nmass * 1.0\nfix 1 all nve\n"
+         "thermo_modify norm no\n",
+         type_a, type_b);
 }
 
 /** Rounding of the two terms, which nearly cancel near sigma. */
@@ -119,11 +121,13 @@ START_TEST(test_mixing)
     for (size_t k = 0; k < sizeof rules / sizeof rules[0]; ++k) {
         experiment e;
         open_pair(&e, 1, 2);
-        deck(&e, "pair_style lj/cut 2.5\npair_modify mix %s\npair_coeff 1 1 %.17g %.17g %.17g\n"
-                 "pair_coeff 2 2 %.17g %.17g %.17g\n", rules[k].name, e1, s1, c1, e2, s2, c2);
+        deck(&e,
+             "pair_style lj/cut 2.5\npair_modify mix %s\npair_coeff 1 1 %.17g %.17g %.17g\n"
+             "pair_coeff 2 2 %.17g %.17g %.17g\n",
+             rules[k].name, e1, s1, c1, e2, s2, c2);
         for (double r = 0.8; r < rules[k].cutoff; r += 0.1) {
             const lj_values is = measure_pair(&e, r), right = lj(rules[k].epsilon, rules[k].sigma, r);
-            const double near = 10.0 * tolerance(rules[k].epsilon, rules[k].sigma, r);   /* parameters are rounded too */
+            const double near = 10.0 * tolerance(rules[k].epsilon, rules[k].sigma, r); /* parameters are rounded too */
             ck_assert_double_eq_tol(is.energy, right.energy, near);
             ck_assert_double_eq_tol(is.force, right.force, near);
         }
@@ -141,8 +145,10 @@ START_TEST(test_tail)
     const double density = 0.75, epsilon = 1.2, sigma = 0.95, cutoff = 2.7;
     experiment e;
     open_experiment(&e, 1);
-    deck(&e, "units lj\nlattice fcc %.17g\nregion box block 0 5 0 5 0 5\ncreate_box 1 box\ncreate_atoms 1 box\nmass 1 1.0\n"
-             "pair_style lj/cut %.17g\npair_coeff 1 1 %.17g %.17g\n", density, cutoff, epsilon, sigma);
+    deck(&e,
+         "units lj\nlattice fcc %.17g\nregion box block 0 5 0 5 0 5\ncreate_box 1 box\ncreate_atoms 1 box\nmass 1 1.0\n"
+         "pair_style lj/cut %.17g\npair_coeff 1 1 %.17g %.17g\n",
+         density, cutoff, epsilon, sigma);
     const double energy = thermo(&e, "pe"), pressure = thermo(&e, "press");
     deck(&e, "pair_modify tail yes\n");
     const double s3 = pow(sigma / cutoff, 3.0), s9 = s3 * s3 * s3, volume = pow(sigma, 3.0);
@@ -161,9 +167,10 @@ START_TEST(test_tail_of_mixture)
     static const double epsilon[3] = {1.0, 0.7, 1.4}, sigma[3] = {1.0, 1.1, 0.9}, cutoff[3] = {2.5, 2.8, 3.2};
     experiment e;
     open_experiment(&e, 1);
-    deck(&e, "units lj\nlattice bcc 0.7\nregion box block 0 6 0 6 0 6\ncreate_box 2 box\ncreate_atoms 1 box basis 2 2\n"
-             "set type 1 type/subset 2 60 777\nmass * 1.0\npair_style lj/cut 2.5\n"
-             "pair_coeff 1 1 %.17g %.17g %.17g\npair_coeff 1 2 %.17g %.17g %.17g\npair_coeff 2 2 %.17g %.17g %.17g\n",
+    deck(&e,
+         "units lj\nlattice bcc 0.7\nregion box block 0 6 0 6 0 6\ncreate_box 2 box\ncreate_atoms 1 box basis 2 2\n"
+         "set type 1 type/subset 2 60 777\nmass * 1.0\npair_style lj/cut 2.5\n"
+         "pair_coeff 1 1 %.17g %.17g %.17g\npair_coeff 1 2 %.17g %.17g %.17g\npair_coeff 2 2 %.17g %.17g %.17g\n",
          epsilon[0], sigma[0], cutoff[0], epsilon[1], sigma[1], cutoff[1], epsilon[2], sigma[2], cutoff[2]);
     const double n[2] = {216.0 - 60.0, 216.0 + 60.0}, n_all = 432.0, volume = n_all / 0.7;
     const double n_pairs[3] = {n[0] * n[0], 2.0 * n[0] * n[1], n[1] * n[1]};
@@ -181,9 +188,10 @@ START_TEST(test_tail_of_mixture)
 }
 END_TEST
 
-/** Crystals of four atoms and their images far beyond the box. E/N = 2 (A12/R^12 - A6/R^6), R the distance of neighbors;
- *  P = -d(E/N)/d(V/N) with V/N = R^3/sqrt(2).
- *  Sums of fcc and hcp: J. O. Hirschfelder, C. F. Curtiss, R. B. Bird, Molecular Theory of Gases and Liquids (1954), p. 1040. */
+/** Crystals of four atoms and their images far beyond the box. E/N = 2 (A12/R^12 - A6/R^6), R the distance of
+ *  neighbors; P = -d(E/N)/d(V/N) with V/N = R^3/sqrt(2).
+ *  Sums of fcc and hcp: J. O. Hirschfelder, C. F. Curtiss, R. B. Bird, Molecular Theory of Gases and Liquids (1954),
+ *  p. 1040. */
 START_TEST(test_close_packed_crystals)
 {
     static const struct {
@@ -198,19 +206,21 @@ START_TEST(test_close_packed_crystals)
             const double r = lengths[j];
             experiment e;
             open_experiment(&e, 1);
-            deck(&e, "units lj\nlattice %s %.17g\nregion box block 0 1 0 1 0 1\ncreate_box 1 box\ncreate_atoms 1 box\n"
-                     "mass 1 1.0\npair_style lj/cut 16.0\npair_modify tail yes\npair_coeff 1 1 1.0 1.0\n",
+            deck(&e,
+                 "units lj\nlattice %s %.17g\nregion box block 0 1 0 1 0 1\ncreate_box 1 box\ncreate_atoms 1 box\n"
+                 "mass 1 1.0\npair_style lj/cut 16.0\npair_modify tail yes\npair_coeff 1 1 1.0 1.0\n",
                  crystals[k].name, sqrt(2.0) / (r * r * r));
             ck_assert_int_eq(hs_simulation_n_atoms(e.simulation), 4);
             const double energy = 2.0 * (a12 * pow(r, -12.0) - a6 * pow(r, -6.0));
             const double pressure = sqrt(2.0) * (8.0 * a12 * pow(r, -15.0) - 4.0 * a6 * pow(r, -9.0));
-            /* Shells cut through at 16: their atoms differ from the mean density's by some hundreds of 4 * 16^-6; and the
-               table's last digit, 5e-6 of each sum. */
+            /* Shells cut through at 16: their atoms differ from the mean density's by some hundreds of 4 * 16^-6; and
+               the table's last digit, 5e-6 of each sum. */
             ck_assert_double_eq_tol(thermo(&e, "pe"), energy, 1e-4);
             ck_assert_double_eq_tol(thermo(&e, "press"), pressure, 1e-3);
             if (j == 0) {
                 ground[k] = thermo(&e, "pe");
-                printf("  %s: energy of the pressureless crystal %.5f, exact %.5f\n", crystals[k].name, ground[k], energy);
+                printf("  %s: energy of the pressureless crystal %.5f, exact %.5f\n", crystals[k].name, ground[k],
+                       energy);
                 ck_assert_double_eq_tol(energy, -0.5 * a6 * a6 / a12, 1e-12);
             }
             close_experiment(&e);
@@ -239,8 +249,10 @@ START_TEST(test_triangular_crystal)
         const double density = 2.0 / (sqrt(3.0) * r * r);
         experiment e;
         open_experiment(&e, 1);
-        deck(&e, "units lj\ndimension 2\nlattice hex %.17g\nregion box block 0 2 0 1 -0.1 0.1\ncreate_box 1 box\n"
-                 "create_atoms 1 box\nmass 1 1.0\npair_style lj/cut %g\npair_coeff 1 1 1.0 1.0\n", density, cutoff);
+        deck(&e,
+             "units lj\ndimension 2\nlattice hex %.17g\nregion box block 0 2 0 1 -0.1 0.1\ncreate_box 1 box\n"
+             "create_atoms 1 box\nmass 1 1.0\npair_style lj/cut %g\npair_coeff 1 1 1.0 1.0\n",
+             density, cutoff);
         ck_assert_int_eq(hs_simulation_n_atoms(e.simulation), 4);
         /* integral of 2 pi r rho U(r)/2 and of -r U'(r) rho^2/4 2 pi r beyond the cutoff, in the plane */
         const double c4 = pow(cutoff, -4.0), c10 = pow(cutoff, -10.0);
@@ -281,11 +293,14 @@ START_TEST(test_momentum)
         double p[2][3], l[2][3];
         experiment e;
         open_experiment(&e, 2);
-        deck(&e, "units lj\nboundary %s\nlattice fcc 0.9\nregion box block 0 %g 0 %g 0 %g\ncreate_box 2 box\ncreate_atoms 1 box\n"
-                 "set type 1 type/ratio 2 0.3 4711\nmass 1 1.0\nmass 2 3.5\nvelocity all create 0.5 87287 dist gaussian\n"
-                 "velocity all set 0.3 -0.2 0.1 sum yes units box\n"
-                 "pair_style lj/cut 2.5\npair_coeff * * 1.0 1.0\npair_coeff 2 2 1.5 0.8 3.0\n"
-                 "neigh_modify every 1 delay 0 check yes\nfix 1 all nve\ntimestep 0.004\n", boundaries[k], edge[k], edge[k], edge[k]);
+        deck(&e,
+             "units lj\nboundary %s\nlattice fcc 0.9\nregion box block 0 %g 0 %g 0 %g\ncreate_box 2 box\ncreate_atoms "
+             "1 box\n"
+             "set type 1 type/ratio 2 0.3 4711\nmass 1 1.0\nmass 2 3.5\nvelocity all create 0.5 87287 dist gaussian\n"
+             "velocity all set 0.3 -0.2 0.1 sum yes units box\n"
+             "pair_style lj/cut 2.5\npair_coeff * * 1.0 1.0\npair_coeff 2 2 1.5 0.8 3.0\n"
+             "neigh_modify every 1 delay 0 check yes\nfix 1 all nve\ntimestep 0.004\n",
+             boundaries[k], edge[k], edge[k], edge[k]);
         for (int when = 0; when < 2; ++when) {
             if (when > 0) need(&e, hs_simulation_run(e.simulation, 400));
             need(&e, hs_simulation_get_unwrapped(e.simulation, HS_ORDER_ID, N_MIXED, x));
@@ -294,8 +309,8 @@ START_TEST(test_momentum)
             add_moments(x, v, type, p[when], l[when]);
         }
         for (int axis = 0; axis < 3; ++axis) {
-            /* 400 steps in which 500 forces of size 100 are rounded (1e-14) and multiplied by dt: 2e-14 * sqrt(500 * 400)
-               is 2e-14 * 450 = 1e-11 at most; angular momentum has an arm of 5 */
+            /* 400 steps in which 500 forces of size 100 are rounded (1e-14) and multiplied by dt: 2e-14 * sqrt(500 *
+               400) is 2e-14 * 450 = 1e-11 at most; angular momentum has an arm of 5 */
             ck_assert_double_gt(fabs(p[0][axis]), 50.0);
             ck_assert_double_eq_tol(p[1][axis], p[0][axis], 1e-11);
             if (k == 1) ck_assert_double_eq_tol(l[1][axis], l[0][axis], 1e-10);
@@ -305,7 +320,8 @@ START_TEST(test_momentum)
 }
 END_TEST
 
-/** Temperature: sum m v^2 = (dim N - dim) k T; pressure without forces: n_dof k T/(dim V). Against SI values of 2018. */
+/** Temperature: sum m v^2 = (dim N - dim) k T; pressure without forces: n_dof k T/(dim V). Against SI values of 2018.
+ *  */
 START_TEST(test_units_of_temperature)
 {
     static const double avogadro = 6.02214076e23, boltzmann = 1.380649e-23, atm = 101325.0, bar = 1e5;
@@ -326,19 +342,24 @@ START_TEST(test_units_of_temperature)
             double v[3 * N], mv2 = 0.0;
             experiment e;
             open_experiment(&e, 1);
-            deck(&e, "units %s\ndimension %d\nregion box block 0 30 0 30 -0.5 %g units box\ncreate_box 1 box\n"
-                     "create_atoms 1 random 7 991 NULL\nmass 1 39.948\npair_style none\nfix 1 all nve\nthermo_modify norm no\n",
+            deck(&e,
+                 "units %s\ndimension %d\nregion box block 0 30 0 30 -0.5 %g units box\ncreate_box 1 box\n"
+                 "create_atoms 1 random 7 991 NULL\nmass 1 39.948\npair_style none\nfix 1 all nve\nthermo_modify norm "
+                 "no\n",
                  systems[k].units, dimension, dimension == 2 ? 0.5 : 29.5);
             for (int i = 0; i < 3 * N; ++i) {
                 v[i] = dimension == 2 && i % 3 == 2 ? 0.0 : (k == 1 ? 1e-3 : 1.0) * sin(1.7 * i + 0.3);
                 mv2 += mass * v[i] * v[i] * velocity_unit * velocity_unit;
             }
             need(&e, hs_simulation_set_velocities(e.simulation, HS_ORDER_ID, N, v));
-            const double n_dof = dimension * (N - 1), volume = dimension == 2 ? length * length : length * length * length;
+            const double n_dof = dimension * (N - 1),
+                         volume = dimension == 2 ? length * length : length * length * length;
             const double k_b = k == 0 ? 1.0 : boltzmann * avogadro * 1e3;   /* masses are in g/mol */
             const double temperature = mv2 / (n_dof * k_b);
-            const double pressure = k == 0 ? mv2 / (dimension * volume) :
-                                    mv2 / (1e3 * avogadro) / (dimension * volume * (dimension == 2 ? 1e-20 : 1e-30)) / systems[k].pressure;
+            const double pressure = k == 0 ? mv2 / (dimension * volume)
+                                           : mv2 / (1e3 * avogadro) /
+                                                 (dimension * volume * (dimension == 2 ? 1e-20 : 1e-30)) /
+                                                 systems[k].pressure;
             ck_assert_double_eq_tol(thermo(&e, "temp") / temperature, 1.0, systems[k].tolerance);
             if (k == 0 || dimension == 3)
                 ck_assert_double_eq_tol(thermo(&e, "press") / pressure, 1.0, systems[k].tolerance);
