@@ -35,18 +35,25 @@ static void expect(hs_simulation *simulation, hs_code code, hs_code wanted, cons
                   hs_simulation_error(simulation));
 }
 
-static hs_simulation *create_melt(void)
+/** A new simulation: made before the check, as arguments are evaluated in any order. */
+static hs_simulation *create(const hs_simulation_options *options)
 {
     hs_simulation *simulation;
-    need(simulation, hs_simulation_create(&simulation, NULL));
+    const hs_code code = hs_simulation_create(&simulation, options);
+    need(simulation, code);
+    return simulation;
+}
+
+static hs_simulation *create_melt(void)
+{
+    hs_simulation *simulation = create(NULL);
     need(simulation, hs_simulation_deck_text(simulation, melt));
     return simulation;
 }
 
 START_TEST(test_empty)
 {
-    hs_simulation *simulation;
-    need(simulation, hs_simulation_create(&simulation, NULL));
+    hs_simulation *simulation = create(NULL);
     ck_assert_int_eq(hs_simulation_n_atoms(simulation), 0);
     ck_assert_int_eq(hs_simulation_n_types(simulation), 0);
     ck_assert_int_eq(hs_simulation_step(simulation), 0);
@@ -83,7 +90,7 @@ START_TEST(test_options)
     options.size = offsetof(hs_simulation_options, screen);   /* and one built against an earlier version */
     options.neighbor_method = "nsq";
     options.n_threads = 2;
-    need(simulation, hs_simulation_create(&simulation, &options));
+    simulation = create(&options);
     hs_simulation_destroy(&simulation);
 }
 END_TEST
@@ -226,10 +233,9 @@ END_TEST
 
 START_TEST(test_variables_and_errors)
 {
-    hs_simulation *simulation;
+    hs_simulation *simulation = create(NULL);
     const char *const values[] = {"3.5"};
     double value;
-    need(simulation, hs_simulation_create(&simulation, NULL));
     need(simulation, hs_simulation_set_variable(simulation, "a", 1, values));
     need(simulation, hs_simulation_deck_text(simulation, "variable a index 1\nvariable b equal 2*${a}\n"));
     need(simulation, hs_simulation_get_variable(simulation, "b", &value));
@@ -263,7 +269,7 @@ START_TEST(test_stop)
     setvbuf(log, NULL, _IOLBF, 4096);
     hs_simulation_options options = HS_SIMULATION_OPTIONS_INIT;
     options.log = log;
-    need(to_stop, hs_simulation_create(&to_stop, &options));
+    to_stop = create(&options);
     need(to_stop, hs_simulation_deck_text(to_stop, melt));
     ck_assert_int_eq(hs_simulation_run(to_stop, 100000), HS_CODE_INTERRUPTED);
     ck_assert_int_ge(hs_simulation_step(to_stop), 1);
