@@ -14,9 +14,9 @@ for file in "$prefix/bin/halfshell" "$prefix/include/halfshell/halfshell.h" "$li
     want "$file"
 done
 
-# The shared library shows the public functions and nothing else.
+# The shared library shows the public functions and nothing else. (Names with _ or . in front are the compiler's.)
 declared=$(grep -oE '\bhs_(simulation_[a-z_]+|version)\(' "$prefix/include/halfshell/halfshell.h" | tr -d '(' | sort -u)
-visible=$(nm -D --defined-only "$libdir/libhalfshell.so" | awk '{print $3}' | grep -v '^__\|^_' | sort -u)
+visible=$(nm -D --defined-only "$libdir/libhalfshell.so" | awk '{print $3}' | grep -v '^[_.]' | sort -u)
 diff <(echo "$declared") <(echo "$visible") || { echo "symbols of libhalfshell.so differ from the header" >&2; exit 1; }
 
 # The installed header stands alone, in C and (where a compiler is there) in C++.
