@@ -22,6 +22,7 @@ const hs_cli_option hs_cli_options[] = {
     {"-echo", "-e", "none|screen|log|both", RUN, "where commands are echoed as they are read (default: log)"},
     {"-threads", "-t", "N", RUN | CHECK, "OpenMP threads of each rank (default: OMP_NUM_THREADS, else 1)"},
     {"-neigh", NULL, "METHOD", RUN | CHECK, "neighbor method; wins over the deck's neighbor_method"},
+    {"-precision", NULL, "double|mixed", RUN | CHECK | BENCH, "precision of the pair forces; wins over the deck's `precision`"},
     {"-isa", NULL, "NAME", RUN | CHECK | BENCH, "instruction set of the kernels (default: auto, the widest of this machine)"},
     {"-suffix", "-sf", "STYLE", RUN | CHECK, "accepted for LAMMPS's sake; has no effect"},
     {"-package", "-pk", "WORD...", RUN | CHECK, "accepted for LAMMPS's sake; has no effect"},
@@ -88,6 +89,14 @@ static hs_status parse_method(const char *word, hs_cli_settings *settings, hs_er
     return hs_fail(err, HS_ERROR_INPUT, "-neigh: '%s' is not a neighbor method; see: halfshell help neighbor", word);
 }
 
+hs_status hs_cli_parse_precision(const char *word, hs_options *options, hs_error *err)
+{
+    hs_precision precision;
+    HS_TRY(hs_precision_get(word, &precision, err));
+    snprintf(options->precision, sizeof options->precision, "%s", word);
+    return HS_OK;
+}
+
 hs_status hs_cli_parse_isa(const char *word, hs_options *options, hs_error *err)
 {
     hs_isa isa;
@@ -134,6 +143,7 @@ static hs_status parse_option(const hs_cli *cli, const hs_cli_option *option, in
     if (strcmp(option->name, "-echo") == 0) return parse_echo(value, settings, err);
     if (strcmp(option->name, "-threads") == 0) return parse_threads(value, settings, err);
     if (strcmp(option->name, "-neigh") == 0) return parse_method(value, settings, err);
+    if (strcmp(option->name, "-precision") == 0) return hs_cli_parse_precision(value, &settings->options, err);
     if (strcmp(option->name, "-isa") == 0) return hs_cli_parse_isa(value, &settings->options, err);
     if (strcmp(option->name, "-var") == 0) {
         if (first + 1 >= cli->n) return hs_fail(err, HS_ERROR_INPUT, "-var %s: a value is missing", value);

@@ -1,4 +1,5 @@
-/* Commands of the neighbor search and of communication: neighbor, neigh_modify, neighbor_method, comm_modify, comm_style. */
+/* Commands of the neighbor search and of communication: neighbor, neigh_modify, neighbor_method,
+ * precision, comm_modify, comm_style. */
 #include <string.h>
 
 #include "base/memory.h"
@@ -121,6 +122,21 @@ static hs_status check_neighbor_method(const hs_args *args, bool has_variables, 
     return hs_neighbor_set_method(&scratch, args->word[0], err);
 }
 
+static hs_status run_precision(hs_deck *deck, const hs_args *args, hs_error *err)
+{
+    const char *from_command_line = deck->sim->options.precision;
+    HS_TRY(hs_precision_get(args->word[0], &deck->sim->precision, err));
+    return from_command_line[0] != '\0' ? hs_precision_get(from_command_line, &deck->sim->precision, err) : HS_OK;
+}
+
+static hs_status check_precision(const hs_args *args, bool has_variables, hs_error *err)
+{
+    hs_precision scratch;
+    (void)has_variables;
+    if (args->n == 0 || strchr(args->word[0], '$') != NULL) return HS_OK;
+    return hs_precision_get(args->word[0], &scratch, err);
+}
+
 static const hs_keyword comm_keywords[] = {
     {"cutoff", 1, "<distance>", "accepted: the halo is as wide as the forces need"},
     {"mode", 1, "single", "one cutoff for all atoms"},
@@ -171,6 +187,16 @@ const hs_command hs_commands_neighbor[] = {
                .example = "neighbor_method cell\nneighbor_method cluster pairs exact"},
      .run = run_neighbor_method,
      .check = check_neighbor_method},
+    {.about = {.name = "precision",
+               .syntax = {.usage = "double|mixed", .n_min = 1, .n_max = 1},
+               .summary = "precision of the pair forces (Halfshell's own command)",
+               .details = "`double` (default) computes everything in double precision. `mixed` computes pairs in single "
+                          "precision from coordinates relative to their neighbors, and adds forces, energies and virials in "
+                          "double; positions and velocities stay double. Forces then differ by about 1e-6 of their size. The "
+                          "command line's `-precision` wins over the deck. Method `nsq` always computes in double.",
+               .example = "precision mixed"},
+     .run = run_precision,
+     .check = check_precision},
     {.about = {.name = "comm_modify",
                .syntax = {.usage = "<keyword> <value> ...", .n_min = 0, .n_max = 0, .keywords = comm_keywords},
                .summary = "settings of LAMMPS's ghost atoms, accepted where they change no result",

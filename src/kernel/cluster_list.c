@@ -73,7 +73,7 @@ static hs_status list_cluster(hs_list_chunk *chunk, hs_force_buffer *buffer, con
     if (n_found == 0) return HS_OK;
     HS_TRY(hs_entry_list_pad(found, 0, group, first, err));
     HS_TRY(hs_entry_list_reserve(found, n_found, err));
-    found->n = hs_isa_refine(job->isa)(&job->input, first, found->entry, n_found, found->entry + found->n);
+    found->n = hs_isa_refine(job->isa)(&job->input, first, found->entry, n_found, group, found->entry + found->n);
     for (int e = 0; e < found->n; ++e) {
         mark(chunk, found->entry[e].first);
         chunk->n_pairs += __builtin_popcount(found->entry[e].mask & 0xffffu);
@@ -90,7 +90,7 @@ static hs_status build_chunk(hs_list_chunk *chunk, hs_force_buffer *buffer, cons
 {
     const hs_atoms *atoms = job->atoms;
     const int64_t n_room = (int64_t)atoms->n_local + atoms->n_halo + HS_ATOMS_PAD;
-    const int group = job->evaluator->set[job->isa]->group;
+    const int group = job->evaluator->set[job->isa][job->precision]->group;
     HS_TRY(reserve_chunk(chunk, (n_room >> HS_FORCE_BLOCK_BITS) + 1, err));
     int column = chunk->begin < chunk->end ? hs_clusters_column(job->clusters, job->cells, chunk->begin) : 0;
     for (int ci = chunk->begin; ci < chunk->end; ++ci) {
@@ -156,7 +156,7 @@ static hs_status work_cluster(hs_force_space *space, const hs_force_job *job, in
 {
     hs_force_buffer *buffer = &space->buffer[thread];
     const hs_cluster_list *list = job->list;
-    const hs_cluster_kernel kernel = job->evaluator->set[job->isa]->cluster[job->with_energy][!job->input.table->is_uniform][0];
+    const hs_cluster_kernel kernel = job->evaluator->set[job->isa][job->precision]->cluster[job->with_energy][!job->input.table->is_uniform][0];
     const int64_t n_room = (int64_t)job->atoms->n_local + job->atoms->n_halo + HS_ATOMS_PAD;
     hs_kernel_output out = {.f = {buffer->f[0], buffer->f[1], buffer->f[2]}};
     int begin, end;

@@ -95,7 +95,7 @@ hs_status hs_force_run_threads(hs_force_space *space, const hs_force_job *job, h
 
 static hs_cluster_kernel choose_kernel(const hs_force_job *job, int *group)
 {
-    const hs_kernel_set *set = job->evaluator->set[job->isa];
+    const hs_kernel_set *set = job->evaluator->set[job->isa][job->precision];
     *group = set->group;
     return set->cluster[job->with_energy][!job->input.table->is_uniform][job->input.listed_only];
 }

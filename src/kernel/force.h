@@ -43,6 +43,7 @@ typedef struct hs_force_job {
     const hs_clusters *clusters;
     const hs_evaluator *evaluator;
     hs_isa isa;
+    hs_precision precision;
     const struct hs_cluster_list *list;   /**< method cluster only */
     hs_kernel_input input;     /**< x, type and table must be set; see hs_kernel_input */
     double cutoff_max;

@@ -1,4 +1,4 @@
-/** Makes, from evaluate() of the including pair style, the kernels of one instruction set (HS_KERNEL_ISA defined) or the
+/** Makes, from evaluate() of the including pair style, the kernels of one instruction set and precision (HS_KERNEL_ISA defined) or the
  *  hs_evaluator that collects them (plain compilation). See kernel/evaluator.h. */
 
 #define HS_PASTE3_(a, b, c) a##b##_##c
@@ -39,21 +39,22 @@ static void single(const double *params, double r2, double *force_over_r, double
     evaluate(params, r2, force_over_r, energy, true);
 }
 
-extern const hs_kernel_set HS_PASTE3(hs_kernels_, HS_EVALUATOR, portable);
+#define HS_KERNELS(isa) HS_PASTE3(hs_kernels_, HS_EVALUATOR, isa)
+extern const hs_kernel_set HS_KERNELS(portable), HS_KERNELS(portable_mixed);
 #if defined(__x86_64__)
-extern const hs_kernel_set HS_PASTE3(hs_kernels_, HS_EVALUATOR, sse2);
-extern const hs_kernel_set HS_PASTE3(hs_kernels_, HS_EVALUATOR, avx2);
-extern const hs_kernel_set HS_PASTE3(hs_kernels_, HS_EVALUATOR, avx512);
+extern const hs_kernel_set HS_KERNELS(sse2), HS_KERNELS(sse2_mixed);
+extern const hs_kernel_set HS_KERNELS(avx2), HS_KERNELS(avx2_mixed);
+extern const hs_kernel_set HS_KERNELS(avx512), HS_KERNELS(avx512_mixed);
 #endif
 extern const hs_evaluator HS_PASTE2(hs_evaluator_, HS_EVALUATOR);
 const hs_evaluator HS_PASTE2(hs_evaluator_, HS_EVALUATOR) = {
     .n_params = N_PARAMS,
     .single = single,
-    .set = {[HS_ISA_PORTABLE] = &HS_PASTE3(hs_kernels_, HS_EVALUATOR, portable),
+    .set = {[HS_ISA_PORTABLE] = {&HS_KERNELS(portable), &HS_KERNELS(portable_mixed)},
 #if defined(__x86_64__)
-            [HS_ISA_SSE2] = &HS_PASTE3(hs_kernels_, HS_EVALUATOR, sse2),
-            [HS_ISA_AVX2] = &HS_PASTE3(hs_kernels_, HS_EVALUATOR, avx2),
-            [HS_ISA_AVX512] = &HS_PASTE3(hs_kernels_, HS_EVALUATOR, avx512),
+            [HS_ISA_SSE2] = {&HS_KERNELS(sse2), &HS_KERNELS(sse2_mixed)},
+            [HS_ISA_AVX2] = {&HS_KERNELS(avx2), &HS_KERNELS(avx2_mixed)},
+            [HS_ISA_AVX512] = {&HS_KERNELS(avx512), &HS_KERNELS(avx512_mixed)},
 #endif
     },
 };

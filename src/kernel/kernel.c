@@ -7,6 +7,20 @@
 
 const char *const hs_isa_names[] = {"portable", "sse2", "avx2", "avx512", NULL};
 
+const char *const hs_precision_names[] = {"double", "mixed", NULL};
+
+hs_status hs_precision_get(const char *name, hs_precision *precision, hs_error *err)
+{
+    for (int p = 0; p < HS_N_PRECISIONS; ++p)
+        if (strcmp(name, hs_precision_names[p]) == 0) {
+            *precision = (hs_precision)p;
+            return HS_OK;
+        }
+    const char *nearest = hs_text_nearest(name, hs_precision_names, HS_N_PRECISIONS);
+    return hs_fail(err, HS_ERROR_INPUT, "there is no precision '%s'; %s'%s'", name, nearest != NULL ? "did you mean " : "expected double or ",
+                   nearest != NULL ? nearest : "mixed");
+}
+
 static bool has_isa(hs_isa isa)
 {
 #if defined(__x86_64__)

@@ -9,6 +9,17 @@
 typedef enum { HS_ISA_PORTABLE, HS_ISA_SSE2, HS_ISA_AVX2, HS_ISA_AVX512, HS_N_ISAS } hs_isa;
 
 extern const char *const hs_isa_names[];   /**< ended by NULL */
+
+/** Precision of pair forces. Positions, velocities and all sums are double in both. */
+typedef enum {
+    HS_PRECISION_DOUBLE,
+    HS_PRECISION_MIXED,   /**< pairs in float, relative to the i-cluster; sums of forces and energies in double */
+    HS_N_PRECISIONS
+} hs_precision;
+
+extern const char *const hs_precision_names[];   /**< ended by NULL */
+/** By name; an error naming the nearest when there is none of that name. */
+HS_MUST_USE hs_status hs_precision_get(const char *name, hs_precision *precision, hs_error *err);
 /** Widest instruction set of this machine that kernels exist for. */
 hs_isa hs_isa_best(void);
 /** By name ("avx2"); an error when there is none of that name or the machine lacks it. "auto" or "" is the best. */
@@ -52,9 +63,10 @@ typedef void (*hs_cluster_kernel)(const hs_kernel_input *in, hs_kernel_output *o
                                   int n_entries);
 
 /** Keep, of n candidate entries of the i-cluster at `first`, the pairs within their listed distance at in->x; drop
- *  entries without any, order the rest so that consecutive ones use the same rows, and pad to whole vectors. Room for a
+ *  entries without any, order the rest so that consecutive ones use the same rows, and pad to a multiple of the kernel's group. Room for a
  *  multiple of the group is needed in entry (padded with valid entries) and for n in scratch. Returns the number left. */
-typedef int (*hs_list_refine)(const hs_kernel_input *in, int first, hs_cluster_entry *entry, int n, hs_cluster_entry *scratch);
+typedef int (*hs_list_refine)(const hs_kernel_input *in, int first, hs_cluster_entry *entry, int n, int group,
+                              hs_cluster_entry *scratch);
 extern const hs_list_refine hs_list_refine_portable, hs_list_refine_sse2, hs_list_refine_avx2, hs_list_refine_avx512;
 hs_list_refine hs_isa_refine(hs_isa isa);
 
@@ -70,7 +82,7 @@ typedef struct hs_evaluator {
     int n_params;   /**< doubles per type pair */
     /** The potential of one pair: force/r and energy from r^2 and the pair's parameters. The oracle of all kernels. */
     void (*single)(const double *params, double r2, double *force_over_r, double *energy);
-    const hs_kernel_set *set[HS_N_ISAS];   /**< NULL where not compiled */
+    const hs_kernel_set *set[HS_N_ISAS][HS_N_PRECISIONS];   /**< NULL where not compiled */
 } hs_evaluator;
 
 /** Fill hs_pair_table.is_uniform: whether every pair of the given kernel types (1 ..) has the same row. */

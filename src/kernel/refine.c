@@ -9,8 +9,8 @@ static inline void refine_vector(const hs_kernel_input *in, int first, hs_cluste
     const double only = table->values[(table->n_types + 1) * table->stride + HS_TABLE_LISTED_R2];
     uint32_t refined[HS_GROUP] = {0};
     for (int sub = 0; sub < HS_SUBS; ++sub) {
-        const hs_vec x_j[3] = {hs_load_clusters(in->x[0], entry, sub), hs_load_clusters(in->x[1], entry, sub),
-                               hs_load_clusters(in->x[2], entry, sub)};
+        const hs_vec x_j[3] = {hs_load_clusters(in->x[0], 0.0, entry, sub), hs_load_clusters(in->x[1], 0.0, entry, sub),
+                               hs_load_clusters(in->x[2], 0.0, entry, sub)};
         for (int row = 0; row < HS_CLUSTER; ++row) {
             const int i = first + row;
             const hs_vec dx = hs_set1(in->x[0][i]) - x_j[0], dy = hs_set1(in->x[1][i]) - x_j[1],
@@ -50,21 +50,21 @@ static int order_by_rows(hs_cluster_entry *entry, int n, hs_cluster_entry *scrat
 }
 
 /** Note in the first entry of each vector which rows it needs; `entry` is filled up with empty entries. */
-static int note_rows(hs_cluster_entry *entry, int n)
+static int note_rows(hs_cluster_entry *entry, int n, int group)
 {
-    for (; n % HS_GROUP != 0; ++n) entry[n] = (hs_cluster_entry){entry[0].first, 0};
-    for (int e = 0; e < n; e += HS_GROUP) {
+    for (; n % group != 0; ++n) entry[n] = (hs_cluster_entry){entry[0].first, 0};
+    for (int e = 0; e < n; e += group) {
         uint32_t pairs = 0;
-        for (int k = 0; k < HS_GROUP; ++k) pairs |= entry[e + k].mask;
+        for (int k = 0; k < group; ++k) pairs |= entry[e + k].mask;
         entry[e].mask |= rows_of(pairs) << HS_ENTRY_ROWS_SHIFT;
     }
     return n;
 }
 
-static int refine(const hs_kernel_input *in, int first, hs_cluster_entry *entry, int n, hs_cluster_entry *scratch)
+static int refine(const hs_kernel_input *in, int first, hs_cluster_entry *entry, int n, int group, hs_cluster_entry *scratch)
 {
     for (int e = 0; e < n; e += HS_GROUP) refine_vector(in, first, entry + e);
-    return note_rows(entry, order_by_rows(entry, n, scratch));
+    return note_rows(entry, order_by_rows(entry, n, scratch), group);
 }
 
 #define PASTE_(a, b) a##b

@@ -1,8 +1,10 @@
 /** The SIMD contract: what a pair kernel may ask of an instruction set.
  *
  *  A kernel handles rows of one i-atom against a vector of j-atoms that comes from one or more clusters of four. Every
- *  instruction set defines, in kernel/simd_NAME.h, for its vector of HS_LANES doubles:
+ *  instruction set defines, in kernel/simd_NAME.h (double) and kernel/simd_NAME_mixed.h (float pairs, double sums), for its
+ *  vector of HS_LANES reals:
  *
+ *      hs_real                            double or float
  *      hs_vec, hs_msk                     a vector and a mask of its lanes (+ - * / work on vectors)
  *      HS_LANES                           lanes of a vector
  *      hs_set1(a)                         a in all lanes
@@ -15,7 +17,9 @@
  *      hs_less(a, b)                      mask of a < b
  *      hs_keep(m, a)                      a where m is set, else 0 (also where a is not a number)
  *      hs_sum(a)                          sum of the lanes
- *      hs_load_clusters(x, entry, sub)    x of the j-atoms of this vector
+ *      hs_local(x, origin)                a coordinate as kernels use it: x itself in double; in float x - origin, rounded
+ *                                         after the subtraction, so that large boxes lose no digits
+ *      hs_load_clusters(x, origin, entry, sub)  hs_local of the j-atoms of this vector
  *      hs_add_clusters(f, entry, sub, a)  f of the j-atoms += a
  *      hs_lookup(table, type, stride, entry, sub)   table[stride * type of the j-atom]
  *
@@ -32,11 +36,25 @@
 #include "neighbor/clusters.h"
 
 #if defined(HS_SIMD_AVX512)
+#ifdef HS_MIXED
+#include "kernel/simd_avx512_mixed.h"
+#else
 #include "kernel/simd_avx512.h"
+#endif
 #elif defined(HS_SIMD_AVX2)
+#ifdef HS_MIXED
+#include "kernel/simd_avx2_mixed.h"
+#else
 #include "kernel/simd_avx2.h"
+#endif
 #elif defined(HS_SIMD_SSE2)
+#ifdef HS_MIXED
+#include "kernel/simd_sse2_mixed.h"
+#else
 #include "kernel/simd_sse2.h"
+#endif
+#elif defined(HS_MIXED)
+#include "kernel/simd_portable_mixed.h"
 #else
 #include "kernel/simd_portable.h"
 #endif

@@ -1,6 +1,7 @@
 /* Vectors of 4 doubles: AVX2 and FMA. One cluster fills one vector. */
 #include <immintrin.h>
 
+typedef double hs_real;
 typedef __m256d hs_vec;
 typedef __m256d hs_msk;
 #define HS_LANES 4
@@ -8,6 +9,11 @@ typedef __m256d hs_msk;
 static inline hs_vec hs_set1(double a) { return _mm256_set1_pd(a); }
 static inline hs_vec hs_fma(hs_vec a, hs_vec b, hs_vec c) { return _mm256_fmadd_pd(a, b, c); }
 static inline hs_vec hs_sqrt(hs_vec a) { return _mm256_sqrt_pd(a); }
+static inline hs_real hs_local(double x, double origin)
+{
+    (void)origin;
+    return x;
+}
 
 /* Masks of an entry: its bits. A row's are spread to the lanes when it is their turn: one broadcast for all rows and a
    constant for each measured slower, for want of registers. */
@@ -33,9 +39,9 @@ static inline double hs_sum(hs_vec a)
     return _mm_cvtsd_f64(_mm_add_sd(pair, _mm_unpackhi_pd(pair, pair)));
 }
 
-static inline hs_vec hs_load_clusters(const double *x, const hs_cluster_entry *entry, int sub)
+static inline hs_vec hs_load_clusters(const double *x, double origin, const hs_cluster_entry *entry, int sub)
 {
-    (void)sub;
+    (void)sub, (void)origin;
     return _mm256_loadu_pd(x + entry->first);
 }
 

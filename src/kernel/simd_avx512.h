@@ -1,6 +1,7 @@
 /* Vectors of 8 doubles: AVX-512 F and DQ. Two clusters fill one vector. */
 #include <immintrin.h>
 
+typedef double hs_real;
 typedef __m512d hs_vec;
 typedef __mmask8 hs_msk;
 #define HS_LANES 8
@@ -8,6 +9,11 @@ typedef __mmask8 hs_msk;
 static inline hs_vec hs_set1(double a) { return _mm512_set1_pd(a); }
 static inline hs_vec hs_fma(hs_vec a, hs_vec b, hs_vec c) { return _mm512_fmadd_pd(a, b, c); }
 static inline hs_vec hs_sqrt(hs_vec a) { return _mm512_sqrt_pd(a); }
+static inline hs_real hs_local(double x, double origin)
+{
+    (void)origin;
+    return x;
+}
 
 /* Masks of a group: for row i the byte i, whose bits are the lanes. */
 typedef uint32_t hs_masks;
@@ -24,9 +30,9 @@ static inline hs_msk hs_less(hs_vec a, hs_vec b) { return _mm512_cmp_pd_mask(a, 
 static inline hs_vec hs_keep(hs_msk m, hs_vec a) { return _mm512_maskz_mov_pd(m, a); }
 static inline double hs_sum(hs_vec a) { return _mm512_reduce_add_pd(a); }
 
-static inline hs_vec hs_load_clusters(const double *x, const hs_cluster_entry *entry, int sub)
+static inline hs_vec hs_load_clusters(const double *x, double origin, const hs_cluster_entry *entry, int sub)
 {
-    (void)sub;
+    (void)sub, (void)origin;
     const __m512d low = _mm512_castpd256_pd512(_mm256_loadu_pd(x + entry[0].first));
     return _mm512_insertf64x4(low, _mm256_loadu_pd(x + entry[1].first), 1);
 }

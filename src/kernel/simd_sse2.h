@@ -1,6 +1,7 @@
 /* Vectors of 2 doubles: the baseline of x86-64. Two vectors cover one cluster. */
 #include <emmintrin.h>
 
+typedef double hs_real;
 typedef __m128d hs_vec;
 typedef __m128d hs_msk;
 #define HS_LANES 2
@@ -8,6 +9,11 @@ typedef __m128d hs_msk;
 static inline hs_vec hs_set1(double a) { return _mm_set1_pd(a); }
 static inline hs_vec hs_fma(hs_vec a, hs_vec b, hs_vec c) { return _mm_add_pd(_mm_mul_pd(a, b), c); }
 static inline hs_vec hs_sqrt(hs_vec a) { return _mm_sqrt_pd(a); }
+static inline hs_real hs_local(double x, double origin)
+{
+    (void)origin;
+    return x;
+}
 
 /* Masks of an entry: its bits in every lane; a row picks one bit in each (in both halves of the lane: SSE2 compares only
    32 bits). */
@@ -29,8 +35,9 @@ static inline hs_msk hs_less(hs_vec a, hs_vec b) { return _mm_cmplt_pd(a, b); }
 static inline hs_vec hs_keep(hs_msk m, hs_vec a) { return _mm_and_pd(m, a); }
 static inline double hs_sum(hs_vec a) { return _mm_cvtsd_f64(_mm_add_sd(a, _mm_unpackhi_pd(a, a))); }
 
-static inline hs_vec hs_load_clusters(const double *x, const hs_cluster_entry *entry, int sub)
+static inline hs_vec hs_load_clusters(const double *x, double origin, const hs_cluster_entry *entry, int sub)
 {
+    (void)origin;
     return _mm_loadu_pd(x + entry->first + 2 * sub);
 }
 

@@ -8,7 +8,7 @@ static hs_force_job make_job(hs_sim *sim, bool with_energy)
     hs_atoms *atoms = &sim->atoms;
     hs_neighbor *neighbor = &sim->neighbor;
     hs_force_job job = {.atoms = atoms, .cells = &neighbor->cells, .clusters = &neighbor->clusters,
-                        .evaluator = sim->pair->style->evaluator, .isa = sim->isa, .cutoff_max = sim->pair->cutoff_max,
+                        .evaluator = sim->pair->style->evaluator, .isa = sim->isa, .precision = sim->precision, .cutoff_max = sim->pair->cutoff_max,
                         .with_energy = with_energy};
     job.input = (hs_kernel_input){.x = {atoms->x[0], atoms->x[1], atoms->x[2]},
                                   .x_listed = {neighbor->x_listed[0], neighbor->x_listed[1], neighbor->x_listed[2]},

@@ -32,8 +32,9 @@ static hs_status describe_neighbors(const hs_sim *sim, hs_text *text, hs_error *
                           settings->once ? ", once" : ""));
     HS_TRY(
         hs_text_printf(text, err, "  master list distance cutoff = %.8g\n  ghost atom cutoff = %.8g\n", reach, reach));
-    return hs_text_printf(text, err, "  neighbor method %s: %s\n  pairs: %s\n", hs_neighbor_methods[settings->method],
-                          hs_neighbor_method_help[settings->method],
+    return hs_text_printf(text, err, "  neighbor method %s: %s\n  pair kernels: %s, %s precision\n  pairs: %s\n",
+                          hs_neighbor_methods[settings->method], hs_neighbor_method_help[settings->method],
+                          hs_isa_names[sim->isa], hs_precision_names[sim->precision],
                           settings->exact ? "all within the cutoff at every step"
                                           : "as the update schedule above gives them");
 }

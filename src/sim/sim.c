@@ -35,6 +35,7 @@ static hs_status create(hs_sim *sim, const hs_options *options, hs_sink *out, hs
     HS_TRY(hs_atoms_init(&sim->atoms, err));
     const hs_units *units = hs_units_find("lj");
     HS_TRY(hs_neighbor_init(&sim->neighbor, &sim->atoms, units->skin, err));
+    if (options->precision[0] != '\0') HS_TRY(hs_precision_get(options->precision, &sim->precision, err));
     if (options->neighbor_method[0] != '\0') HS_TRY(hs_neighbor_set_method(&sim->neighbor, options->neighbor_method, err));
     sim->env = (hs_env){.parallel = &sim->parallel, .out = out, .units = units, .box = &sim->box, .atoms = &sim->atoms,
                         .groups = &sim->groups, .lattice = &sim->lattice, .dry_run = options->dry_run, .dt = units->dt, .energy_step = -1,

@@ -22,6 +22,7 @@ struct hs_thermo;
 typedef struct hs_options {
     int n_threads;            /**< 0: OMP_NUM_THREADS, else 1 */
     char neighbor_method[32]; /**< -neigh, wins over the deck; "" = the deck's or the default */
+    char precision[16];       /**< -precision, wins over the deck; "" = the deck's or double */
     char isa[16];             /**< instruction set of the kernels; "" or "auto": the best of this machine */
     bool dry_run;             /**< halfshell check: no step is run, no file is written; `run` reports instead */
 } hs_options;
@@ -54,6 +55,7 @@ typedef struct hs_sim {
     hs_force_space forces;    /**< buffers of the pair kernels */
     hs_cluster_list list;     /**< method cluster: pairs of the last scheduled build */
     hs_isa isa;
+    hs_precision precision;
     hs_timer timer;
 
     bool is_initialized;      /**< a run has been set up since the last change of the system (run pre no is allowed) */

@@ -169,7 +169,7 @@ static forces_t sum_all_images(const system_t *s)
 typedef enum { NSQ, CELL, CLUSTER, N_METHODS } method_t;
 static const char *const method_names[] = {"nsq", "cell", "cluster"};
 
-static forces_t evaluate_with(system_t *s, method_t method, hs_isa isa, bool with_energy)
+static forces_t evaluate_with(system_t *s, method_t method, hs_isa isa, hs_precision precision, bool with_energy)
 {
     const bool is_nsq = method == NSQ;
     const double reach = s->cutoff_max + (method == CLUSTER ? skin : 0.0);
@@ -194,7 +194,7 @@ static forces_t evaluate_with(system_t *s, method_t method, hs_isa isa, bool wit
         ck_assert_hs_ok(hs_clusters_build(&clusters, &cells, atoms, &err), err);
     }
     hs_force_job job = {.atoms = atoms, .cells = &cells, .clusters = &clusters, .evaluator = &hs_evaluator_lj_cut,
-                              .isa = isa, .cutoff_max = reach, .with_energy = with_energy,
+                              .isa = isa, .precision = precision, .cutoff_max = reach, .with_energy = with_energy,
                               .input = {.x = {atoms->x[0], atoms->x[1], atoms->x[2]}, .type = atoms->type, .table = &s->table}};
     if (method == CLUSTER) {
         ck_assert_hs_ok(hs_cluster_list_build(&list, &space, &job, &err), err);
@@ -216,25 +216,30 @@ static forces_t evaluate_with(system_t *s, method_t method, hs_isa isa, bool wit
     return out;
 }
 
-/** Forces equal to 1e-12 of the largest pair force: each is a sum of at most some hundred terms, none larger than that,
- *  each with a relative error of some epsilon (2.2e-16) from r^-14 and from x_i - x_j. */
-static void assert_same(const forces_t *a, const forces_t *b, int n, bool with_energy, const char *what)
+/** Relative to the largest pair force. Double: a force is a sum of at most some hundred terms, none larger than that, each
+ *  with a relative error of some epsilon (2.2e-16) from r^-14 and from x_i - x_j. Mixed: coordinates up to 6 from the origin
+ *  are rounded to 2.4e-7 (half a unit of float there), which r^-14 turns into 14 * 2.4e-7 / 0.8 = 4e-6 a pair, with some ten
+ *  near pairs, and as much again from float arithmetic. */
+static const double tolerances[HS_N_PRECISIONS] = {1e-12, 4e-5};
+
+static void assert_same(const forces_t *a, const forces_t *b, int n, bool with_energy, hs_precision precision, const char *what)
 {
+    const double tolerance = tolerances[precision];
     const double scale = fmax(b->largest_pair, 1e-300);
     double sum[3] = {0}, virial_scale = 1e-300;
     for (int i = 0; i < n; ++i)
         for (int axis = 0; axis < 3; ++axis) sum[axis] += a->f[axis][i];
     for (int i = 0; i < n; ++i)
         for (int axis = 0; axis < 3; ++axis)
-            ck_assert_msg(fabs(a->f[axis][i] - b->f[axis][i]) <= 1e-12 * scale, "%s: force %c of atom %d: %.17g, not %.17g",
+            ck_assert_msg(fabs(a->f[axis][i] - b->f[axis][i]) <= tolerance * scale, "%s: force %c of atom %d: %.17g, not %.17g",
                           what, "xyz"[axis], i + 1, a->f[axis][i], b->f[axis][i]);
     for (int axis = 0; axis < 3; ++axis)
-        ck_assert_msg(fabs(sum[axis]) <= 1e-13 * scale * (n + 1), "%s: forces sum to %g along %c", what, sum[axis], "xyz"[axis]);
+        ck_assert_msg(fabs(sum[axis]) <= 0.1 * tolerance * scale * (n + 1), "%s: forces sum to %g along %c", what, sum[axis], "xyz"[axis]);
     if (!with_energy) return;
     for (int k = 0; k < 6; ++k) virial_scale = fmax(virial_scale, fabs(b->virial[k]));
-    ck_assert_msg(fabs(a->energy - b->energy) <= 1e-12 * (fabs(b->energy) + n), "%s: energy %.17g, not %.17g", what, a->energy, b->energy);
+    ck_assert_msg(fabs(a->energy - b->energy) <= tolerance * (fabs(b->energy) + n), "%s: energy %.17g, not %.17g", what, a->energy, b->energy);
     for (int k = 0; k < 6; ++k)
-        ck_assert_msg(fabs(a->virial[k] - b->virial[k]) <= 1e-12 * (virial_scale + n * scale), "%s: virial %d %.17g, not %.17g", what, k,
+        ck_assert_msg(fabs(a->virial[k] - b->virial[k]) <= tolerance * (virial_scale + n * scale), "%s: virial %d %.17g, not %.17g", what, k,
                       a->virial[k], b->virial[k]);
 }
 
@@ -245,18 +250,19 @@ static void check_all_methods(system_t *s, const char *what)
     char name[160];
     for (int threads = 1; threads <= 3; ++threads) {
         hs_threads_set(threads);
-        forces_t nsq = evaluate_with(s, NSQ, HS_ISA_PORTABLE, true);
+        forces_t nsq = evaluate_with(s, NSQ, HS_ISA_PORTABLE, HS_PRECISION_DOUBLE, true);
         snprintf(name, sizeof name, "%s, nsq, %d threads", what, threads);
-        assert_same(&nsq, &right, n, true, name);
+        assert_same(&nsq, &right, n, true, HS_PRECISION_DOUBLE, name);
         free_forces(&nsq);
-        for (int kind = 0; kind < 2 * 2 * ((int)hs_isa_best() + 1); ++kind) {
+        for (int kind = 0; kind < 2 * 2 * 2 * ((int)hs_isa_best() + 1); ++kind) {
             const method_t method = kind % 2 ? CELL : CLUSTER;
             const bool with_energy = kind / 2 % 2;
-            const hs_isa isa = (hs_isa)(kind / 4);
-            forces_t fast = evaluate_with(s, method, isa, with_energy);
-            snprintf(name, sizeof name, "%s, %s, %s, %d threads, energy %d", what, method_names[method], hs_isa_names[isa], threads,
-                     with_energy);
-            assert_same(&fast, &right, n, with_energy, name);
+            const hs_precision precision = kind / 4 % 2 ? HS_PRECISION_MIXED : HS_PRECISION_DOUBLE;
+            const hs_isa isa = (hs_isa)(kind / 8);
+            forces_t fast = evaluate_with(s, method, isa, precision, with_energy);
+            snprintf(name, sizeof name, "%s, %s, %s, %s, %d threads, energy %d", what, method_names[method], hs_isa_names[isa],
+                     hs_precision_names[precision], threads, with_energy);
+            assert_same(&fast, &right, n, with_energy, precision, name);
             free_forces(&fast);
         }
     }
@@ -313,7 +319,7 @@ START_TEST(force_is_minus_gradient_of_energy)
     add_random(&s, 120, 0.9, 99);
     const double h = 1e-5;
     for (int axis = 0; axis < 3; ++axis) {
-        forces_t at = evaluate_with(&s, CLUSTER, hs_isa_best(), true);
+        forces_t at = evaluate_with(&s, CLUSTER, hs_isa_best(), HS_PRECISION_DOUBLE, true);
         int i = 0;
         while (s.atoms.id[i] != 17) ++i;
         const double x = s.atoms.x[axis][i];
@@ -321,7 +327,7 @@ START_TEST(force_is_minus_gradient_of_energy)
         for (int side = 0; side < 2; ++side) {
             for (i = 0; s.atoms.id[i] != 17;) ++i;
             s.atoms.x[axis][i] = x + (side ? h : -h);
-            forces_t moved = evaluate_with(&s, CLUSTER, hs_isa_best(), true);
+            forces_t moved = evaluate_with(&s, CLUSTER, hs_isa_best(), HS_PRECISION_DOUBLE, true);
             energy[side] = moved.energy;
             free_forces(&moved);
         }
@@ -331,6 +337,29 @@ START_TEST(force_is_minus_gradient_of_energy)
         ck_assert_double_eq_tol(at.f[axis][16], -(energy[1] - energy[0]) / (2.0 * h), 2e-5);
         free_forces(&at);
     }
+    end_system(&s);
+}
+END_TEST
+
+START_TEST(mixed_precision_is_within_1e_5_rms)
+{
+    system_t s;
+    begin_system(&s, 3, (const double[]){40.0, 9.0, 9.0}, "ppp", 1);   /* long: coordinates are large in x */
+    add_random(&s, 2300, 0.88, 7);
+    forces_t right = evaluate_with(&s, CLUSTER, hs_isa_best(), HS_PRECISION_DOUBLE, false);
+    for (int isa = 0; isa <= (int)hs_isa_best(); ++isa) {
+        forces_t mixed = evaluate_with(&s, CLUSTER, (hs_isa)isa, HS_PRECISION_MIXED, false);
+        double error2 = 0.0, force2 = 0.0;
+        for (int i = 0; i < s.atoms.n_local; ++i)
+            for (int axis = 0; axis < 3; ++axis) {
+                error2 += pow(mixed.f[axis][i] - right.f[axis][i], 2.0);
+                force2 += pow(right.f[axis][i], 2.0);
+            }
+        printf("mixed precision, %s: relative RMS error of forces %.2e\n", hs_isa_names[isa], sqrt(error2 / force2));
+        ck_assert_msg(error2 < 1e-10 * force2, "%s: relative RMS error %g", hs_isa_names[isa], sqrt(error2 / force2));
+        free_forces(&mixed);
+    }
+    free_forces(&right);
     end_system(&s);
 }
 END_TEST
@@ -349,4 +378,4 @@ START_TEST(lj_values)
 END_TEST
 
 HS_TEST_MAIN("forces", random_liquid, random_gas, crystal, fewer_than_three_cells, smaller_than_the_cutoff, one_and_no_atom,
-             long_and_flat, force_is_minus_gradient_of_energy, lj_values)
+             long_and_flat, force_is_minus_gradient_of_energy, mixed_precision_is_within_1e_5_rms, lj_values)
