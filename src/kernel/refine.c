@@ -26,11 +26,12 @@ static inline void refine_vector(const hs_kernel_input *in, int first, hs_cluste
     for (int k = 0; k < HS_GROUP; ++k) entry[k].mask &= refined[k];   /* clears the bits of rows, too */
 }
 
-/** Rows (i-atoms) that have any pair in a mask. */
+/** Rows (i-atoms) that have any pair in a mask: each group of four bits folded into one. */
 static inline uint32_t rows_of(uint32_t mask)
 {
-    return ((mask & 0xfu) != 0) | (uint32_t)((mask & 0xf0u) != 0) << 1 | (uint32_t)((mask & 0xf00u) != 0) << 2 |
-           (uint32_t)((mask & 0xf000u) != 0) << 3;
+    uint32_t any = mask | mask >> 1;
+    any = (any | any >> 2) & 0x1111u;
+    return (any | any >> 3 | any >> 6 | any >> 9) & 0xfu;
 }
 
 /** Drop entries without pairs and order the rest by their rows, so that neighbors in the list skip the same rows. */
