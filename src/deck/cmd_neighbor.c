@@ -183,7 +183,8 @@ const hs_command hs_commands_neighbor[] = {
                .syntax = {.usage = "<method> [pairs scheduled|exact]", .n_min = 1, .n_max = 1, .keywords = method_keywords},
                .summary = "how pairs are found (Halfshell's own command)",
                .details = "Methods give the same forces to rounding: `nsq` is the double loop, `cell` sorts atoms into "
-                          "Morton-ordered cells at every step, `cluster` (default) keeps lists of pairs of four-atom clusters. The command line's `-neigh` wins over the deck.",
+                          "Morton-ordered cells at every step, `verlet` keeps a list of the neighbors of each "
+                          "atom, `cluster` (default) lists of pairs of four-atom clusters. The command line's `-neigh` wins over the deck.",
                .example = "neighbor_method cell\nneighbor_method cluster pairs exact"},
      .run = run_neighbor_method,
      .check = check_neighbor_method},

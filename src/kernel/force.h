@@ -35,6 +35,7 @@ typedef struct hs_force_space {
 } hs_force_space;
 
 struct hs_cluster_list;
+struct hs_verlet_list;
 
 /** What to compute with. */
 typedef struct hs_force_job {
@@ -45,6 +46,7 @@ typedef struct hs_force_job {
     hs_isa isa;
     hs_precision precision;
     const struct hs_cluster_list *list;   /**< method cluster only */
+    const struct hs_verlet_list *verlet;  /**< method verlet only */
     hs_kernel_input input;     /**< x, type and table must be set; see hs_kernel_input */
     double cutoff_max;
     bool with_energy;

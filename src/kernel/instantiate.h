@@ -9,6 +9,7 @@
 #ifdef HS_KERNEL_ISA
 
 #include "kernel/cluster_loop.h"
+#include "kernel/verlet_loop.h"
 
 #define HS_CLUSTER_KERNEL(name, with_energy, by_type, listed_only)                                                   \
     static void name(const hs_kernel_input *in, hs_kernel_output *out, int first, const hs_cluster_entry *entry,     \
@@ -25,11 +26,23 @@ HS_CLUSTER_KERNEL(energy_listed, true, false, true)
 HS_CLUSTER_KERNEL(energy_by_type, true, true, false)
 HS_CLUSTER_KERNEL(energy_by_type_listed, true, true, true)
 
+#define HS_VERLET_KERNEL(name, with_energy, by_type)                                                                 \
+    static void name(const hs_kernel_input *in, hs_kernel_output *out, int begin, int end, const int64_t *start,     \
+                     const int32_t *neighbor)                                                                        \
+    {                                                                                                                \
+        verlet_loop(in, out, begin, end, start, neighbor, with_energy, by_type);                                     \
+    }
+HS_VERLET_KERNEL(verlet_force, false, false)
+HS_VERLET_KERNEL(verlet_force_by_type, false, true)
+HS_VERLET_KERNEL(verlet_energy, true, false)
+HS_VERLET_KERNEL(verlet_energy_by_type, true, true)
+
 extern const hs_kernel_set HS_PASTE3(hs_kernels_, HS_EVALUATOR, HS_KERNEL_ISA);
 const hs_kernel_set HS_PASTE3(hs_kernels_, HS_EVALUATOR, HS_KERNEL_ISA) = {
     .group = HS_GROUP,
     .cluster = {{{force, force_listed}, {force_by_type, force_by_type_listed}},
                 {{energy_, energy_listed}, {energy_by_type, energy_by_type_listed}}},
+    .verlet = {{verlet_force, verlet_force_by_type}, {verlet_energy, verlet_energy_by_type}},
 };
 
 #else

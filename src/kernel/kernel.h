@@ -62,6 +62,14 @@ typedef struct hs_kernel_output {
 typedef void (*hs_cluster_kernel)(const hs_kernel_input *in, hs_kernel_output *out, int first, const hs_cluster_entry *entry,
                                   int n_entries);
 
+/** Elements behind the last of a list of neighbors that vector code may read: the widest vector has so many lanes. */
+enum { HS_VERLET_PAD = 16 };
+/** The same between the atoms begin to end - 1 and the neighbors of each: those of atom i stand from neighbor[start[i - begin]]
+ *  up to, without, neighbor[start[i - begin + 1]]. Up to HS_VERLET_PAD neighbors beyond the last are read, and zero is added to
+ *  their forces: they must be atoms that the thread may write to. */
+typedef void (*hs_verlet_kernel)(const hs_kernel_input *in, hs_kernel_output *out, int begin, int end, const int64_t *start,
+                                 const int32_t *neighbor);
+
 /** Keep, of n candidate entries of the i-cluster at `first`, the pairs within their listed distance at in->x; drop
  *  entries without any, order the rest so that consecutive ones use the same rows, and pad to a multiple of the kernel's group. Room for a
  *  multiple of the group is needed in entry (padded with valid entries) and for n in scratch. Returns the number left. */
@@ -75,6 +83,7 @@ hs_list_refine hs_isa_refine(hs_isa isa);
 typedef struct hs_kernel_set {
     int group;
     hs_cluster_kernel cluster[2][2][2];
+    hs_verlet_kernel verlet[2][2];   /**< lists hold the listed pairs only: no third index */
 } hs_kernel_set;
 
 /** A potential compiled for every instruction set; made by kernel/instantiate.h from the file of a pair style. */

@@ -23,6 +23,12 @@
  *      hs_add_clusters(f, entry, sub, a)  f of the j-atoms += a
  *      hs_lookup(table, type, stride, entry, sub)   table[stride * type of the j-atom]
  *
+ *  and, defined below for all of them, for j-atoms that are listed one by one:
+ *
+ *      hs_gather(x, origin, j)            hs_local of x[j[0]], x[j[1]], ...
+ *      hs_scatter_add(f, j, a)            f[j[0]] += lane 0 of a, ...; an atom that occurs twice gets both
+ *      hs_first_lanes(n)                  mask of the lanes below n
+ *
  *  A vector covers HS_GROUP entries of a cluster list (vectors of 4 and more lanes), or HS_SUBS vectors cover one entry
  *  (narrower ones); `sub` numbers the latter. Everything is static inline, so that code for a wide instruction set cannot
  *  leak into objects of another. */
@@ -32,6 +38,7 @@
 #include <math.h>
 #include <stdbool.h>
 #include <stdint.h>
+#include <string.h>
 
 #include "neighbor/clusters.h"
 
@@ -61,5 +68,31 @@
 
 #define HS_GROUP (HS_LANES >= HS_CLUSTER ? HS_LANES / HS_CLUSTER : 1)
 #define HS_SUBS (HS_LANES >= HS_CLUSTER ? 1 : HS_CLUSTER / HS_LANES)
+
+/* Compilers make loads and inserts of this. The machine's gather instructions measured slower: 4.6 instead of 5.5 (AVX-512)
+   and 6.3 (AVX2) million atom-steps/s on a Zen 4. */
+static inline hs_vec hs_gather(const double *x, double origin, const int32_t *j)
+{
+    hs_real lane[HS_LANES];
+    hs_vec a;
+    for (int k = 0; k < HS_LANES; ++k) lane[k] = hs_local(x[j[k]], origin);
+    memcpy(&a, lane, sizeof a);
+    return a;
+}
+
+static inline void hs_scatter_add(double *f, const int32_t *j, hs_vec a)
+{
+    hs_real lane[HS_LANES];
+    memcpy(lane, &a, sizeof a);
+    for (int k = 0; k < HS_LANES; ++k) f[j[k]] += lane[k];
+}
+
+static inline hs_msk hs_first_lanes(int n)
+{
+    static const hs_real number[16] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
+    hs_vec a;
+    memcpy(&a, number, sizeof a);
+    return hs_less(a, hs_set1(n));
+}
 
 #endif

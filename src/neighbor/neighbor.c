@@ -6,11 +6,12 @@
 #include "base/memory.h"
 #include "base/text.h"
 
-const char *const hs_neighbor_methods[] = {"nsq", "cell", "cluster", NULL};
+const char *const hs_neighbor_methods[] = {"nsq", "cell", "verlet", "cluster", NULL};
 
 const char *const hs_neighbor_method_help[] = {
     "double loop over all pairs; slow, for checking the others",
     "atoms are sorted into Morton-ordered cells and pairs searched at every step; no list is kept",
+    "lists of the neighbors of each atom, made from the same cells and kept until atoms have moved too far",
     "lists of pairs of four-atom clusters from the same cells, kept until atoms have moved too far",
     NULL,
 };
@@ -46,7 +47,10 @@ hs_status hs_neighbor_set_method(hs_neighbor *neighbor, const char *name, hs_err
                    nearest != NULL ? "?" : "");
 }
 
-bool hs_neighbor_keeps_lists(const hs_neighbor *neighbor) { return neighbor->settings.method == HS_METHOD_CLUSTER; }
+bool hs_neighbor_keeps_lists(const hs_neighbor *neighbor)
+{
+    return neighbor->settings.method == HS_METHOD_CLUSTER || neighbor->settings.method == HS_METHOD_VERLET;
+}
 
 void hs_neighbor_start(hs_neighbor *neighbor)
 {

@@ -21,7 +21,7 @@ typedef struct hs_exclusion {
 } hs_exclusion;
 
 /** How pairs are found. */
-typedef enum { HS_METHOD_NSQ, HS_METHOD_CELL, HS_METHOD_CLUSTER, HS_N_METHODS } hs_neighbor_method;
+typedef enum { HS_METHOD_NSQ, HS_METHOD_CELL, HS_METHOD_VERLET, HS_METHOD_CLUSTER, HS_N_METHODS } hs_neighbor_method;
 
 /** Names of all methods, ended by NULL, and one line of help for each. */
 extern const char *const hs_neighbor_methods[];

@@ -161,6 +161,7 @@ static hs_status renew_neighbors(hs_sim *sim, hs_error *err)
         HS_TRY(hs_halo_build(&sim->halo, &sim->box, &sim->atoms, cutoff, err));
         renew_kernel_types(sim);
         return HS_OK;
+    case HS_METHOD_VERLET:
     case HS_METHOD_CLUSTER:
         HS_TRY(sort_and_cluster(sim, cutoff + skin, err));
         renew_kernel_types(sim);

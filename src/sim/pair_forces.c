@@ -39,6 +39,7 @@ static hs_status run_method(hs_sim *sim, const hs_force_job *job, hs_force_resul
 {
     switch (sim->neighbor.settings.method) {
     case HS_METHOD_NSQ: return hs_force_nsq(&sim->forces, job, result, err);
+    case HS_METHOD_VERLET: return hs_force_verlet(&sim->forces, &sim->verlet, job, result, err);
     case HS_METHOD_CLUSTER: return hs_force_cluster(&sim->forces, &sim->list, job, result, err);
     default: return hs_force_cell(&sim->forces, job, result, err);
     }
@@ -49,8 +50,13 @@ hs_status hs_sim_list_pairs(hs_sim *sim, hs_error *err)
     if (sim->pair->style->evaluator == NULL) return HS_OK;
     hs_force_job job = make_job(sim, false);
     job.cutoff_max += sim->neighbor.settings.skin;
-    HS_TRY(hs_cluster_list_build(&sim->list, &sim->forces, &job, err));
-    sim->neighbor.counters.n_pairs = hs_cluster_list_n_pairs(&sim->list);
+    if (sim->neighbor.settings.method == HS_METHOD_VERLET) {
+        HS_TRY(hs_verlet_list_build(&sim->verlet, &sim->forces, &job, err));
+        sim->neighbor.counters.n_pairs = hs_verlet_list_n_pairs(&sim->verlet);
+    } else {
+        HS_TRY(hs_cluster_list_build(&sim->list, &sim->forces, &job, err));
+        sim->neighbor.counters.n_pairs = hs_cluster_list_n_pairs(&sim->list);
+    }
     return HS_OK;
 }
 

@@ -63,6 +63,7 @@ void hs_sim_destroy(hs_sim **sim_pointer)
     HS_FREE(sim->n_of_type);
     hs_force_space_fini(&sim->forces);
     hs_cluster_list_fini(&sim->list);
+    hs_verlet_list_fini(&sim->verlet);
     hs_halo_fini(&sim->halo);
     hs_neighbor_fini(&sim->neighbor);
     hs_lattice_fini(&sim->lattice);

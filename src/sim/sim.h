@@ -8,6 +8,7 @@
 #include "comm/halo.h"
 #include "core/lattice.h"
 #include "kernel/cluster_list.h"
+#include "kernel/verlet_list.h"
 #include "neighbor/neighbor.h"
 #include "style/compute.h"
 #include "style/dump.h"
@@ -54,6 +55,7 @@ typedef struct hs_sim {
     int32_t *kernel_type;     /**< atom field: type and exclusion class; NULL while no groups are excluded */
     hs_force_space forces;    /**< buffers of the pair kernels */
     hs_cluster_list list;     /**< method cluster: pairs of the last scheduled build */
+    hs_verlet_list verlet;    /**< method verlet: the same */
     hs_isa isa;
     hs_precision precision;
     hs_timer timer;
@@ -124,7 +126,7 @@ HS_MUST_USE hs_status hs_sim_exchange(hs_sim *sim, bool is_listing, hs_error *er
 HS_MUST_USE hs_status hs_sim_setup_pair(hs_sim *sim, hs_error *err);
 /** Kernel types of the local atoms from their types and groups; only when groups are excluded from each other. */
 void hs_sim_set_kernel_types(hs_sim *sim);
-/** Pairs within reach of the present positions into the list of method cluster.  sim/pair_forces.c */
+/** Pairs within reach of the present positions into the method's list.  sim/pair_forces.c */
 HS_MUST_USE hs_status hs_sim_list_pairs(hs_sim *sim, hs_error *err);
 /** Pair forces on all local atoms, and with_energy also env.pair_energy and pair_virial (collective).  sim/pair_forces.c */
 HS_MUST_USE hs_status hs_sim_pair_forces(hs_sim *sim, bool with_energy, hs_error *err);

@@ -6,6 +6,7 @@
 #include "base/memory.h"
 #include "comm/halo.h"
 #include "kernel/cluster_list.h"
+#include "kernel/verlet_list.h"
 #include "parallel/parallel.h"
 #include "style/pair.h"
 #include "support/harness.h"
@@ -166,14 +167,15 @@ static forces_t sum_all_images(const system_t *s)
     return out;
 }
 
-typedef enum { NSQ, CELL, CLUSTER, N_METHODS } method_t;
-static const char *const method_names[] = {"nsq", "cell", "cluster"};
+typedef enum { NSQ, CELL, VERLET, CLUSTER, N_METHODS } method_t;
+static const char *const method_names[] = {"nsq", "cell", "verlet", "cluster"};
 
 static forces_t evaluate_with(system_t *s, method_t method, hs_isa isa, hs_precision precision, bool with_energy)
 {
     const bool is_nsq = method == NSQ;
-    const double reach = s->cutoff_max + (method == CLUSTER ? skin : 0.0);
+    const double reach = s->cutoff_max + (method == CLUSTER || method == VERLET ? skin : 0.0);
     hs_cluster_list list = {0};
+    hs_verlet_list verlet = {0};
     hs_cells cells = {0};
     hs_clusters clusters = {0};
     hs_halo halo = {0};
@@ -199,6 +201,9 @@ static forces_t evaluate_with(system_t *s, method_t method, hs_isa isa, hs_preci
     if (method == CLUSTER) {
         ck_assert_hs_ok(hs_cluster_list_build(&list, &space, &job, &err), err);
         ck_assert_hs_ok(hs_force_cluster(&space, &list, &job, &result, &err), err);
+    } else if (method == VERLET) {
+        ck_assert_hs_ok(hs_verlet_list_build(&verlet, &space, &job, &err), err);
+        ck_assert_hs_ok(hs_force_verlet(&space, &verlet, &job, &result, &err), err);
     } else {
         ck_assert_hs_ok((is_nsq ? hs_force_nsq : hs_force_cell)(&space, &job, &result, &err), err);
     }
@@ -209,6 +214,7 @@ static forces_t evaluate_with(system_t *s, method_t method, hs_isa isa, hs_preci
     out.energy = result.energy;
     memcpy(out.virial, result.virial, sizeof out.virial);
     hs_cluster_list_fini(&list);
+    hs_verlet_list_fini(&verlet);
     hs_force_space_fini(&space);
     hs_halo_fini(&halo);
     hs_clusters_fini(&clusters);
@@ -254,11 +260,11 @@ static void check_all_methods(system_t *s, const char *what)
         snprintf(name, sizeof name, "%s, nsq, %d threads", what, threads);
         assert_same(&nsq, &right, n, true, HS_PRECISION_DOUBLE, name);
         free_forces(&nsq);
-        for (int kind = 0; kind < 2 * 2 * 2 * ((int)hs_isa_best() + 1); ++kind) {
-            const method_t method = kind % 2 ? CELL : CLUSTER;
-            const bool with_energy = kind / 2 % 2;
-            const hs_precision precision = kind / 4 % 2 ? HS_PRECISION_MIXED : HS_PRECISION_DOUBLE;
-            const hs_isa isa = (hs_isa)(kind / 8);
+        for (int kind = 0; kind < 3 * 2 * 2 * ((int)hs_isa_best() + 1); ++kind) {
+            const method_t method = (method_t)(CELL + kind % 3);
+            const bool with_energy = kind / 3 % 2;
+            const hs_precision precision = kind / 6 % 2 ? HS_PRECISION_MIXED : HS_PRECISION_DOUBLE;
+            const hs_isa isa = (hs_isa)(kind / 12);
             forces_t fast = evaluate_with(s, method, isa, precision, with_energy);
             snprintf(name, sizeof name, "%s, %s, %s, %s, %d threads, energy %d", what, method_names[method], hs_isa_names[isa],
                      hs_precision_names[precision], threads, with_energy);

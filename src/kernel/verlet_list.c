@@ -1,0 +1,223 @@
+#include "kernel/verlet_list.h"
+
+#include <assert.h>
+#include <string.h>
+
+#include "base/memory.h"
+#include "parallel/parallel.h"
+
+enum { CHUNKS_MIN = 64, CLUSTERS_PER_CHUNK_MAX = 1024 };
+
+void hs_verlet_list_fini(hs_verlet_list *list)
+{
+    for (int k = 0; k < list->n_chunks; ++k) {
+        HS_FREE(list->chunk[k].start);
+        HS_FREE(list->chunk[k].neighbor);
+        HS_FREE(list->chunk[k].block);
+    }
+    HS_FREE(list->chunk);
+    memset(list, 0, sizeof *list);
+}
+
+static hs_status set_chunks(hs_verlet_list *list, const hs_cluster_part *local, hs_error *err)
+{
+    const int by_size = (local->n + CLUSTERS_PER_CHUNK_MAX - 1) / CLUSTERS_PER_CHUNK_MAX;
+    const int n_chunks = by_size > CHUNKS_MIN ? by_size : CHUNKS_MIN;
+    if (n_chunks > list->n_chunks) {
+        HS_TRY(HS_GROW(list->chunk, (size_t)list->n_chunks, (size_t)n_chunks, err));
+        list->n_chunks = n_chunks;
+    }
+    for (int k = 0; k < list->n_chunks; ++k) {
+        hs_verlet_chunk *chunk = &list->chunk[k];
+        int64_t begin, end;
+        hs_thread_range(local->n, 1, k, list->n_chunks, &begin, &end);
+        chunk->begin = (int)begin;
+        chunk->end = (int)end;
+        chunk->first = chunk->n_atoms = 0;
+        if (begin == end) continue;
+        chunk->first = local->entry[begin].first;
+        chunk->n_atoms = local->entry[end - 1].first + local->size[end - 1] - chunk->first;
+    }
+    return HS_OK;
+}
+
+/** Room for n_more neighbors and the padding. */
+static hs_status reserve_neighbors(hs_verlet_chunk *chunk, int64_t n_more, hs_error *err)
+{
+    if (chunk->n + n_more <= chunk->capacity) return HS_OK;
+    const int64_t capacity = (chunk->n + n_more) * 5 / 4 + 256;
+    HS_TRY(HS_GROW(chunk->neighbor, (size_t)chunk->n, (size_t)capacity + HS_VERLET_PAD, err));
+    chunk->capacity = capacity;
+    return HS_OK;
+}
+
+static hs_status begin_chunk(hs_verlet_chunk *chunk, hs_error *err)
+{
+    chunk->n = 0;
+    chunk->n_blocks = 0;
+    if (chunk->n_atoms + 1 > chunk->capacity_start) {
+        chunk->capacity_start = chunk->n_atoms + chunk->n_atoms / 8 + 4;
+        HS_TRY(HS_GROW(chunk->start, 0, (size_t)chunk->capacity_start, err));
+    }
+    return HS_OK;
+}
+
+/** Where in a row of four j-atoms the ones whose bit is set are, packed to the front. */
+static const unsigned char packed[16][4] = {
+    {0, 0, 0, 0}, {0, 0, 0, 0}, {1, 0, 0, 0}, {0, 1, 0, 0}, {2, 0, 0, 0}, {0, 2, 0, 0}, {1, 2, 0, 0}, {0, 1, 2, 0},
+    {3, 0, 0, 0}, {0, 3, 0, 0}, {1, 3, 0, 0}, {0, 1, 3, 0}, {2, 3, 0, 0}, {0, 2, 3, 0}, {1, 2, 3, 0}, {0, 1, 2, 3},
+};
+
+/** Append the j-atoms of one row (i-atom) of refined entries. */
+static hs_status append_row(hs_verlet_chunk *chunk, const hs_entry_list *entries, int row, hs_error *err)
+{
+    HS_TRY(reserve_neighbors(chunk, (int64_t)HS_CLUSTER * entries->n, err));
+    int32_t *to = chunk->neighbor + chunk->n;
+    for (int e = 0; e < entries->n; ++e) {
+        const uint32_t bits = entries->entry[e].mask >> HS_CLUSTER * row & 0xfu;
+        const unsigned char *place = packed[bits];
+        for (int k = 0; k < HS_CLUSTER; ++k) to[k] = entries->entry[e].first + place[k];   /* may write beyond what counts */
+        to += __builtin_popcount(bits);
+    }
+    chunk->n = to - chunk->neighbor;
+    return HS_OK;
+}
+
+/** List the neighbors of the atoms of one cluster. */
+static hs_status list_cluster(hs_verlet_chunk *chunk, hs_force_buffer *buffer, const hs_force_job *job, int ci, int column,
+                              int group, hs_error *err)
+{
+    hs_entry_list *found = &buffer->entries;
+    const hs_cluster_part *local = &job->clusters->local;
+    const int first = local->entry[ci].first;
+    found->n = 0;
+    HS_TRY(hs_isa_find(job->isa)(&buffer->search, ci, column, found, err));
+    const int n_found = found->n;
+    if (n_found > 0) {
+        HS_TRY(hs_entry_list_pad(found, 0, group, first, err));
+        HS_TRY(hs_entry_list_reserve(found, n_found, err));
+        found->n = hs_isa_refine(job->isa)(&job->input, first, found->entry, n_found, group, found->entry + found->n);
+    }
+    for (int row = 0; row < local->size[ci]; ++row) {
+        chunk->start[first + row - chunk->first] = chunk->n;
+        HS_TRY(append_row(chunk, found, row, err));
+    }
+    return HS_OK;
+}
+
+/** Note the blocks of all atoms of the chunk's pairs, each once. Uses the thread's `touched` as scratch: it is cleared before
+ *  every evaluation. */
+static hs_status note_blocks(hs_verlet_chunk *chunk, unsigned char *touched, int64_t n_blocks, hs_error *err)
+{
+    memset(touched, 0, (size_t)n_blocks);
+    for (int i = 0; i < chunk->n_atoms; i += HS_FORCE_BLOCK) touched[(chunk->first + i) >> HS_FORCE_BLOCK_BITS] = 1;
+    touched[(chunk->first + chunk->n_atoms - 1) >> HS_FORCE_BLOCK_BITS] = 1;
+    for (int64_t k = 0; k < chunk->n; ++k) touched[chunk->neighbor[k] >> HS_FORCE_BLOCK_BITS] = 1;
+    int n = 0;
+    for (int64_t b = 0; b < n_blocks; ++b) n += touched[b];
+    if (n > chunk->capacity_blocks) {
+        chunk->capacity_blocks = n + n / 8 + 8;
+        HS_TRY(HS_GROW(chunk->block, 0, (size_t)chunk->capacity_blocks, err));
+    }
+    for (int64_t b = 0; b < n_blocks; ++b)
+        if (touched[b]) chunk->block[chunk->n_blocks++] = (int32_t)b;
+    return HS_OK;
+}
+
+static hs_status build_chunk(hs_verlet_chunk *chunk, hs_force_buffer *buffer, const hs_force_job *job, hs_error *err)
+{
+    const hs_atoms *atoms = job->atoms;
+    const int group = job->evaluator->set[job->isa][job->precision]->group;
+    HS_TRY(begin_chunk(chunk, err));
+    if (chunk->begin == chunk->end) return HS_OK;
+    int column = hs_clusters_column(job->clusters, job->cells, chunk->begin);
+    for (int ci = chunk->begin; ci < chunk->end; ++ci) {
+        while (job->clusters->local.column_begin[column + 1] <= ci) ++column;
+        HS_TRY(list_cluster(chunk, buffer, job, ci, column, group, err));
+    }
+    chunk->start[chunk->n_atoms] = chunk->n;
+    if (chunk->n == 0) return HS_OK;
+    for (int k = 0; k < HS_VERLET_PAD; ++k) chunk->neighbor[chunk->n + k] = chunk->first;
+    const int64_t n_atoms = (int64_t)atoms->n_local + atoms->n_halo;
+    return note_blocks(chunk, buffer->touched, (n_atoms + HS_FORCE_BLOCK - 1) >> HS_FORCE_BLOCK_BITS, err);
+}
+
+hs_status hs_verlet_list_build(hs_verlet_list *list, hs_force_space *space, const hs_force_job *job, hs_error *err)
+{
+    HS_TRY(set_chunks(list, &job->clusters->local, err));
+    HS_TRY(hs_force_space_reserve(space, job->atoms, err));
+#pragma omp parallel num_threads(space->n_threads)
+    {
+        hs_force_buffer *buffer = &space->buffer[hs_thread_number()];
+        hs_cluster_search_begin(&buffer->search, job->clusters, job->cells, job->cutoff_max);
+#pragma omp for schedule(dynamic, 1)
+        for (int k = 0; k < list->n_chunks; ++k) {
+            hs_verlet_chunk *chunk = &list->chunk[k];
+            hs_error_clear(&chunk->error);
+            (void)(build_chunk(chunk, buffer, job, &chunk->error) == HS_OK);
+        }
+    }
+    for (int k = 0; k < list->n_chunks; ++k)
+        if (list->chunk[k].error.status != HS_OK) {
+            *err = list->chunk[k].error;
+            return err->status;
+        }
+    list->generation = job->atoms->generation;
+    return HS_OK;
+}
+
+int64_t hs_verlet_list_n_pairs(const hs_verlet_list *list)
+{
+    int64_t n = 0;
+    for (int k = 0; k < list->n_chunks; ++k) n += list->chunk[k].n;
+    return n;
+}
+
+/** Chunks [*begin, *end) of one thread: shares of the list as equal as whole chunks allow. */
+static void chunks_of_thread(const hs_verlet_list *list, int thread, int n_threads, int *begin, int *end)
+{
+    const int64_t total = hs_verlet_list_n_pairs(list);
+    int64_t before = 0;
+    *begin = *end = list->n_chunks;
+    for (int k = 0; k < list->n_chunks; ++k) {
+        const int64_t middle = 2 * before + list->chunk[k].n;   /* twice the chunk's middle */
+        const int owner = total == 0 ? 0 : (int)(middle * n_threads / (2 * total + 1));
+        if (owner >= thread && *begin == list->n_chunks) *begin = k;
+        if (owner > thread) {
+            *end = k;
+            break;
+        }
+        before += list->chunk[k].n;
+    }
+    if (*begin > *end) *begin = *end;
+}
+
+static hs_status work_verlet(hs_force_space *space, const hs_force_job *job, int thread)
+{
+    hs_force_buffer *buffer = &space->buffer[thread];
+    const hs_verlet_list *list = job->verlet;
+    const hs_verlet_kernel kernel =
+        job->evaluator->set[job->isa][job->precision]->verlet[job->with_energy][!job->input.table->is_uniform];
+    const int64_t n_room = (int64_t)job->atoms->n_local + job->atoms->n_halo + HS_ATOMS_PAD;
+    hs_kernel_output out = {.f = {buffer->f[0], buffer->f[1], buffer->f[2]}};
+    int begin, end;
+    chunks_of_thread(list, thread, space->n_threads, &begin, &end);
+    for (int k = begin; k < end; ++k) {
+        const hs_verlet_chunk *chunk = &list->chunk[k];
+        if (chunk->n == 0) continue;
+        for (int b = 0; b < chunk->n_blocks; ++b)
+            hs_force_touch(buffer, (int64_t)chunk->block[b] << HS_FORCE_BLOCK_BITS, n_room);
+        kernel(&job->input, &out, chunk->first, chunk->first + chunk->n_atoms, chunk->start, chunk->neighbor);
+    }
+    hs_force_add_output(buffer, &out);
+    return HS_OK;
+}
+
+hs_status hs_force_verlet(hs_force_space *space, const hs_verlet_list *list, const hs_force_job *job, hs_force_result *result,
+                          hs_error *err)
+{
+    hs_force_job listed = *job;
+    assert(list->generation == job->atoms->generation);
+    listed.verlet = list;
+    return hs_force_run_threads(space, &listed, work_verlet, result, err);
+}
