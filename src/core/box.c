@@ -41,9 +41,8 @@ void hs_box_wrap(const hs_box *box, double x[3], int32_t image[3])
         if (x[axis] < lo) {
             x[axis] += length;
             --image[axis];
-            /* rounding may have put an atom a hair below lo exactly onto hi, which belongs to the next image */
-            if (x[axis] >= hi && x[axis] - length < lo) x[axis] = lo > x[axis] - length ? lo : x[axis] - length;
         }
+        /* also an atom that rounding has just put from a hair below lo onto hi: there it would belong to the next image */
         if (x[axis] >= hi) {
             x[axis] -= length;
             ++image[axis];

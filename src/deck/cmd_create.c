@@ -21,7 +21,6 @@ static const int create_words[] = {0, 1, 3, 3};
 typedef struct creation {
     hs_deck *deck;
     hs_sim *sim;
-    const char *command;
     create_style style;
     int type;                   /**< default type */
     int *basis_type;            /**< owned [n_basis]: type of each basis atom */
