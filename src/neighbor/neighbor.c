@@ -59,6 +59,12 @@ void hs_neighbor_start(hs_neighbor *neighbor)
     neighbor->is_late = false;
 }
 
+void hs_neighbor_continue(hs_neighbor *neighbor)
+{
+    neighbor->counters.n_late_steps = 0;
+    neighbor->counters.first_late_step = -1;
+}
+
 /** Largest squared displacement from the listed positions; infinite when a coordinate is not a number. */
 static double largest_displacement2(const hs_neighbor *neighbor, const hs_atoms *atoms)
 {

@@ -68,6 +68,8 @@ HS_MUST_USE hs_status hs_neighbor_set_method(hs_neighbor *neighbor, const char *
 bool hs_neighbor_keeps_lists(const hs_neighbor *neighbor);
 /** Start of a run: zero the counters. */
 void hs_neighbor_start(hs_neighbor *neighbor);
+/** Start of a run without set-up: schedule, lists and counters of builds go on, as in LAMMPS; late steps are counted anew. */
+void hs_neighbor_continue(hs_neighbor *neighbor);
 /** Once per step after the drift (collective): measure displacements, bring is_late up to date, and tell whether lists are
  *  due: by LAMMPS's schedule, or with `pairs exact` when an atom has moved more than half the skin. An error when a position
  *  is not a number. */

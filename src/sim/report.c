@@ -144,8 +144,11 @@ void hs_report_finish(hs_sim *sim, int64_t n_steps, double loop_s, double cpu_s)
     } else {
         hs_say(out, "\n");
     }
-    hs_say(out, "Neighbor list builds = %lld\nDangerous builds = %lld\n", (long long)counters->n_builds,
-           (long long)counters->n_dangerous);
+    hs_say(out, "Neighbor list builds = %lld\n", (long long)counters->n_builds);
+    if (sim->neighbor.settings.check)
+        hs_say(out, "Dangerous builds = %lld\n", (long long)counters->n_dangerous);
+    else
+        hs_say(out, "Dangerous builds not checked\n");
     if (out->log != NULL) fflush(out->log);
 }
 

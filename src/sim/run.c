@@ -87,7 +87,7 @@ static hs_status begin_run(hs_sim *sim, const hs_run_plan *plan, hs_error *err)
         if (!plan->is_quiet) hs_report_setup(sim);
     } else {
         HS_TRY(init_styles(sim, err));
-        hs_neighbor_start(&sim->neighbor);
+        hs_neighbor_continue(&sim->neighbor);
     }
     HS_TRY(write_dumps(sim, true, err));
     hs_thermo_header(sim->thermo);
