@@ -39,7 +39,7 @@ START_TEST(test_ideal_gas)
 {
     enum { N_STEPS = 2000 };
     static double x[3 * N_GAS], wrapped[3 * N_GAS];
-    static const char *const methods[] = {"nsq", "cell", "cluster"};
+    static const char *const methods[] = {"nsq", "cell", "cluster", "verlet"};
     const double dt = 0.01, length[3] = {7.0, 5.0, 3.0};
     for (size_t k = 0; k < sizeof methods / sizeof methods[0]; ++k) {
         double *x_start, *v_start, *x_end, *v_end;
@@ -320,7 +320,7 @@ END_TEST
 /** Ten times the timestep that the melt can bear. */
 START_TEST(test_long_timestep)
 {
-    static const char *const methods[] = {"nsq", "cell", "cluster"};
+    static const char *const methods[] = {"nsq", "cell", "cluster", "verlet"};
     for (size_t k = 0; k < sizeof methods / sizeof methods[0]; ++k) {
         char text[1024];
         snprintf(text, sizeof text,

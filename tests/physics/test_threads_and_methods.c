@@ -65,6 +65,7 @@ START_TEST(test_same_table)
         "-neigh nsq -threads 1",     "-neigh nsq -threads 2",     "-neigh nsq -threads 3",
         "-neigh cell -threads 1",    "-neigh cell -threads 2",    "-neigh cell -threads 3",
         "-neigh cluster -threads 1", "-neigh cluster -threads 2", "-neigh cluster -threads 3",
+        "-neigh verlet -threads 1",  "-neigh verlet -threads 2",  "-neigh verlet -threads 3",
     };
     const struct system *system = &systems[_i];
     char path[] = "/tmp/halfshell-threads-XXXXXX";
@@ -84,7 +85,7 @@ START_TEST(test_same_table)
                       options[k], other);
         free(other);
     }
-    printf("  %s: %d rows of 8 columns to 8 digits equal for nsq, cell, cluster on 1, 2, 3 threads\n", system->name,
+    printf("  %s: %d rows of 8 columns equal to 8 digits: nsq, cell, cluster, verlet on 1, 2, 3 threads\n", system->name,
            n_rows);
     free(first);
     unlink(path);
