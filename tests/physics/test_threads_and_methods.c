@@ -85,7 +85,7 @@ START_TEST(test_same_table)
                       options[k], other);
         free(other);
     }
-    printf("  %s: %d rows of 8 columns equal to 8 digits: nsq, cell, cluster, verlet on 1, 2, 3 threads\n", system->name,
+    printf("  %s: %d rows of 8 columns equal to 8 digits: nsq, cell, cluster, verlet, 1 to 3 threads\n", system->name,
            n_rows);
     free(first);
     unlink(path);
