@@ -8,6 +8,9 @@
 /** Everything that must be right before atoms move. */
 static hs_status check_system(hs_sim *sim, hs_error *err)
 {
+    if (sim->parallel.n_ranks > 1)
+        return hs_fail(err, HS_ERROR_INPUT, "run: the box is not split over several ranks in this version (%d were started); start "
+                       "one rank and use its cores with '-threads N'", sim->parallel.n_ranks);
     HS_TRY(hs_sim_need_box(sim, "run", err));
     HS_TRY(hs_sim_need_pair(sim, "run", err));
     HS_TRY(hs_sim_need_masses(sim, "run", err));
