@@ -11,28 +11,47 @@
 /** Stands before every array. */
 typedef struct array_header {
     void *block;          /**< what the system gave */
-    size_t mapped_bytes;  /**< length of the mapping; 0: the block is from calloc */
+    size_t mapped_bytes;  /**< length of the mapping; 0: the block is from the heap */
 } array_header;
 
-/* From this size on an array is a mapping of its own: it comes zeroed and untouched (pages become resident on the node of
-   the thread that first writes them, and pages that nobody writes cost nothing), and goes back to the system when freed,
-   which malloc's heap does not promise. */
+/* From this size on an array is a mapping of its own: it comes zeroed and untouched (pages become resident on the node
+   of the thread that first writes them, and pages that nobody writes cost nothing), and goes back to the system when
+   freed, which malloc's heap does not promise. Sanitizers see only what is on the heap. */
+#ifdef HS_SANITIZE
+static const size_t mapping_bytes_min = SIZE_MAX;
+#else
 static const size_t mapping_bytes_min = 1u << 20;
+#endif
+
+static void *new_mapping(size_t bytes)
+{
+    void *block = mmap(NULL, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    return block == MAP_FAILED ? NULL : block;
+}
+
+/** Zeroed block from the heap. The array ends where the block does, so that checkers notice the first byte beyond. */
+static void *new_heap_block(size_t bytes)
+{
+    void *block;
+    if (posix_memalign(&block, HS_ALIGNMENT, bytes) != 0) return NULL;
+    return memset(block, 0, bytes);
+}
 
 hs_status hs_memory_alloc(void **array, size_t n, size_t size, hs_error *err)
 {
     *array = NULL;
-    const size_t overhead = HS_ALIGNMENT + sizeof(array_header);
-    if (size > 0 && n > (SIZE_MAX - overhead) / size)
-        return hs_fail(err, HS_ERROR_MEMORY, "an array of %zu elements of %zu bytes is larger than memory can be", n, size);
-    const size_t bytes = n * size + overhead;
+    _Static_assert(sizeof(array_header) <= HS_ALIGNMENT, "the header fits before an aligned array");
+    if (size > 0 && n > (SIZE_MAX - HS_ALIGNMENT) / size)
+        return hs_fail(err, HS_ERROR_MEMORY, "an array of %zu elements of %zu bytes is larger than memory can be", n,
+                       size);
+    const size_t bytes = n * size + HS_ALIGNMENT;
     const bool is_mapped = bytes >= mapping_bytes_min;
-    void *block = is_mapped ? mmap(NULL, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0) : calloc(1, bytes);
-    if (block == NULL || block == MAP_FAILED)
+    char *block = is_mapped ? new_mapping(bytes) : new_heap_block(bytes);
+    if (block == NULL)
         return hs_fail(err, HS_ERROR_MEMORY, "out of memory: %zu bytes more were needed", n * size);
-    const uintptr_t start = ((uintptr_t)block + overhead) / HS_ALIGNMENT * HS_ALIGNMENT;
-    ((array_header *)start)[-1] = (array_header){block, is_mapped ? bytes : 0};
-    *array = (void *)start;
+    char *start = block + HS_ALIGNMENT;
+    ((array_header *)(void *)start)[-1] = (array_header){block, is_mapped ? bytes : 0};
+    *array = start;
     return HS_OK;
 }
 
