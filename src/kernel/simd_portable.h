@@ -21,7 +21,7 @@ static inline hs_msk hs_less(hs_vec a, hs_vec b) { return a < b; }
 static inline hs_vec hs_keep(hs_msk m, hs_vec a) { return m ? a : 0.0; }
 static inline double hs_sum(hs_vec a) { return a; }
 
-static inline hs_vec hs_load_clusters(const double *x, double origin, const hs_cluster_entry *entry, int sub) 
+static inline hs_vec hs_load_clusters(const double *x, double origin, const hs_cluster_entry *entry, int sub)
 {
     (void)origin;
     return x[entry->first + sub];
