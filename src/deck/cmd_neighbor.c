@@ -125,6 +125,7 @@ static hs_status check_neighbor_method(const hs_args *args, bool has_variables, 
 static hs_status run_precision(hs_deck *deck, const hs_args *args, hs_error *err)
 {
     const char *from_command_line = deck->sim->options.precision;
+    deck->sim->is_initialized = false;   /* lists are padded for the kernels of one precision */
     HS_TRY(hs_precision_get(args->word[0], &deck->sim->precision, err));
     return from_command_line[0] != '\0' ? hs_precision_get(from_command_line, &deck->sim->precision, err) : HS_OK;
 }

@@ -76,7 +76,8 @@ static hs_status append_row(hs_verlet_chunk *chunk, const hs_entry_list *entries
     for (int e = 0; e < entries->n; ++e) {
         const uint32_t bits = entries->entry[e].mask >> HS_CLUSTER * row & 0xfu;
         const unsigned char *place = packed[bits];
-        for (int k = 0; k < HS_CLUSTER; ++k) to[k] = entries->entry[e].first + place[k];   /* may write beyond what counts */
+        for (int k = 0; k < HS_CLUSTER; ++k)
+            to[k] = entries->entry[e].first + place[k]; /* may write beyond what counts */
         to += __builtin_popcount(bits);
     }
     chunk->n = to - chunk->neighbor;
@@ -84,8 +85,8 @@ static hs_status append_row(hs_verlet_chunk *chunk, const hs_entry_list *entries
 }
 
 /** List the neighbors of the atoms of one cluster. */
-static hs_status list_cluster(hs_verlet_chunk *chunk, hs_force_buffer *buffer, const hs_force_job *job, int ci, int column,
-                              int group, hs_error *err)
+static hs_status list_cluster(hs_verlet_chunk *chunk, hs_force_buffer *buffer, const hs_force_job *job, int ci,
+                              int column, int group, hs_error *err)
 {
     hs_entry_list *found = &buffer->entries;
     const hs_cluster_part *local = &job->clusters->local;
@@ -105,8 +106,8 @@ static hs_status list_cluster(hs_verlet_chunk *chunk, hs_force_buffer *buffer, c
     return HS_OK;
 }
 
-/** Note the blocks of all atoms of the chunk's pairs, each once. Uses the thread's `touched` as scratch: it is cleared before
- *  every evaluation. */
+/** Note the blocks of all atoms of the chunk's pairs, each once. Uses the thread's `touched` as scratch: it is cleared
+ *  before every evaluation. */
 static hs_status note_blocks(hs_verlet_chunk *chunk, unsigned char *touched, int64_t n_blocks, hs_error *err)
 {
     memset(touched, 0, (size_t)n_blocks);
@@ -180,7 +181,7 @@ static void chunks_of_thread(const hs_verlet_list *list, int thread, int n_threa
     int64_t before = 0;
     *begin = *end = list->n_chunks;
     for (int k = 0; k < list->n_chunks; ++k) {
-        const int64_t middle = 2 * before + list->chunk[k].n;   /* twice the chunk's middle */
+        const int64_t middle = 2 * before + list->chunk[k].n; /* twice the chunk's middle */
         const int owner = total == 0 ? 0 : (int)(middle * n_threads / (2 * total + 1));
         if (owner >= thread && *begin == list->n_chunks) *begin = k;
         if (owner > thread) {
@@ -213,8 +214,8 @@ static hs_status work_verlet(hs_force_space *space, const hs_force_job *job, int
     return HS_OK;
 }
 
-hs_status hs_force_verlet(hs_force_space *space, const hs_verlet_list *list, const hs_force_job *job, hs_force_result *result,
-                          hs_error *err)
+hs_status hs_force_verlet(hs_force_space *space, const hs_verlet_list *list, const hs_force_job *job,
+                          hs_force_result *result, hs_error *err)
 {
     hs_force_job listed = *job;
     assert(list->generation == job->atoms->generation);

@@ -11,9 +11,9 @@ typedef struct verlet_sums {
 
 /** What stays the same over the list of one i-atom. */
 typedef struct verlet_atom {
-    double x[3];               /**< coordinates are relative to these in single precision */
-    hs_vec x_local[3];         /**< its own, as kernels use it, in all lanes */
-    const double *row_table;   /**< its row of the pair table, by_type */
+    double x[3];             /**< coordinates are relative to these in single precision */
+    hs_vec x_local[3];       /**< its own, as kernels use it, in all lanes */
+    const double *row_table; /**< its row of the pair table, by_type */
 } verlet_atom;
 
 /** The parameters of the pairs of one vector. */
@@ -26,9 +26,9 @@ HS_INLINE void verlet_params(const hs_kernel_input *in, const verlet_atom *atom,
 }
 
 /** One vector of j-atoms, of which the first n count; is_full: all do. */
-HS_INLINE void verlet_vector(const hs_kernel_input *in, hs_kernel_output *out, const verlet_atom *atom, const int32_t *j, int n,
-                             const hs_vec *only, verlet_sums *sums, const bool is_full, const bool with_energy,
-                             const bool by_type)
+HS_INLINE void verlet_vector(const hs_kernel_input *in, hs_kernel_output *out, const verlet_atom *atom,
+                             const int32_t *j, int n, const hs_vec *only, verlet_sums *sums, const bool is_full,
+                             const bool with_energy, const bool by_type)
 {
     hs_vec params[HS_TABLE_PARAMS + N_PARAMS];
     for (int k = 0; k < HS_TABLE_PARAMS + N_PARAMS && !by_type; ++k) params[k] = only[k];
@@ -78,7 +78,8 @@ HS_INLINE void verlet_loop(const hs_kernel_input *in, hs_kernel_output *out, int
         verlet_sums sums = {0};
         for (; stop - at >= HS_LANES; at += HS_LANES)
             verlet_vector(in, out, &atom, list + at, HS_LANES, only, &sums, true, with_energy, by_type);
-        if (at < stop) verlet_vector(in, out, &atom, list + at, (int)(stop - at), only, &sums, false, with_energy, by_type);
+        if (at < stop)
+            verlet_vector(in, out, &atom, list + at, (int)(stop - at), only, &sums, false, with_energy, by_type);
         for (int axis = 0; axis < 3; ++axis) out->f[axis][i] -= hs_sum(sums.f[axis]);
         if (with_energy) {
             out->energy += hs_sum(sums.energy);

@@ -6,15 +6,22 @@
 
 char *hs_test_run_deck(const char *deck_text, hs_error *err)
 {
+    const hs_options options = {.n_threads = 1};
+    return hs_test_run_deck_with(deck_text, &options, NULL, NULL, err);
+}
+
+char *hs_test_run_deck_with(const char *deck_text, const hs_options *options, void (*at_end)(hs_deck *deck, void *context),
+                            void *context, hs_error *err)
+{
     char *log = NULL, *lines = strdup(deck_text), *rest = NULL;
     size_t size;
     hs_sink sink = {.log = open_memstream(&log, &size)};
-    hs_options options = {.n_threads = 1};
     hs_deck *deck = NULL;
     memset(err, 0, sizeof *err);
-    hs_status status = hs_deck_create(&deck, &options, &sink, err);
+    hs_status status = hs_deck_create(&deck, options, &sink, err);
     for (char *line = strtok_r(lines, "\n", &rest); line != NULL && status == HS_OK; line = strtok_r(NULL, "\n", &rest))
         status = hs_deck_command(deck, line, err);
+    if (status == HS_OK && at_end != NULL) at_end(deck, context);
     hs_deck_destroy(&deck);
     fclose(sink.log);
     free(lines);

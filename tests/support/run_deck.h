@@ -7,6 +7,9 @@
 /** Carry out the lines of @p deck one by one in a new simulation; what goes to the log is returned (the caller frees it with
  *  free), up to the first error, which is in @p err. */
 char *hs_test_run_deck(const char *deck, hs_error *err);
+/** The same with options of the command line; @p at_end, unless NULL, sees the deck after its last line. */
+char *hs_test_run_deck_with(const char *deck, const hs_options *options, void (*at_end)(hs_deck *deck, void *context),
+                            void *context, hs_error *err);
 
 /** The file as a string, zero-terminated; the caller frees it with free; NULL when there is none. */
 char *hs_test_read_file(const char *path);
