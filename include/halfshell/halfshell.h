@@ -34,9 +34,9 @@ extern "C" {
 /** Outcome of a call; the numbers are the program's exit codes. */
 typedef enum hs_code {
     HS_CODE_OK = 0,
-    HS_CODE_INPUT = 1,        /**< the deck, a command, a file or an argument is wrong */
-    HS_CODE_FAILED = 2,       /**< the run failed, a file could not be written, or memory ran out */
-    HS_CODE_INTERRUPTED = 3   /**< hs_simulation_stop was called */
+    HS_CODE_INPUT = 1,      /**< the deck, a command, a file or an argument is wrong */
+    HS_CODE_FAILED = 2,     /**< the run failed, a file could not be written, or memory ran out */
+    HS_CODE_INTERRUPTED = 3 /**< hs_simulation_stop was called */
 } hs_code;
 
 /** Order of the rows of per-atom arrays. */
@@ -49,14 +49,17 @@ typedef struct hs_simulation hs_simulation;
  *  HS_SIMULATION_OPTIONS_INIT): programs built against this version then work with later ones that have more settings. */
 typedef struct hs_simulation_options {
     size_t size;
-    int n_threads;                /**< OpenMP threads; 0: OMP_NUM_THREADS, else 1 */
-    const char *neighbor_method;  /**< wins over the deck; NULL: the deck's or the default */
-    const char *instruction_set;  /**< of the kernels; NULL or "auto": the widest of this machine */
-    FILE *screen;                 /**< where a run writes for people; borrowed for the simulation's life; NULL: nowhere */
-    FILE *log;                    /**< the same for the log; the deck's command `log` replaces it */
+    int n_threads;               /**< OpenMP threads; 0: OMP_NUM_THREADS, else 1 */
+    const char *neighbor_method; /**< wins over the deck; NULL: the deck's or the default */
+    const char *instruction_set; /**< of the kernels; NULL or "auto": the widest of this machine */
+    FILE *screen; /**< where a run writes for people; borrowed for the simulation's life; NULL: nowhere */
+    FILE *log;    /**< the same for the log; the deck's command `log` replaces it */
 } hs_simulation_options;
 
-#define HS_SIMULATION_OPTIONS_INIT {sizeof(hs_simulation_options), 0, NULL, NULL, NULL, NULL}
+#define HS_SIMULATION_OPTIONS_INIT                                                                                     \
+    {                                                                                                                  \
+        sizeof(hs_simulation_options), 0, NULL, NULL, NULL, NULL                                                       \
+    }
 
 /** Version of the library that is running, as in "0.1.0". Static. */
 HS_API const char *hs_version(void);
@@ -71,7 +74,8 @@ HS_API void hs_simulation_destroy(hs_simulation **simulation);
 HS_API const char *hs_simulation_error(const hs_simulation *simulation);
 
 /** Give an index variable its values before the deck does, like `-var` on the command line. */
-HS_API hs_code hs_simulation_set_variable(hs_simulation *simulation, const char *name, int n, const char *const *values);
+HS_API hs_code hs_simulation_set_variable(hs_simulation *simulation, const char *name, int n,
+                                          const char *const *values);
 /** Value of an equal-style (or other number-like) variable of the deck: any formula can be asked for this way. */
 HS_API hs_code hs_simulation_get_variable(hs_simulation *simulation, const char *name, double *value);
 

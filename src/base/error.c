@@ -3,7 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
-hs_status (hs_fail)(hs_error *err, hs_status status, const char *fmt, ...)
+hs_status(hs_fail)(hs_error *err, hs_status status, const char *fmt, ...)
 {
     if (err->status != HS_OK) return err->status;
     err->status = status;
@@ -21,17 +21,18 @@ void hs_error_locate(hs_error *err, const char *file, long line)
     err->line = line;
 }
 
-void hs_error_clear(hs_error *err)
-{
-    memset(err, 0, sizeof *err);
-}
+void hs_error_clear(hs_error *err) { memset(err, 0, sizeof *err); }
 
 int hs_exit_code(hs_status status)
 {
     switch (status) {
-    case HS_OK: return 0;
-    case HS_ERROR_INPUT: return 1;
-    case HS_INTERRUPTED: return 3;
-    default: return 2;
+    case HS_OK:
+        return 0;
+    case HS_ERROR_INPUT:
+        return 1;
+    case HS_INTERRUPTED:
+        return 3;
+    default:
+        return 2;
     }
 }

@@ -5,16 +5,16 @@
 #include <stdarg.h>
 #include <stdbool.h>
 
-#define HS_MUST_USE __attribute__((warn_unused_result))
+#define HS_MUST_USE          __attribute__((warn_unused_result))
 #define HS_PRINTF(fmt, args) __attribute__((format(printf, fmt, args)))
 
 typedef enum {
     HS_OK = 0,
-    HS_ERROR_INPUT,   /**< the deck, a file it names, or the command line is wrong: exit code 1 */
-    HS_ERROR_RUN,     /**< the simulation failed (lost atoms, NaN, ...): exit code 2 */
-    HS_ERROR_IO,      /**< a file could not be written: exit code 2 */
-    HS_ERROR_MEMORY,  /**< out of memory: exit code 2 */
-    HS_INTERRUPTED    /**< stopped by a signal: exit code 3 */
+    HS_ERROR_INPUT,  /**< the deck, a file it names, or the command line is wrong: exit code 1 */
+    HS_ERROR_RUN,    /**< the simulation failed (lost atoms, NaN, ...): exit code 2 */
+    HS_ERROR_IO,     /**< a file could not be written: exit code 2 */
+    HS_ERROR_MEMORY, /**< out of memory: exit code 2 */
+    HS_INTERRUPTED   /**< stopped by a signal: exit code 3 */
 } hs_status;
 
 enum { HS_ERROR_TEXT_SIZE = 2048, HS_ERROR_FILE_SIZE = 512 };
@@ -22,10 +22,10 @@ enum { HS_ERROR_TEXT_SIZE = 2048, HS_ERROR_FILE_SIZE = 512 };
 /** What went wrong and where. A zeroed record means "no error". Texts that do not fit are cut. */
 typedef struct hs_error {
     hs_status status;
-    int rank;                        /**< MPI rank that met the error first */
-    long line;                       /**< deck line, 0 when the error has no line */
-    char file[HS_ERROR_FILE_SIZE];   /**< deck (or data file) name, "" when there is none */
-    char text[HS_ERROR_TEXT_SIZE];   /**< what, why, what would be right; no newline at the end */
+    int rank;                      /**< MPI rank that met the error first */
+    long line;                     /**< deck line, 0 when the error has no line */
+    char file[HS_ERROR_FILE_SIZE]; /**< deck (or data file) name, "" when there is none */
+    char text[HS_ERROR_TEXT_SIZE]; /**< what, why, what would be right; no newline at the end */
 } hs_error;
 
 /** Fill @p err (kept if it already holds an error) and return @p status, so that one can write `return hs_fail(...)`. */
@@ -49,10 +49,10 @@ void hs_error_clear(hs_error *err);
 int hs_exit_code(hs_status status);
 
 /** Return from the calling function when @p expression is not HS_OK. For functions with nothing to clean up. */
-#define HS_TRY(expression)                  \
-    do {                                    \
-        hs_status hs_try_ = (expression);   \
-        if (hs_try_ != HS_OK) return hs_try_; \
+#define HS_TRY(expression)                                                                                             \
+    do {                                                                                                               \
+        hs_status hs_try_ = (expression);                                                                              \
+        if (hs_try_ != HS_OK) return hs_try_;                                                                          \
     } while (0)
 
 #endif

@@ -10,8 +10,8 @@
 
 /** Stands before every array. */
 typedef struct array_header {
-    void *block;          /**< what the system gave */
-    size_t mapped_bytes;  /**< length of the mapping; 0: the block is from the heap */
+    void *block;         /**< what the system gave */
+    size_t mapped_bytes; /**< length of the mapping; 0: the block is from the heap */
 } array_header;
 
 /* From this size on an array is a mapping of its own: it comes zeroed and untouched (pages become resident on the node
@@ -47,8 +47,7 @@ hs_status hs_memory_alloc(void **array, size_t n, size_t size, hs_error *err)
     const size_t bytes = n * size + HS_ALIGNMENT;
     const bool is_mapped = bytes >= mapping_bytes_min;
     char *block = is_mapped ? new_mapping(bytes) : new_heap_block(bytes);
-    if (block == NULL)
-        return hs_fail(err, HS_ERROR_MEMORY, "out of memory: %zu bytes more were needed", n * size);
+    if (block == NULL) return hs_fail(err, HS_ERROR_MEMORY, "out of memory: %zu bytes more were needed", n * size);
     char *start = block + HS_ALIGNMENT;
     ((array_header *)(void *)start)[-1] = (array_header){block, is_mapped ? bytes : 0};
     *array = start;

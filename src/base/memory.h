@@ -26,7 +26,7 @@ size_t hs_memory_resident(void);
 size_t hs_memory_resident_peak(void);
 
 #define HS_ALLOC(pointer, n, err) hs_memory_alloc((void **)&(pointer), (n), sizeof *(pointer), (err))
-#define HS_GROW(pointer, n_keep, n_new, err) \
+#define HS_GROW(pointer, n_keep, n_new, err)                                                                           \
     hs_memory_grow((void **)&(pointer), (n_keep), (n_new), sizeof *(pointer), (err))
 #define HS_FREE(pointer) (hs_memory_free(pointer), (pointer) = NULL)
 

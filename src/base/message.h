@@ -11,9 +11,9 @@
 typedef struct hs_sink {
     FILE *screen;
     FILE *log;
-    bool progress_shown;   /**< a progress line stands on the terminal and must be wiped before other text */
+    bool progress_shown; /**< a progress line stands on the terminal and must be wiped before other text */
     long n_warnings;
-    long warning_limit;    /**< print no more than so many (thermo_modify warn); 0: no limit, < 0: print none */
+    long warning_limit; /**< print no more than so many (thermo_modify warn); 0: no limit, < 0: print none */
 } hs_sink;
 
 /** Write to screen and log, no newline added. */

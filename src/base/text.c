@@ -57,10 +57,7 @@ void hs_text_fini(hs_text *text)
     text->length = text->capacity = 0;
 }
 
-const char *hs_text_get(const hs_text *text)
-{
-    return text->data != NULL ? text->data : "";
-}
+const char *hs_text_get(const hs_text *text) { return text->data != NULL ? text->data : ""; }
 
 bool hs_text_to_double(const char *word, double *value)
 {
@@ -93,7 +90,7 @@ static int edit_distance(const char *a, const char *b, int limit)
     enum { MAX = 64 };
     size_t n_a = strlen(a), n_b = strlen(b);
     if (n_a >= MAX || n_b >= MAX) return limit;
-    int rows[3][MAX];   /* of the last two letters of a, and of the present one */
+    int rows[3][MAX]; /* of the last two letters of a, and of the present one */
     for (size_t j = 0; j <= n_b; ++j) rows[0][j] = (int)j;
     for (size_t i = 1; i <= n_a; ++i) {
         int *row = rows[i % 3];

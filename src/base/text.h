@@ -9,8 +9,8 @@
 
 /** Growable string; always terminated once something was added. Zero it before first use; free with hs_text_fini. */
 typedef struct hs_text {
-    char *data;      /**< owned; NULL while empty */
-    size_t length;   /**< bytes without the terminator */
+    char *data;    /**< owned; NULL while empty */
+    size_t length; /**< bytes without the terminator */
     size_t capacity;
 } hs_text;
 

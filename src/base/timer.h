@@ -4,18 +4,18 @@
 
 /** Phases of a timestep, in the order of LAMMPS's timing table. */
 typedef enum {
-    HS_PHASE_PAIR,     /**< pair kernels and the reduction of thread buffers */
-    HS_PHASE_NEIGH,    /**< sort, cells, lists, displacement check */
-    HS_PHASE_COMM,     /**< wrap, migration, halo forward and reverse */
-    HS_PHASE_OUTPUT,   /**< thermo, dumps, checkpoints */
-    HS_PHASE_MODIFY,   /**< fixes: integration, thermostats, walls */
+    HS_PHASE_PAIR,   /**< pair kernels and the reduction of thread buffers */
+    HS_PHASE_NEIGH,  /**< sort, cells, lists, displacement check */
+    HS_PHASE_COMM,   /**< wrap, migration, halo forward and reverse */
+    HS_PHASE_OUTPUT, /**< thermo, dumps, checkpoints */
+    HS_PHASE_MODIFY, /**< fixes: integration, thermostats, walls */
     HS_N_PHASES
 } hs_phase;
 
 typedef struct hs_timer {
-    double phase_s[HS_N_PHASES];   /**< seconds spent in each phase since reset */
-    double start_s;                /**< when the timer was reset */
-    double last_s;                 /**< when the last phase ended */
+    double phase_s[HS_N_PHASES]; /**< seconds spent in each phase since reset */
+    double start_s;              /**< when the timer was reset */
+    double last_s;               /**< when the last phase ended */
 } hs_timer;
 
 /** Seconds of a monotonic clock. */

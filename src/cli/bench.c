@@ -12,9 +12,9 @@ typedef struct bench {
     int64_t size, steps, repeat;
     int threads[CASES_MAX];
     int n_threads;
-    const char *method[CASES_MAX];   /**< entries of hs_neighbor_methods */
+    const char *method[CASES_MAX]; /**< entries of hs_neighbor_methods */
     int n_methods;
-    hs_options options;   /**< the instruction set */
+    hs_options options; /**< the instruction set */
 } bench;
 
 static hs_status parse_count(const char *option, const char *word, int64_t max, int64_t *value, hs_error *err)
@@ -51,7 +51,8 @@ static hs_status add_method(bench *plan, const char *word, hs_error *err)
     if (hs_neighbor_methods[n] == NULL) {
         const char *nearest = hs_text_nearest(word, hs_neighbor_methods, n);
         return hs_fail(err, HS_ERROR_INPUT, "-neigh: '%s' is not a neighbor method%s%s%s", word,
-                       nearest != NULL ? "; did you mean '" : "", nearest != NULL ? nearest : "", nearest != NULL ? "'?" : "");
+                       nearest != NULL ? "; did you mean '" : "", nearest != NULL ? nearest : "",
+                       nearest != NULL ? "'?" : "");
     }
     if (plan->n_methods == CASES_MAX) return hs_fail(err, HS_ERROR_INPUT, "-neigh: more than %d methods", CASES_MAX);
     plan->method[plan->n_methods++] = hs_neighbor_methods[n];
@@ -93,12 +94,22 @@ static hs_status parse(const hs_cli *cli, bench *plan, hs_error *err)
 static hs_status feed(hs_deck *deck, const bench *plan, hs_error *err)
 {
     char region[96];
-    snprintf(region, sizeof region, "region box block 0 %lld 0 %lld 0 %lld", (long long)plan->size, (long long)plan->size,
-             (long long)plan->size);
-    const char *const lines[] = {
-        "units lj", "atom_style atomic", "lattice fcc 0.8442", region, "create_box 1 box", "create_atoms 1 box",
-        "mass 1 1.0", "velocity all create 1.44 87287 loop geom", "pair_style lj/cut 2.5", "pair_coeff 1 1 1.0 1.0 2.5",
-        "neighbor 0.3 bin", "neigh_modify delay 0 every 20 check no", "fix 1 all nve", "thermo 100"};
+    snprintf(region, sizeof region, "region box block 0 %lld 0 %lld 0 %lld", (long long)plan->size,
+             (long long)plan->size, (long long)plan->size);
+    const char *const lines[] = {"units lj",
+                                 "atom_style atomic",
+                                 "lattice fcc 0.8442",
+                                 region,
+                                 "create_box 1 box",
+                                 "create_atoms 1 box",
+                                 "mass 1 1.0",
+                                 "velocity all create 1.44 87287 loop geom",
+                                 "pair_style lj/cut 2.5",
+                                 "pair_coeff 1 1 1.0 1.0 2.5",
+                                 "neighbor 0.3 bin",
+                                 "neigh_modify delay 0 every 20 check no",
+                                 "fix 1 all nve",
+                                 "thermo 100"};
     for (size_t i = 0; i < sizeof lines / sizeof lines[0]; ++i) HS_TRY(hs_deck_command(deck, lines[i], err));
     char warm_up[32];
     snprintf(warm_up, sizeof warm_up, "run %d", WARM_UP_STEPS);
@@ -139,8 +150,8 @@ hs_status hs_cli_bench(const hs_cli *cli, hs_error *err)
     HS_TRY(parse(cli, &plan, err));
     const double n_atoms = (double)ATOMS_A_CELL * (double)plan.size * (double)plan.size * (double)plan.size;
     hs_sink out = {.screen = cli->parallel->rank == 0 ? stdout : NULL};
-    hs_say(&out, "Lennard-Jones liquid, %.0f atoms, density 0.8442, cutoff 2.5; %lld steps, fastest of %lld\n\n", n_atoms,
-           (long long)plan.steps, (long long)plan.repeat);
+    hs_say(&out, "Lennard-Jones liquid, %.0f atoms, density 0.8442, cutoff 2.5; %lld steps, fastest of %lld\n\n",
+           n_atoms, (long long)plan.steps, (long long)plan.repeat);
     hs_say(&out, "%-12s %8s %12s %22s %10s %12s\n", "method", "threads", "seconds", "million atom-steps/s", "speed-up",
            "bytes/atom");
     for (int m = 0; m < plan.n_methods; ++m) {

@@ -10,7 +10,8 @@ hs_status hs_cli_check(const hs_cli *cli, hs_error *err)
     hs_cli_settings settings;
     HS_TRY(hs_cli_parse(cli, HS_CLI_CHECK, &settings, err));
     if (settings.deck == NULL) {
-        if (isatty(STDIN_FILENO)) return hs_fail(err, HS_ERROR_INPUT, "no deck given; usage: halfshell check [options] DECK");
+        if (isatty(STDIN_FILENO))
+            return hs_fail(err, HS_ERROR_INPUT, "no deck given; usage: halfshell check [options] DECK");
         settings.deck = "-";
     }
     settings.options.dry_run = true;

@@ -11,11 +11,11 @@ enum { HS_CLI_RUN = 1, HS_CLI_CHECK = 2, HS_CLI_BENCH = 4, HS_CLI_HELP = 8 };
 
 /** One option. The table serves the parser, `halfshell --help`, the man page, the manual and shell completion. */
 typedef struct hs_cli_option {
-    const char *name;       /**< "-in" */
-    const char *alias;      /**< LAMMPS's short form, or NULL */
-    const char *values;     /**< "FILE|none"; "" for an option without values */
-    unsigned commands;      /**< subcommands that know it */
-    const char *help;       /**< one line */
+    const char *name;   /**< "-in" */
+    const char *alias;  /**< LAMMPS's short form, or NULL */
+    const char *values; /**< "FILE|none"; "" for an option without values */
+    unsigned commands;  /**< subcommands that know it */
+    const char *help;   /**< one line */
 } hs_cli_option;
 
 /** All options, ended by a NULL name. */
@@ -24,9 +24,9 @@ extern const hs_cli_option hs_cli_options[];
 /** One subcommand. */
 typedef struct hs_cli_command {
     const char *name;
-    const char *usage;      /**< words after the name */
+    const char *usage; /**< words after the name */
     unsigned bit;
-    const char *help;       /**< one line */
+    const char *help; /**< one line */
 } hs_cli_command;
 
 /** All subcommands, ended by a NULL name. */
@@ -34,22 +34,22 @@ extern const hs_cli_command hs_cli_commands[];
 
 /** What the program was started with. */
 typedef struct hs_cli {
-    int n;                                   /**< words after the subcommand */
-    char **word;                             /**< borrowed */
-    volatile sig_atomic_t *stop_requested;   /**< set by the signal handlers of main.c */
-    hs_parallel *parallel;                   /**< the ranks of this program */
+    int n;                                 /**< words after the subcommand */
+    char **word;                           /**< borrowed */
+    volatile sig_atomic_t *stop_requested; /**< set by the signal handlers of main.c */
+    hs_parallel *parallel;                 /**< the ranks of this program */
 } hs_cli;
 
-enum { HS_CLI_NO_EFFECT_MAX = 2 };   /* -suffix, -package */
+enum { HS_CLI_NO_EFFECT_MAX = 2 }; /* -suffix, -package */
 
 /** What the options say. Words are borrowed from the command line. */
 typedef struct hs_cli_settings {
-    const char *deck;             /**< NULL: none was given; "-": standard input */
+    const char *deck; /**< NULL: none was given; "-": standard input */
     hs_options options;
-    const char *log, *screen;     /**< file, or "none"; NULL: the default */
+    const char *log, *screen; /**< file, or "none"; NULL: the default */
     bool echo_screen, echo_log;
-    const char *no_effect[HS_CLI_NO_EFFECT_MAX];   /**< LAMMPS options that were accepted and change nothing */
-    const char *last_value;       /**< last value of the last -var with several: it may have been meant as the deck */
+    const char *no_effect[HS_CLI_NO_EFFECT_MAX]; /**< LAMMPS options that were accepted and change nothing */
+    const char *last_value; /**< last value of the last -var with several: it may have been meant as the deck */
     const char *last_variable;
 } hs_cli_settings;
 
@@ -64,7 +64,8 @@ HS_MUST_USE hs_status hs_cli_parse_isa(const char *word, hs_options *options, hs
 /** Index of the next word that starts an option, or cli->n: the end of the values that begin at @p from. */
 int hs_cli_values_end(const hs_cli *cli, int from);
 /** The option of that name or alias that @p command knows; else an error with the nearest. */
-HS_MUST_USE hs_status hs_cli_find_option(const char *word, unsigned command, const hs_cli_option **option, hs_error *err);
+HS_MUST_USE hs_status hs_cli_find_option(const char *word, unsigned command, const hs_cli_option **option,
+                                         hs_error *err);
 
 /* The subcommands. Errors are returned; *exit_code is set by the deck's `quit N`. */
 HS_MUST_USE hs_status hs_cli_run(const hs_cli *cli, int *exit_code, hs_error *err);

@@ -49,7 +49,8 @@ static hs_status put_words(FILE *stream, hs_error *err)
 
 static const char bash_body[] =
     "    local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD-1]} command=run offered=\n"
-    "    case \" $commands \" in *\" ${COMP_WORDS[1]} \"*) [ \"$COMP_CWORD\" -gt 1 ] && command=${COMP_WORDS[1]} ;; esac\n"
+    "    case \" $commands \" in *\" ${COMP_WORDS[1]} \"*) [ \"$COMP_CWORD\" -gt 1 ] && command=${COMP_WORDS[1]} ;; "
+    "esac\n"
     "    case $before in\n"
     "    -echo | -e) offered=\"none screen log both\" ;;\n"
     "    -neigh) offered=$methods ;;\n"
@@ -90,7 +91,8 @@ hs_status hs_completion_write(FILE *stream, const char *shell, hs_error *err)
     const bool is_bash = strcmp(shell, "bash") == 0;
     if (!is_bash && strcmp(shell, "zsh") != 0)
         return hs_fail(err, HS_ERROR_INPUT, "help --completion: '%s' is not bash or zsh", shell);
-    fputs(is_bash ? "# bash completion for halfshell\n_halfshell() {\n" : "#compdef halfshell\n_halfshell() {\n", stream);
+    fputs(is_bash ? "# bash completion for halfshell\n_halfshell() {\n" : "#compdef halfshell\n_halfshell() {\n",
+          stream);
     HS_TRY(put_words(stream, err));
     fputs(is_bash ? bash_body : zsh_body, stream);
     fputs(is_bash ? "}\ncomplete -o filenames -F _halfshell halfshell\n" : "}\n_halfshell \"$@\"\n", stream);

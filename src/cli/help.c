@@ -99,9 +99,12 @@ static hs_status show_family(FILE *stream, const hs_catalog *family, hs_error *e
 
 static hs_status show_all(FILE *stream, hs_error *err)
 {
-    for (const hs_catalog *family = hs_catalogs; family->name != NULL; ++family) HS_TRY(show_family(stream, family, err));
-    fputs("halfshell help WORD explains one of them; halfshell help FAMILY lists one family (commands, pair, fix, compute,\n"
-          "region, dump, thermo, neighbor); halfshell help command-line and halfshell help exit-codes show the program's own.\n",
+    for (const hs_catalog *family = hs_catalogs; family->name != NULL; ++family)
+        HS_TRY(show_family(stream, family, err));
+    fputs("halfshell help WORD explains one of them; halfshell help FAMILY lists one family (commands, pair, fix, "
+          "compute,\n"
+          "region, dump, thermo, neighbor); halfshell help command-line and halfshell help exit-codes show the "
+          "program's own.\n",
           stream);
     return HS_OK;
 }
@@ -149,8 +152,7 @@ static hs_status show(const hs_cli *cli, hs_error *err)
     bool done;
     HS_TRY(show_generated(cli, &done, err));
     if (done) return HS_OK;
-    if (cli->n > 1)
-        return hs_fail(err, HS_ERROR_INPUT, "help: one word at a time; '%s' is one too many", cli->word[1]);
+    if (cli->n > 1) return hs_fail(err, HS_ERROR_INPUT, "help: one word at a time; '%s' is one too many", cli->word[1]);
     const char *word = cli->word[0];
     if (strcmp(word, "command-line") == 0) return show_command_line(stdout), HS_OK;
     if (strcmp(word, "exit-codes") == 0) return show_exit_codes(stdout), HS_OK;

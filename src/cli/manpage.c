@@ -89,20 +89,24 @@ static hs_status put_family(FILE *stream, const hs_catalog *family, hs_error *er
 
 hs_status hs_manpage_write(FILE *stream, hs_error *err)
 {
-    fprintf(stream, ".\\\" Made by script/manual from the descriptors in the sources: do not edit.\n"
-                    ".TH HALFSHELL 1 \"\" \"halfshell %s\" \"User Commands\"\n"
-                    ".SH NAME\nhalfshell \\- molecular dynamics of short\\-range particle systems from LAMMPS input decks\n",
+    fprintf(stream,
+            ".\\\" Made by script/manual from the descriptors in the sources: do not edit.\n"
+            ".TH HALFSHELL 1 \"\" \"halfshell %s\" \"User Commands\"\n"
+            ".SH NAME\nhalfshell \\- molecular dynamics of short\\-range particle systems from LAMMPS input decks\n",
             HALFSHELL_VERSION);
     put_synopsis(stream);
     fputs(".SH DESCRIPTION\n"
           "Halfshell reads a LAMMPS input deck, checks all of it, and runs it on OpenMP threads.\n"
           "The thermo table goes to the screen and, with the deck's commands, to the log file.\n"
-          ".PP\nThe values of \\-var end at the next option, so a deck named after them belongs before them or behind \\-in.\n"
+          ".PP\nThe values of \\-var end at the next option, so a deck named after them belongs before them or behind "
+          "\\-in.\n"
           "Without a deck, and with standard input not a terminal, the deck is read from there.\n"
-          ".SH COMMANDS AND OPTIONS\n", stream);
+          ".SH COMMANDS AND OPTIONS\n",
+          stream);
     put_subcommands(stream);
     fputs(".SH DECKS\nhalfshell help WORD explains one of these at length.\n", stream);
-    for (const hs_catalog *family = hs_catalogs; family->name != NULL; ++family) HS_TRY(put_family(stream, family, err));
+    for (const hs_catalog *family = hs_catalogs; family->name != NULL; ++family)
+        HS_TRY(put_family(stream, family, err));
     fputs(".SH EXIT STATUS\n", stream);
     for (const char *const *row = hs_exit_code_meanings; *row != NULL; row += 2) {
         fprintf(stream, ".TP\n%s\n", row[0]);
@@ -111,6 +115,7 @@ hs_status hs_manpage_write(FILE *stream, hs_error *err)
     }
     fputs(".SH ENVIRONMENT\n.TP\n\\fBOMP_NUM_THREADS\\fR\nThreads of each rank where \\-threads does not say.\n"
           ".TP\n\\fBHALFSHELL_ISA\\fR\nInstruction set of the kernels where \\-isa does not say.\n"
-          ".SH FILES\n.TP\n\\fIlog.halfshell\\fR\nThe log of a run, in the working directory.\n", stream);
+          ".SH FILES\n.TP\n\\fIlog.halfshell\\fR\nThe log of a run, in the working directory.\n",
+          stream);
     return HS_OK;
 }

@@ -8,7 +8,7 @@
 #include "cli/cli.h"
 
 #define PATH_SIZE 4096
-#define MADE_BY "<!-- Made by script/manual from the descriptors in the sources: do not edit. -->\n\n"
+#define MADE_BY   "<!-- Made by script/manual from the descriptors in the sources: do not edit. -->\n\n"
 
 static hs_status open_page(const char *directory, const char *name, FILE **page, hs_error *err)
 {
@@ -73,7 +73,8 @@ static void put_entry(FILE *page, const hs_catalog_entry *entry)
     if (entry->coeff != NULL) put_keywords(page, entry->coeff->keywords);
     if (about->example != NULL) {
         size_t n = strlen(about->example);
-        fprintf(page, "Example:\n\n```\n%s%s```\n\n", about->example, n > 0 && about->example[n - 1] == '\n' ? "" : "\n");
+        fprintf(page, "Example:\n\n```\n%s%s```\n\n", about->example,
+                n > 0 && about->example[n - 1] == '\n' ? "" : "\n");
     }
     if (about->reference != NULL) fprintf(page, "Source: %s\n\n", about->reference);
 }
@@ -130,13 +131,17 @@ static hs_status write_command_line(const char *directory, hs_error *err)
         }
         if (has_options) fputc('\n', page);
     }
-    fputs("`halfshell --help` prints this in short, `halfshell --version` the version.\n\n"
-          "The values of `-var` end at the next option, so a deck named after them belongs before them or behind `-in`.\n"
-          "Without a deck, and with standard input not a terminal, the deck is read from there: `halfshell < deck.in`.\n\n"
-          "The environment's `OMP_NUM_THREADS` and `HALFSHELL_ISA` stand in for `-threads` and `-isa` where those are not "
-          "given.\n\n"
-          "Errors go to standard error as `DECK:LINE: error: what, why, what would be right`; see "
-          "[exit codes](exit-codes.md).\n", page);
+    fputs(
+        "`halfshell --help` prints this in short, `halfshell --version` the version.\n\n"
+        "The values of `-var` end at the next option, so a deck named after them belongs before them or behind `-in`.\n"
+        "Without a deck, and with standard input not a terminal, the deck is read from there: `halfshell < "
+        "deck.in`.\n\n"
+        "The environment's `OMP_NUM_THREADS` and `HALFSHELL_ISA` stand in for `-threads` and `-isa` where those are "
+        "not "
+        "given.\n\n"
+        "Errors go to standard error as `DECK:LINE: error: what, why, what would be right`; see "
+        "[exit codes](exit-codes.md).\n",
+        page);
     return close_page(page, err);
 }
 
@@ -156,7 +161,8 @@ static hs_status write_index(const char *directory, hs_error *err)
     FILE *page;
     HS_TRY(open_page(directory, "README", &page, err));
     fputs("# Reference manual\n\n"
-          "What decks may contain. The same text is in the program: `halfshell help`, `halfshell help lj/cut`.\n\n", page);
+          "What decks may contain. The same text is in the program: `halfshell help`, `halfshell help lj/cut`.\n\n",
+          page);
     for (const hs_catalog *family = hs_catalogs; family->name != NULL; ++family)
         fprintf(page, "- [%s](%s.md)\n", family->title, family->name);
     fputs("- [Command line](command-line.md)\n- [Exit codes](exit-codes.md)\n", page);

@@ -7,8 +7,8 @@ enum { RUN = HS_CLI_RUN, CHECK = HS_CLI_CHECK, BENCH = HS_CLI_BENCH };
 
 const hs_cli_command hs_cli_commands[] = {
     {"run", "[options] DECK", HS_CLI_RUN, "run a deck; the word `run` may be left out"},
-    {"check", "[options] DECK",
-     HS_CLI_CHECK, "read and validate a deck, run no step, write no file, print what it would do"},
+    {"check", "[options] DECK", HS_CLI_CHECK,
+     "read and validate a deck, run no step, write no file, print what it would do"},
     {"bench", "[options]", HS_CLI_BENCH, "measure the speed of this machine on a Lennard-Jones liquid"},
     {"help", "[WORD]", HS_CLI_HELP, "list what decks may contain; with a word, explain that command, style or keyword"},
     {NULL, NULL, 0, NULL},
@@ -22,8 +22,10 @@ const hs_cli_option hs_cli_options[] = {
     {"-echo", "-e", "none|screen|log|both", RUN, "where commands are echoed as they are read (default: log)"},
     {"-threads", "-t", "N", RUN | CHECK, "OpenMP threads of each rank (default: OMP_NUM_THREADS, else 1)"},
     {"-neigh", NULL, "METHOD", RUN | CHECK, "neighbor method; wins over the deck's neighbor_method"},
-    {"-precision", NULL, "double|mixed", RUN | CHECK | BENCH, "precision of the pair forces; wins over the deck's `precision`"},
-    {"-isa", NULL, "NAME", RUN | CHECK | BENCH, "instruction set of the kernels (default: auto, the widest of this machine)"},
+    {"-precision", NULL, "double|mixed", RUN | CHECK | BENCH,
+     "precision of the pair forces; wins over the deck's `precision`"},
+    {"-isa", NULL, "NAME", RUN | CHECK | BENCH,
+     "instruction set of the kernels (default: auto, the widest of this machine)"},
     {"-suffix", "-sf", "STYLE", RUN | CHECK, "accepted for LAMMPS's sake; has no effect"},
     {"-package", "-pk", "WORD...", RUN | CHECK, "accepted for LAMMPS's sake; has no effect"},
     {"-size", NULL, "N", BENCH, "cells of four atoms along each edge of the box (default: 20, which is 32,000 atoms)"},
@@ -44,10 +46,9 @@ hs_status hs_cli_find_option(const char *word, unsigned command, const hs_cli_op
             return HS_OK;
         if (n < sizeof names / sizeof names[0]) names[n++] = (*option)->name;
     }
-    const char *plain = word + (strncmp(word, "--", 2) == 0);   /* --threads is as near as it gets to -threads */
+    const char *plain = word + (strncmp(word, "--", 2) == 0); /* --threads is as near as it gets to -threads */
     const char *nearest = hs_text_nearest(plain, names, n);
-    if (nearest != NULL)
-        return hs_fail(err, HS_ERROR_INPUT, "unknown option '%s'; did you mean '%s'?", word, nearest);
+    if (nearest != NULL) return hs_fail(err, HS_ERROR_INPUT, "unknown option '%s'; did you mean '%s'?", word, nearest);
     return hs_fail(err, HS_ERROR_INPUT, "unknown option '%s'; see: halfshell --help", word);
 }
 
@@ -135,7 +136,7 @@ static hs_status parse_option(const hs_cli *cli, const hs_cli_option *option, in
                               hs_cli_settings *settings, hs_error *err)
 {
     const char *value = cli->word[first];
-    int end = hs_cli_values_end(cli, first + 1);   /* a first value may begin with a minus sign */
+    int end = hs_cli_values_end(cli, first + 1); /* a first value may begin with a minus sign */
     *used = 1;
     if (strcmp(option->name, "-in") == 0) return set_deck(value, settings, err);
     if (strcmp(option->name, "-log") == 0) return settings->log = value, HS_OK;
@@ -154,7 +155,8 @@ static hs_status parse_option(const hs_cli *cli, const hs_cli_option *option, in
         return HS_OK;
     }
     int i = 0;
-    while (i + 1 < HS_CLI_NO_EFFECT_MAX && settings->no_effect[i] != NULL && settings->no_effect[i] != option->name) ++i;
+    while (i + 1 < HS_CLI_NO_EFFECT_MAX && settings->no_effect[i] != NULL && settings->no_effect[i] != option->name)
+        ++i;
     settings->no_effect[i] = option->name;
     if (strcmp(option->name, "-package") == 0) *used = end - first;
     return HS_OK;
@@ -171,14 +173,14 @@ hs_status hs_cli_parse(const hs_cli *cli, unsigned command, hs_cli_settings *set
         }
         const hs_cli_option *option;
         HS_TRY(hs_cli_find_option(word, command, &option, err));
-        if (i + 1 >= cli->n)
-            return hs_fail(err, HS_ERROR_INPUT, "%s needs %s after it", word, option->values);
+        if (i + 1 >= cli->n) return hs_fail(err, HS_ERROR_INPUT, "%s needs %s after it", word, option->values);
         int used;
         HS_TRY(parse_option(cli, option, i + 1, &used, settings, err));
         i += used;
     }
     if (settings->deck == NULL && settings->last_value != NULL)
-        return hs_fail(err, HS_ERROR_INPUT, "no deck: '%s' was taken as a value of '-var %s'; name the deck first, or with -in",
+        return hs_fail(err, HS_ERROR_INPUT,
+                       "no deck: '%s' was taken as a value of '-var %s'; name the deck first, or with -in",
                        settings->last_value, settings->last_variable);
     return HS_OK;
 }

@@ -16,7 +16,8 @@ static hs_status open_output(const hs_cli *cli, const char *option, const char *
     if (strcmp(name, "none") == 0) return HS_OK;
     if (cli->parallel->rank == 0) {
         *stream = fopen(name, "w");
-        if (*stream == NULL) (void)hs_fail(err, HS_ERROR_IO, "%s: cannot write '%s': %s", option, name, strerror(errno));
+        if (*stream == NULL)
+            (void)hs_fail(err, HS_ERROR_IO, "%s: cannot write '%s': %s", option, name, strerror(errno));
     }
     return hs_parallel_agree(cli->parallel, err);
 }
@@ -54,13 +55,14 @@ static hs_status prepare(const hs_cli *cli, const hs_cli_settings *settings, hs_
     HS_TRY(hs_cli_set_variables(cli, HS_CLI_RUN, deck, err));
     HS_TRY(hs_deck_check(deck, settings->deck, err));
     HS_TRY(open_output(cli, "-log", settings->log != NULL ? settings->log : "log.halfshell", &deck->log_opened, err));
-    deck->out->log = deck->log_opened;   /* the deck closes it, and the deck's own `log` may replace it */
+    deck->out->log = deck->log_opened; /* the deck closes it, and the deck's own `log` may replace it */
     greet(cli, settings, deck->out);
     return HS_OK;
 }
 
 /** Run the deck. On return *exit_code is the deck's own (quit N). */
-static hs_status run_deck(const hs_cli *cli, const hs_cli_settings *settings, hs_sink *out, int *exit_code, hs_error *err)
+static hs_status run_deck(const hs_cli *cli, const hs_cli_settings *settings, hs_sink *out, int *exit_code,
+                          hs_error *err)
 {
     const double start_s = hs_time_now_s();
     hs_deck *deck = NULL;
@@ -85,7 +87,8 @@ hs_status hs_cli_run(const hs_cli *cli, int *exit_code, hs_error *err)
     HS_TRY(hs_cli_parse(cli, HS_CLI_RUN, &settings, err));
     if (settings.deck == NULL) {
         if (isatty(STDIN_FILENO))
-            return hs_fail(err, HS_ERROR_INPUT, "no deck given; usage: halfshell DECK [options], see: halfshell --help");
+            return hs_fail(err, HS_ERROR_INPUT,
+                           "no deck given; usage: halfshell DECK [options], see: halfshell --help");
         settings.deck = "-";
     }
     FILE *file = NULL;

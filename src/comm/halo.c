@@ -16,7 +16,7 @@ typedef struct shift_range {
 typedef struct image_space {
     int max_shift[3];
     double lo[3], hi[3], length[3];
-    double inner_lo[3];   /**< atoms from here on need no image at a positive shift along this axis */
+    double inner_lo[3]; /**< atoms from here on need no image at a positive shift along this axis */
     double reach;
     int middle, n_directions;
 } image_space;
@@ -32,8 +32,10 @@ static hs_status image_space_init(image_space *space, const hs_box *box, double 
         space->length[axis] = hs_box_length(box, axis);
         const double layers = has_images ? ceil(reach / space->length[axis]) : 0.0;
         if (layers > 100.0)
-            return hs_fail(err, HS_ERROR_RUN, "the box is %g long in %c, less than a hundredth of the reach %g of the "
-                           "forces: make the box larger or the cutoff shorter", space->length[axis], "xyz"[axis], reach);
+            return hs_fail(err, HS_ERROR_RUN,
+                           "the box is %g long in %c, less than a hundredth of the reach %g of the "
+                           "forces: make the box larger or the cutoff shorter",
+                           space->length[axis], "xyz"[axis], reach);
         space->max_shift[axis] = (int)layers;
         space->inner_lo[axis] = has_images ? space->lo[axis] + reach : -INFINITY;
         n *= 2 * space->max_shift[axis] + 1;
@@ -55,9 +57,11 @@ static shift_range shifts_of(const image_space *space, const double x[3])
     for (int axis = 0; axis < 3; ++axis) {
         range.lo[axis] = range.hi[axis] = 0;
         const double length = space->length[axis];
-        while (range.hi[axis] < space->max_shift[axis] && x[axis] + (range.hi[axis] + 1) * length < space->hi[axis] + space->reach)
+        while (range.hi[axis] < space->max_shift[axis] &&
+               x[axis] + (range.hi[axis] + 1) * length < space->hi[axis] + space->reach)
             ++range.hi[axis];
-        while (-range.lo[axis] < space->max_shift[axis] && x[axis] + (range.lo[axis] - 1) * length >= space->lo[axis] - space->reach)
+        while (-range.lo[axis] < space->max_shift[axis] &&
+               x[axis] + (range.lo[axis] - 1) * length >= space->lo[axis] - space->reach)
             --range.lo[axis];
     }
     return range;
@@ -65,7 +69,8 @@ static shift_range shifts_of(const image_space *space, const double x[3])
 
 /** Count (source == NULL) or write the images of local atoms [begin, end): next[d] is the place of the next image of
  *  direction d, or the count so far. */
-static void list_images(const image_space *space, const hs_atoms *atoms, int64_t begin, int64_t end, int *next, int32_t *source)
+static void list_images(const image_space *space, const hs_atoms *atoms, int64_t begin, int64_t end, int *next,
+                        int32_t *source)
 {
     const int *m = space->max_shift;
     for (int64_t i = begin; i < end; ++i) {
@@ -102,7 +107,8 @@ static hs_status reserve(hs_halo *halo, int64_t n, hs_error *err)
 {
     if (n <= halo->capacity) return HS_OK;
     const int64_t limit = INT32_C(1) << 30;
-    if (n > limit) return hs_fail(err, HS_ERROR_RUN, "%lld periodic images are more than a rank can hold", (long long)n);
+    if (n > limit)
+        return hs_fail(err, HS_ERROR_RUN, "%lld periodic images are more than a rank can hold", (long long)n);
     const size_t capacity = (size_t)(n + n / 8 + 64);
     HS_TRY(HS_GROW(halo->source, 0, capacity, err));
     HS_TRY(HS_GROW(halo->slot, 0, capacity, err));

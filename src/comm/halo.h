@@ -12,18 +12,18 @@
 
 /** One direction: where its atoms stand in the lists, and the shift to add to their positions. */
 typedef struct hs_halo_direction {
-    int begin, end;     /**< range of source[] and slot[] */
-    double shift[3];    /**< distance */
+    int begin, end;  /**< range of source[] and slot[] */
+    double shift[3]; /**< distance */
 } hs_halo_direction;
 
 typedef struct hs_halo {
-    int n;                          /**< halo atoms */
+    int n; /**< halo atoms */
     int n_directions;
-    hs_halo_direction *direction;   /**< owned [n_directions], in lexicographic order of shifts */
-    int32_t *source;                /**< owned [n]: local index of the atom copied */
-    int32_t *slot;                  /**< owned [n]: halo atom k stands at index n_local + slot[k] */
+    hs_halo_direction *direction; /**< owned [n_directions], in lexicographic order of shifts */
+    int32_t *source;              /**< owned [n]: local index of the atom copied */
+    int32_t *slot;                /**< owned [n]: halo atom k stands at index n_local + slot[k] */
     int capacity, capacity_directions;
-    uint64_t generation;            /**< of the atoms this halo belongs to */
+    uint64_t generation; /**< of the atoms this halo belongs to */
 } hs_halo;
 
 /** Choose the halo of the local atoms (which must lie in the box along periodic axes), sized to reach, and fill positions

@@ -29,7 +29,7 @@ static hs_status add_field(hs_atoms *atoms, const char *name, void **array, size
 hs_status hs_atoms_init(hs_atoms *atoms, hs_error *err)
 {
     static const char *const x_name[3] = {"x", "y", "z"}, *const v_name[3] = {"vx", "vy", "vz"},
-                      *const f_name[3] = {"fx", "fy", "fz"}, *const image_name[3] = {"ix", "iy", "iz"};
+                             *const f_name[3] = {"fx", "fy", "fz"}, *const image_name[3] = {"ix", "iy", "iz"};
     memset(atoms, 0, sizeof *atoms);
     atoms->generation = 1;
     for (int axis = 0; axis < 3; ++axis) {
@@ -129,7 +129,8 @@ static void gather(void *to, const void *from, const int32_t *order, int64_t beg
         const uint32_t *restrict in = from;
         for (int64_t k = begin; k < end; ++k) out[k] = in[order[k]];
     } else {
-        for (int64_t k = begin; k < end; ++k) memcpy((char *)to + size * (size_t)k, (const char *)from + size * (size_t)order[k], size);
+        for (int64_t k = begin; k < end; ++k)
+            memcpy((char *)to + size * (size_t)k, (const char *)from + size * (size_t)order[k], size);
     }
 }
 
@@ -191,7 +192,8 @@ static hs_status permute_wide(hs_atoms *atoms, const hs_atom_field *field, const
 hs_status hs_atoms_permute(hs_atoms *atoms, const int32_t *order, hs_error *err)
 {
     for (int k = 0; k < atoms->n_fields; ++k)
-        if (atoms->field[k].size != 4 && atoms->field[k].size != 8) HS_TRY(permute_wide(atoms, &atoms->field[k], order, err));
+        if (atoms->field[k].size != 4 && atoms->field[k].size != 8)
+            HS_TRY(permute_wide(atoms, &atoms->field[k], order, err));
 #pragma omp parallel
     {
         int64_t begin, end;

@@ -16,32 +16,32 @@ enum { HS_ATOMS_PAD = 16 };
 
 /** An array that belongs to atoms and travels with them: sorted, migrated, grown with them. */
 typedef struct hs_atom_field {
-    const char *name;    /**< borrowed: a literal, or owned by the style that added the field */
-    void **array;        /**< where the owner keeps the pointer; hs_atoms updates it when the array moves */
-    size_t size;         /**< bytes per atom */
-    bool has_halo;       /**< also has room for halo atoms */
-    bool is_force;       /**< recomputed every step: not carried along by the sort */
+    const char *name; /**< borrowed: a literal, or owned by the style that added the field */
+    void **array;     /**< where the owner keeps the pointer; hs_atoms updates it when the array moves */
+    size_t size;      /**< bytes per atom */
+    bool has_halo;    /**< also has room for halo atoms */
+    bool is_force;    /**< recomputed every step: not carried along by the sort */
 } hs_atom_field;
 
 typedef struct hs_atoms {
-    int64_t n_all;            /**< atoms on all ranks */
-    int n_local;              /**< atoms owned by this rank: indices [0, n_local) */
-    int n_halo;               /**< copies of others' atoms and periodic images: [n_local, n_local + n_halo) */
+    int64_t n_all; /**< atoms on all ranks */
+    int n_local;   /**< atoms owned by this rank: indices [0, n_local) */
+    int n_halo;    /**< copies of others' atoms and periodic images: [n_local, n_local + n_halo) */
     int n_types;
-    double *mass;             /**< [n_types + 1], by type from 1; 0 = not set; mass units */
-    double *x[3];             /**< positions, distance; local and halo */
-    double *v[3];             /**< velocities, distance/time; local */
-    double *f[3];             /**< forces, energy/distance; local and halo */
-    int64_t *id;              /**< 1 .. ; unique over ranks; local */
-    int32_t *type;            /**< 1 .. n_types; local and halo */
-    uint32_t *mask;           /**< group bits; local */
-    int32_t *image[3];        /**< box lengths to add for the unwrapped position; local */
+    double *mass;      /**< [n_types + 1], by type from 1; 0 = not set; mass units */
+    double *x[3];      /**< positions, distance; local and halo */
+    double *v[3];      /**< velocities, distance/time; local */
+    double *f[3];      /**< forces, energy/distance; local and halo */
+    int64_t *id;       /**< 1 .. ; unique over ranks; local */
+    int32_t *type;     /**< 1 .. n_types; local and halo */
+    uint32_t *mask;    /**< group bits; local */
+    int32_t *image[3]; /**< box lengths to add for the unwrapped position; local */
     uint64_t generation;
 
     /* owned by hs_atoms.c */
     hs_atom_field *field;
     int n_fields, capacity_fields;
-    int capacity_local, capacity_halo;   /**< room for atoms, without padding */
+    int capacity_local, capacity_halo; /**< room for atoms, without padding */
 } hs_atoms;
 
 HS_MUST_USE hs_status hs_atoms_init(hs_atoms *atoms, hs_error *err);

@@ -8,19 +8,19 @@
 
 typedef enum {
     HS_BOUNDARY_PERIODIC = 'p',
-    HS_BOUNDARY_FIXED = 'f',       /**< atoms that leave are lost */
-    HS_BOUNDARY_SHRINK = 's',      /**< the face follows the outermost atom, at each rebuild */
-    HS_BOUNDARY_SHRINK_MIN = 'm'   /**< the same, but never inside its starting place */
+    HS_BOUNDARY_FIXED = 'f',     /**< atoms that leave are lost */
+    HS_BOUNDARY_SHRINK = 's',    /**< the face follows the outermost atom, at each rebuild */
+    HS_BOUNDARY_SHRINK_MIN = 'm' /**< the same, but never inside its starting place */
 } hs_boundary;
 
 typedef struct hs_box {
-    int dimension;               /**< 2 or 3; in 2D z is periodic and atoms stay at z = 0 unless a fix moves them */
-    bool exists;                 /**< create_box or read_data has been */
-    double lo[3], hi[3];         /**< distance units */
-    hs_boundary boundary[3][2];  /**< [axis][lo, hi] */
+    int dimension;              /**< 2 or 3; in 2D z is periodic and atoms stay at z = 0 unless a fix moves them */
+    bool exists;                /**< create_box or read_data has been */
+    double lo[3], hi[3];        /**< distance units */
+    hs_boundary boundary[3][2]; /**< [axis][lo, hi] */
     bool periodic[3];
-    double shrink_margin[3];     /**< gap between a shrink-wrapped face and its outermost atom; from the first box */
-    double shrink_limit[3][2];   /**< for 'm' faces: the place they may not move inside of */
+    double shrink_margin[3];   /**< gap between a shrink-wrapped face and its outermost atom; from the first box */
+    double shrink_limit[3][2]; /**< for 'm' faces: the place they may not move inside of */
 } hs_box;
 
 /** 3D, periodic, nothing created. */

@@ -10,7 +10,7 @@
 enum { HS_GROUPS_MAX = 32 };
 
 typedef struct hs_groups {
-    char *name[HS_GROUPS_MAX];   /**< owned; NULL for a free bit */
+    char *name[HS_GROUPS_MAX]; /**< owned; NULL for a free bit */
 } hs_groups;
 
 HS_MUST_USE hs_status hs_groups_init(hs_groups *groups, hs_error *err);

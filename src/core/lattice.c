@@ -6,13 +6,13 @@
 
 #include "base/memory.h"
 
-const char *const hs_lattice_styles[] = {"none", "sc",  "bcc", "fcc", "hcp",    "diamond",
+const char *const hs_lattice_styles[] = {"none", "sc",  "bcc", "fcc",    "hcp", "diamond",
                                          "sq",   "sq2", "hex", "custom", NULL};
 
 /** What a style's name stands for. Basis atoms are in the order in which LAMMPS numbers its atoms. */
 typedef struct style_data {
     const char *name;
-    int dimension;    /**< 0: both */
+    int dimension; /**< 0: both */
     int n_basis;
     double basis[8][3];
 } style_data;
@@ -24,9 +24,17 @@ static const style_data styles[] = {
     {"bcc", 3, 2, {{0.0, 0.0, 0.0}, {0.5, 0.5, 0.5}}},
     {"fcc", 3, 4, {{0.0, 0.0, 0.0}, {0.5, 0.5, 0.0}, {0.5, 0.0, 0.5}, {0.0, 0.5, 0.5}}},
     {"hcp", 3, 4, {{0.0, 0.0, 0.0}, {0.5, 0.5, 0.0}, {0.5, 5.0 / 6.0, 0.5}, {0.0, 1.0 / 3.0, 0.5}}},
-    {"diamond", 3, 8,
-     {{0.0, 0.0, 0.0}, {0.0, 0.5, 0.5}, {0.5, 0.0, 0.5}, {0.5, 0.5, 0.0},
-      {0.25, 0.25, 0.25}, {0.25, 0.75, 0.75}, {0.75, 0.25, 0.75}, {0.75, 0.75, 0.25}}},
+    {"diamond",
+     3,
+     8,
+     {{0.0, 0.0, 0.0},
+      {0.0, 0.5, 0.5},
+      {0.5, 0.0, 0.5},
+      {0.5, 0.5, 0.0},
+      {0.25, 0.25, 0.25},
+      {0.25, 0.75, 0.75},
+      {0.75, 0.25, 0.75},
+      {0.75, 0.75, 0.25}}},
     {"sq", 2, 1, {{0.0, 0.0, 0.0}}},
     {"sq2", 2, 2, {{0.0, 0.0, 0.0}, {0.5, 0.5, 0.0}}},
     {"hex", 2, 2, {{0.0, 0.0, 0.0}, {0.5, 0.5, 0.0}}},
@@ -99,8 +107,10 @@ static hs_status check_orient(const hs_lattice *lattice, hs_error *err)
         if (o[p][0] == 0 && o[p][1] == 0 && o[p][2] == 0)
             return hs_fail(err, HS_ERROR_INPUT, "lattice: the orientation of %c is 0 0 0", "xyz"[p]);
         if ((int64_t)o[p][0] * o[q][0] + (int64_t)o[p][1] * o[q][1] + (int64_t)o[p][2] * o[q][2] != 0)
-            return hs_fail(err, HS_ERROR_INPUT, "lattice: the orientations of %c (%d %d %d) and %c (%d %d %d) are not "
-                           "orthogonal", "xyz"[p], o[p][0], o[p][1], o[p][2], "xyz"[q], o[q][0], o[q][1], o[q][2]);
+            return hs_fail(err, HS_ERROR_INPUT,
+                           "lattice: the orientations of %c (%d %d %d) and %c (%d %d %d) are not "
+                           "orthogonal",
+                           "xyz"[p], o[p][0], o[p][1], o[p][2], "xyz"[q], o[q][0], o[q][1], o[q][2]);
     }
     const int64_t handed = ((int64_t)o[0][1] * o[1][2] - (int64_t)o[0][2] * o[1][1]) * o[2][0] +
                            ((int64_t)o[0][2] * o[1][0] - (int64_t)o[0][0] * o[1][2]) * o[2][1] +
@@ -116,7 +126,8 @@ static hs_status check_2d(const hs_lattice *lattice, hs_error *err)
         return hs_fail(err, HS_ERROR_INPUT, "lattice: the origin's z must be 0 in two dimensions");
     const int(*orient)[3] = lattice->orient;
     if (orient[0][2] != 0 || orient[1][2] != 0 || orient[2][0] != 0 || orient[2][1] != 0)
-        return hs_fail(err, HS_ERROR_INPUT, "lattice: in two dimensions x and y must be oriented within the plane, z "
+        return hs_fail(err, HS_ERROR_INPUT,
+                       "lattice: in two dimensions x and y must be oriented within the plane, z "
                        "along z");
     if (lattice->a[0][2] != 0.0 || lattice->a[1][2] != 0.0 || lattice->a[2][0] != 0.0 || lattice->a[2][1] != 0.0)
         return hs_fail(err, HS_ERROR_INPUT, "lattice: in two dimensions a1 and a2 must lie in the plane, a3 along z");
@@ -161,14 +172,15 @@ static hs_status check_cell(const hs_lattice *lattice, const hs_lattice_size *si
     for (int axis = 0; axis < 3; ++axis)
         if (!(lattice->origin[axis] >= 0.0 && lattice->origin[axis] < 1.0))
             return hs_fail(err, HS_ERROR_INPUT, "lattice: the origin's %c, %g, must be from 0 to less than 1",
-                           "xyz"[axis],
-                           lattice->origin[axis]);
+                           "xyz"[axis], lattice -> origin[axis]);
     HS_TRY(check_orient(lattice, err));
     if (size->dimension == 2) HS_TRY(check_2d(lattice, err));
     const double volume = cell_volume(lattice);
     if (!(volume > 0.0) || !isfinite(volume))
-        return hs_fail(err, HS_ERROR_INPUT, "lattice: a1, a2, a3 span the volume %g; it must be greater than 0 (a "
-                       "right-handed set, not in one plane)", volume);
+        return hs_fail(err, HS_ERROR_INPUT,
+                       "lattice: a1, a2, a3 span the volume %g; it must be greater than 0 (a "
+                       "right-handed set, not in one plane)",
+                       volume);
     return HS_OK;
 }
 
@@ -176,8 +188,7 @@ hs_status hs_lattice_finish(hs_lattice *lattice, const hs_lattice_size *size, hs
 {
     if (!(size->value > 0.0))
         return hs_fail(err, HS_ERROR_INPUT, "lattice: the %s %g must be greater than 0",
-                       size->is_density ? "density" : "scale",
-                       size->value);
+                       size->is_density ? "density" : "scale", size->value);
     if (!lattice->is_set) {
         lattice->scale = size->value;
         for (int axis = 0; axis < 3; ++axis) lattice->spacing[axis] = size->value;
@@ -198,9 +209,10 @@ hs_status hs_lattice_finish(hs_lattice *lattice, const hs_lattice_size *size, hs
         set_spacing(lattice);
     for (int axis = 0; axis < 3; ++axis)
         if (!isfinite(lattice->spacing[axis]) || !(lattice->spacing[axis] > 0.0))
-            return hs_fail(err, HS_ERROR_INPUT, "lattice: the spacing along %c would be %g; the scale or density is "
+            return hs_fail(err, HS_ERROR_INPUT,
+                           "lattice: the spacing along %c would be %g; the scale or density is "
                            "out of range",
-                           "xyz"[axis], lattice->spacing[axis]);
+                           "xyz"[axis], lattice -> spacing[axis]);
     return HS_OK;
 }
 
@@ -224,13 +236,13 @@ static void to_lattice(const hs_lattice *lattice, const double x[3], double u[3]
     for (int q = 0; q < 3; ++q) {
         const double *v = lattice->a[(q + 1) % 3], *w = lattice->a[(q + 2) % 3];
         u[q] = (p[0] * (v[1] * w[2] - v[2] * w[1]) + p[1] * (v[2] * w[0] - v[0] * w[2]) +
-                p[2] * (v[0] * w[1] - v[1] * w[0])) / volume;
+                p[2] * (v[0] * w[1] - v[1] * w[0])) /
+               volume;
     }
 }
 
 hs_status hs_lattice_range(const hs_lattice *lattice, const double box_lo[3], const double box_hi[3], int lo[3],
-                           int hi[3],
-                           hs_error *err)
+                           int hi[3], hs_error *err)
 {
     double least[3] = {DBL_MAX, DBL_MAX, DBL_MAX}, most[3] = {-DBL_MAX, -DBL_MAX, -DBL_MAX};
     for (int corner = 0; corner < 8; ++corner) {
@@ -245,8 +257,10 @@ hs_status hs_lattice_range(const hs_lattice *lattice, const double box_lo[3], co
     for (int axis = 0; axis < 3; ++axis) {
         const double limit = 1.0e9;
         if (!(least[axis] > -limit && most[axis] < limit))
-            return hs_fail(err, HS_ERROR_INPUT, "the box spans more than %g cells of the lattice; is it in the right "
-                           "units?", limit);
+            return hs_fail(err, HS_ERROR_INPUT,
+                           "the box spans more than %g cells of the lattice; is it in the right "
+                           "units?",
+                           limit);
         /* basis atoms lie up to one cell above their cell's corner; one more for rounding */
         lo[axis] = (int)floor(least[axis]) - 2;
         hi[axis] = (int)ceil(most[axis]) + 1;

@@ -8,23 +8,23 @@
 
 /** A lattice: basis atoms in a primitive cell, scaled, rotated and shifted. */
 typedef struct hs_lattice {
-    bool is_set;            /**< false for style none: there are no sites, spacing is the scale */
-    double scale;           /**< length of one lattice unit, distance */
-    double a[3][3];         /**< primitive vectors a1, a2, a3, lattice units */
-    double (*basis)[3];     /**< [n_basis], fractions of a1, a2, a3; owned */
+    bool is_set;        /**< false for style none: there are no sites, spacing is the scale */
+    double scale;       /**< length of one lattice unit, distance */
+    double a[3][3];     /**< primitive vectors a1, a2, a3, lattice units */
+    double (*basis)[3]; /**< [n_basis], fractions of a1, a2, a3; owned */
     int n_basis;
-    double origin[3];       /**< fractions of the spacing, 0 <= o < 1 */
-    int orient[3][3];       /**< orthogonal integer vectors that become x, y, z */
-    double rotation[3][3];  /**< rows: unit vectors of orient */
-    double spacing[3];      /**< extent of the rotated cell in x, y, z, distance: the unit of `units lattice` */
+    double origin[3];      /**< fractions of the spacing, 0 <= o < 1 */
+    int orient[3][3];      /**< orthogonal integer vectors that become x, y, z */
+    double rotation[3][3]; /**< rows: unit vectors of orient */
+    double spacing[3];     /**< extent of the rotated cell in x, y, z, distance: the unit of `units lattice` */
 } hs_lattice;
 
 /** How the command `lattice` fixes the size: its number, and the run it is for. */
 typedef struct hs_lattice_size {
-    double value;            /**< > 0: reduced density, or the length of one lattice unit */
-    bool is_density;         /**< units lj: value is N sigma^dim / V */
-    int dimension;           /**< 2 or 3 */
-    const double *spacing;   /**< [3] from the keyword `spacing`, lattice units; NULL: the rotated cell's extent */
+    double value;          /**< > 0: reduced density, or the length of one lattice unit */
+    bool is_density;       /**< units lj: value is N sigma^dim / V */
+    int dimension;         /**< 2 or 3 */
+    const double *spacing; /**< [3] from the keyword `spacing`, lattice units; NULL: the rotated cell's extent */
 } hs_lattice_size;
 
 /** Names of the styles, ended by NULL: none, sc, bcc, ..., custom. */

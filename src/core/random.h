@@ -6,8 +6,8 @@
 #include <stdbool.h>
 
 typedef struct hs_park {
-    int seed;          /**< 1 .. 2^31 - 2 */
-    bool have_second;  /**< the polar method's second number waits */
+    int seed;         /**< 1 .. 2^31 - 2 */
+    bool have_second; /**< the polar method's second number waits */
     double second;
 } hs_park;
 

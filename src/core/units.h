@@ -5,15 +5,16 @@
 /** Constants of one unit system; forces, energies, masses and velocities are used in the deck's own units. */
 typedef struct hs_units {
     const char *name;
-    double boltz;     /**< Boltzmann constant, energy/temperature */
-    double mvv2e;     /**< mass velocity^2 -> energy */
-    double ftm2v;     /**< force time / mass -> velocity */
-    double nktv2p;    /**< energy/volume -> pressure */
-    double dt;        /**< default timestep, time */
-    double skin;      /**< default skin, distance */
-    const char *time; /**< name of the time unit, as in the log's Performance line: "tau", "fs", "ps" */
-    int energy_per_atom;     /**< thermo prints energies per atom by default (lj) */
-    const char *distance_label, *energy_label, *pressure_label, *temperature_label, *time_label; /**< for plots; "" in lj */
+    double boltz;        /**< Boltzmann constant, energy/temperature */
+    double mvv2e;        /**< mass velocity^2 -> energy */
+    double ftm2v;        /**< force time / mass -> velocity */
+    double nktv2p;       /**< energy/volume -> pressure */
+    double dt;           /**< default timestep, time */
+    double skin;         /**< default skin, distance */
+    const char *time;    /**< name of the time unit, as in the log's Performance line: "tau", "fs", "ps" */
+    int energy_per_atom; /**< thermo prints energies per atom by default (lj) */
+    const char *distance_label, *energy_label, *pressure_label, *temperature_label,
+        *time_label; /**< for plots; "" in lj */
 } hs_units;
 
 /** The system of that name, or NULL. */

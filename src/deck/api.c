@@ -33,8 +33,10 @@ static hs_status create(hs_simulation *simulation, const hs_simulation_options *
     hs_simulation_options settings = HS_SIMULATION_OPTIONS_INIT;
     if (given != NULL) {
         if (given->size == 0 || given->size > sizeof settings)
-            return hs_fail(err, HS_ERROR_INPUT, "hs_simulation_options: size is %zu, this library knows up to %zu; set it "
-                           "with HS_SIMULATION_OPTIONS_INIT", given->size, sizeof settings);
+            return hs_fail(err, HS_ERROR_INPUT,
+                           "hs_simulation_options: size is %zu, this library knows up to %zu; set it "
+                           "with HS_SIMULATION_OPTIONS_INIT",
+                           given->size, sizeof settings);
         memcpy(&settings, given, given->size);
     }
     hs_options options = {.n_threads = settings.n_threads};

@@ -7,12 +7,12 @@
 #include "base/memory.h"
 #include "deck/api_internal.h"
 
-enum { SUM_MAX = 1 << 24 };   /* values summed at a time: the count of one sum is an int */
+enum { SUM_MAX = 1 << 24 }; /* values summed at a time: the count of one sum is an int */
 
 /** Which row each local atom has in the caller's array. */
 typedef struct row_map {
-    int64_t n;       /**< of all ranks */
-    int64_t *row;    /**< [n_local]; owned */
+    int64_t n;    /**< of all ranks */
+    int64_t *row; /**< [n_local]; owned */
 } row_map;
 
 static int compare_ids(const void *a, const void *b)
@@ -75,8 +75,10 @@ static hs_status make_rows(hs_simulation *simulation, hs_order order, int64_t n,
     if (order != HS_ORDER_ID && order != HS_ORDER_LOCAL)
         return hs_fail(err, HS_ERROR_INPUT, "order is %d; HS_ORDER_ID and HS_ORDER_LOCAL are the orders", (int)order);
     if (n != atoms->n_all)
-        return hs_fail(err, HS_ERROR_INPUT, "the array has room for %lld atoms, the simulation has %lld; see "
-                       "hs_simulation_n_atoms", (long long)n, (long long)atoms->n_all);
+        return hs_fail(err, HS_ERROR_INPUT,
+                       "the array has room for %lld atoms, the simulation has %lld; see "
+                       "hs_simulation_n_atoms",
+                       (long long)n, (long long)atoms->n_all);
     HS_TRY(HS_ALLOC(rows->row, (size_t)atoms->n_local, err));
     int64_t offset, max_id = hs_atoms_max_id(atoms);
     hs_status status = rank_offset(sim, &offset, err);
@@ -97,8 +99,9 @@ static void read_vector(const hs_sim *sim, vector_kind kind, int i, double out[3
     int32_t image[3] = {atoms->image[0][i], atoms->image[1][i], atoms->image[2][i]};
     double *const *from = kind == GET_VELOCITY ? atoms->v : kind == GET_FORCE ? atoms->f : atoms->x;
     for (int axis = 0; axis < 3; ++axis) out[axis] = from[axis][i];
-    if (kind == GET_POSITION) hs_box_wrap(&sim->box, out, image);   /* atoms may drift out until the next sort */
-    for (int axis = 0; kind == GET_UNWRAPPED && axis < 3; ++axis) out[axis] += image[axis] * hs_box_length(&sim->box, axis);
+    if (kind == GET_POSITION) hs_box_wrap(&sim->box, out, image); /* atoms may drift out until the next sort */
+    for (int axis = 0; kind == GET_UNWRAPPED && axis < 3; ++axis)
+        out[axis] += image[axis] * hs_box_length(&sim->box, axis);
 }
 
 static hs_code get_vectors(hs_simulation *simulation, vector_kind kind, hs_order order, int64_t n, double *xyz)
@@ -174,7 +177,8 @@ static hs_status check_finite(const double *xyz, int64_t n, const char *what, hs
 {
     for (int64_t i = 0; i < 3 * n; ++i)
         if (!isfinite(xyz[i]))
-            return hs_fail(err, HS_ERROR_INPUT, "%s of row %lld: %g is not a finite number", what, (long long)(i / 3), xyz[i]);
+            return hs_fail(err, HS_ERROR_INPUT, "%s of row %lld: %g is not a finite number", what, (long long)(i / 3),
+                           xyz[i]);
     return HS_OK;
 }
 
@@ -192,7 +196,7 @@ static hs_status check_inside(const hs_box *box, const double *xyz, int64_t n, h
                                           (box->boundary[axis][1] == HS_BOUNDARY_FIXED && x > box->hi[axis]);
             if (is_out)
                 return hs_fail(err, HS_ERROR_INPUT, "position of row %lld: %c = %g is outside of the box, [%g, %g]",
-                               (long long)row, "xyz"[axis], x, box->lo[axis], box->hi[axis]);
+                               (long long)row, "xyz"[axis], x, box -> lo[axis], box -> hi[axis]);
         }
     return HS_OK;
 }

@@ -9,10 +9,10 @@
 enum { HS_API_MESSAGE_SIZE = HS_ERROR_TEXT_SIZE + HS_ERROR_FILE_SIZE + 64 };
 
 struct hs_simulation {
-    hs_deck *deck;                          /**< owned; NULL when the simulation could not be made */
+    hs_deck *deck; /**< owned; NULL when the simulation could not be made */
     hs_sink out;
-    hs_error error;                         /**< of the present or last call */
-    char message[HS_API_MESSAGE_SIZE];      /**< the same as one line */
+    hs_error error;                    /**< of the present or last call */
+    char message[HS_API_MESSAGE_SIZE]; /**< the same as one line */
     volatile sig_atomic_t stop_requested;
 };
 

@@ -89,11 +89,15 @@ static hs_status parse_operand(parser *p, operand *value)
     return status;
 }
 
-static int find_operator(const char *at, operator *found, size_t *length)
+static int find_operator(const char *at, operator* found, size_t *length)
 {
-    static const struct { const char *sign; int precedence; } table[] = {
-        [OR] = {"||", 1}, [XOR] = {"|^", 1}, [AND] = {"&&", 2}, [EQUAL] = {"==", 3}, [NOT_EQUAL] = {"!=", 3},
-        [LESS_EQUAL] = {"<=", 4}, [GREATER_EQUAL] = {">=", 4}, [LESS] = {"<", 4}, [GREATER] = {">", 4},
+    static const struct {
+        const char *sign;
+        int precedence;
+    } table[] = {
+        [OR] = {"||", 1},        [XOR] = {"|^", 1},        [AND] = {"&&", 2},           [EQUAL] = {"==", 3},
+        [NOT_EQUAL] = {"!=", 3}, [LESS_EQUAL] = {"<=", 4}, [GREATER_EQUAL] = {">=", 4}, [LESS] = {"<", 4},
+        [GREATER] = {">", 4},
     };
     for (size_t i = 0; i < sizeof table / sizeof table[0]; ++i) {
         *length = strlen(table[i].sign);
@@ -121,15 +125,33 @@ static hs_status apply(const parser *p, operator kind, const operand *a, const o
     const double x = a->number, y = b->number;
     bool holds = false;
     switch (kind) {
-    case OR: holds = x != 0.0 || y != 0.0; break;
-    case XOR: holds = (x != 0.0) != (y != 0.0); break;
-    case AND: holds = x != 0.0 && y != 0.0; break;
-    case EQUAL: holds = x == y; break;
-    case NOT_EQUAL: holds = x != y; break;
-    case LESS_EQUAL: holds = x <= y; break;
-    case GREATER_EQUAL: holds = x >= y; break;
-    case LESS: holds = x < y; break;
-    case GREATER: holds = x > y; break;
+    case OR:
+        holds = x != 0.0 || y != 0.0;
+        break;
+    case XOR:
+        holds = (x != 0.0) != (y != 0.0);
+        break;
+    case AND:
+        holds = x != 0.0 && y != 0.0;
+        break;
+    case EQUAL:
+        holds = x == y;
+        break;
+    case NOT_EQUAL:
+        holds = x != y;
+        break;
+    case LESS_EQUAL:
+        holds = x <= y;
+        break;
+    case GREATER_EQUAL:
+        holds = x >= y;
+        break;
+    case LESS:
+        holds = x < y;
+        break;
+    case GREATER:
+        holds = x > y;
+        break;
     }
     *value = (operand){.number = holds};
     return HS_OK;

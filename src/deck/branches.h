@@ -5,8 +5,8 @@
 #include "style/args.h"
 
 typedef struct hs_branch {
-    const char *condition;   /**< NULL for else */
-    int first, end;          /**< its commands are the words [first, end) */
+    const char *condition; /**< NULL for else */
+    int first, end;        /**< its commands are the words [first, end) */
 } hs_branch;
 
 /** The branch that begins at word *at (0 for the first); *at moves behind it. *found = false at the end. Errors

@@ -21,17 +21,17 @@ enum { NESTING_MAX = 32 };
 typedef struct file {
     const char *name;
     const hs_text *text;
-    const struct file *above;   /**< the file that includes it; NULL for the deck */
-    bool is_certain;            /**< every include down to this file is outside of `if` */
-    bool may_end;               /**< a jump or a quit may keep an include from being reached again */
-    bool is_dead;               /**< behind a `quit` that is always met: nothing up to the next label can run */
+    const struct file *above; /**< the file that includes it; NULL for the deck */
+    bool is_certain;          /**< every include down to this file is outside of `if` */
+    bool may_end;             /**< a jump or a quit may keep an include from being reached again */
+    bool is_dead;             /**< behind a `quit` that is always met: nothing up to the next label can run */
 } file;
 
 typedef struct checker {
     hs_deck *deck;
     hs_check_names names;
-    int depth;                  /**< files within files */
-    int nesting;                /**< commands within commands */
+    int depth;   /**< files within files */
+    int nesting; /**< commands within commands */
     hs_error *err;
 } checker;
 

@@ -93,8 +93,10 @@ hs_status hs_check_names_define(hs_check_names *names, const hs_args *args, hs_e
         return HS_OK;
     }
     for (int i = 2; i < args->n; ++i) {
-        if (strchr(args->word[i], '$') != NULL) known->is_open = true;
-        else HS_TRY(hs_name_list_add(&known->values, args->word[i], err));
+        if (strchr(args->word[i], '$') != NULL)
+            known->is_open = true;
+        else
+            HS_TRY(hs_name_list_add(&known->values, args->word[i], err));
     }
     return HS_OK;
 }
@@ -117,7 +119,8 @@ static hs_status expand(const hs_check_names *names, const char *word, int depth
     hs_status status = HS_OK;
     for (int i = 0; i < known->values.n && status == HS_OK && *is_known; ++i) {
         hs_text_clear(&one);
-        if (strchr(known->values.name[i], '$') != NULL) *is_known = false;
+        if (strchr(known->values.name[i], '$') != NULL)
+            *is_known = false;
         else
             status = hs_text_printf(&one, err, "%.*s%s%s", (int)(at - word), word, known->values.name[i],
                                     at + dollar.length);

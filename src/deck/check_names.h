@@ -6,7 +6,7 @@
 #include "style/args.h"
 
 typedef struct hs_name_list {
-    char **name;   /**< owned [n] */
+    char **name; /**< owned [n] */
     int n, capacity;
 } hs_name_list;
 
@@ -16,16 +16,16 @@ void hs_name_list_fini(hs_name_list *list);
 
 /** A variable and the literal values it may have. */
 typedef struct hs_known_variable {
-    char *name;           /**< owned */
+    char *name; /**< owned */
     hs_name_list values;
-    bool is_fixed;        /**< by -var: the deck does not change it */
-    bool is_open;         /**< it may have other values too */
+    bool is_fixed; /**< by -var: the deck does not change it */
+    bool is_open;  /**< it may have other values too */
 } hs_known_variable;
 
 typedef struct hs_check_names {
-    hs_name_list visited;          /**< files that were checked */
-    hs_name_list written;          /**< files that the deck itself writes */
-    hs_known_variable *variable;   /**< owned [n_variables] */
+    hs_name_list visited;        /**< files that were checked */
+    hs_name_list written;        /**< files that the deck itself writes */
+    hs_known_variable *variable; /**< owned [n_variables] */
     int n_variables, capacity;
 } hs_check_names;
 

@@ -12,7 +12,8 @@ static bool is_variable(const char *word) { return strchr(word, '$') != NULL; }
 
 static const hs_keyword lattice_keywords[] = {
     {"origin", 3, "<x> <y> <z>", "shift of all sites, in fractions of the spacings, 0 <= x < 1; default 0 0 0"},
-    {"orient", 4, "<x|y|z> <i> <j> <k>", "integer vector of the lattice that becomes x, y or z; default x 1 0 0, y 0 "
+    {"orient", 4, "<x|y|z> <i> <j> <k>",
+     "integer vector of the lattice that becomes x, y or z; default x 1 0 0, y 0 "
      "1 0, z 0 0 1"},
     {"spacing", 3, "<dx> <dy> <dz>", "spacings in units of the scale, instead of the extent of the rotated cell"},
     {"a1", 3, "<x> <y> <z>", "first edge of the cell, in units of the scale; style custom only"},
@@ -76,8 +77,7 @@ static hs_status read_lattice_keywords(const hs_args *args, hs_lattice *lattice,
             for (int axis = 0; axis < 3; ++axis) HS_TRY(hs_arg_positive(args, i + 1 + axis, &spacing[axis], err));
         } else if (!is_custom) {
             return hs_fail(err, HS_ERROR_INPUT, "lattice: the keyword '%s' is only for the style custom, not for %s",
-                           keyword,
-                           args->word[0]);
+                           keyword, args->word[0]);
         } else if (strcmp(keyword, "basis") == 0) {
             HS_TRY(read_basis(args, i + 1, lattice, err));
         } else {
@@ -156,13 +156,20 @@ static const hs_keyword create_box_keywords[] = {
 
 static hs_status create_box_check(const hs_args *args, bool has_variables, hs_error *err)
 {
-    static const char *const molecular[] = {"bond/types", "angle/types", "dihedral/types", "improper/types",
-                                            "extra/bond/per/atom", "extra/angle/per/atom", "extra/dihedral/per/atom",
-                                            "extra/improper/per/atom", NULL};
+    static const char *const molecular[] = {"bond/types",
+                                            "angle/types",
+                                            "dihedral/types",
+                                            "improper/types",
+                                            "extra/bond/per/atom",
+                                            "extra/angle/per/atom",
+                                            "extra/dihedral/per/atom",
+                                            "extra/improper/per/atom",
+                                            NULL};
     for (int i = 2; i < args->n; ++i)
         for (int k = 0; molecular[k] != NULL; ++k)
             if (strcmp(args->word[i], molecular[k]) == 0)
-                return hs_fail(err, HS_ERROR_INPUT, "create_box: '%s' is for bonded atoms, which the atom style "
+                return hs_fail(err, HS_ERROR_INPUT,
+                               "create_box: '%s' is for bonded atoms, which the atom style "
                                "atomic has not",
                                args->word[i]);
     const hs_syntax syntax = {"<N> <region-ID> [extra/special/per/atom <N>]", 2, 2, create_box_keywords};
@@ -176,16 +183,20 @@ static hs_status check_box_region(hs_sim *sim, const hs_args *args, const hs_reg
         return hs_fail(err, HS_ERROR_INPUT, "create_box: there is no region '%s'; the command 'region' makes one",
                        args->word[1]);
     if (strcmp((*region)->style->about.name, "prism") == 0)
-        return hs_fail(err, HS_ERROR_INPUT, "create_box: the region '%s' is a prism: triclinic boxes are not "
-                       "supported; a block makes an orthogonal one", args->word[1]);
+        return hs_fail(err, HS_ERROR_INPUT,
+                       "create_box: the region '%s' is a prism: triclinic boxes are not "
+                       "supported; a block makes an orthogonal one",
+                       args->word[1]);
     if (!(*region)->has_extent)
-        return hs_fail(err, HS_ERROR_INPUT, "create_box: the region '%s' has no bounds (a plane, or side out); use a "
+        return hs_fail(err, HS_ERROR_INPUT,
+                       "create_box: the region '%s' has no bounds (a plane, or side out); use a "
                        "block",
                        args->word[1]);
     for (int axis = 0; axis < 3; ++axis) {
         const double lo = (*region)->extent[axis][0], hi = (*region)->extent[axis][1];
         if (!(lo < hi) || !isfinite(lo) || !isfinite(hi) || hi - lo > HS_REGION_FAR)
-            return hs_fail(err, HS_ERROR_INPUT, "create_box: the region '%s' extends from %g to %g along %c, which "
+            return hs_fail(err, HS_ERROR_INPUT,
+                           "create_box: the region '%s' extends from %g to %g along %c, which "
                            "cannot be a box",
                            args->word[1], lo, hi, "xyz"[axis]);
     }
@@ -198,13 +209,13 @@ static hs_status create_box_run(hs_deck *deck, const hs_args *args, hs_error *er
     hs_box *box = &sim->box;
     const hs_region *region;
     int64_t n_types;
-    if (box->exists)
-        return hs_fail(err, HS_ERROR_INPUT, "create_box: there is a box already; 'clear' starts anew");
+    if (box->exists) return hs_fail(err, HS_ERROR_INPUT, "create_box: there is a box already; 'clear' starts anew");
     HS_TRY(create_box_check(args, false, err));
     HS_TRY(hs_arg_int(args, 0, 1, 10000, &n_types, err));
     HS_TRY(check_box_region(sim, args, &region, err));
     if (box->dimension == 2 && !box->periodic[2])
-        return hs_fail(err, HS_ERROR_INPUT, "create_box: in two dimensions the boundary of z must be periodic "
+        return hs_fail(err, HS_ERROR_INPUT,
+                       "create_box: in two dimensions the boundary of z must be periodic "
                        "(boundary x y p)");
     for (int i = 2; i < args->n; i += 2) {
         int64_t ignored;
@@ -226,63 +237,73 @@ static hs_status create_box_run(hs_deck *deck, const hs_args *args, hs_error *er
 
 const hs_command hs_commands_box[] = {
     {
-        .about = {
-            .name = "lattice",
-            .syntax = {"<style> <scale> [keyword value ...]", 2, 2, lattice_keywords},
-            .summary = "Lattice on which atoms are created, and the unit of lengths in regions",
-            .details =
-                "`style` is one of `none`; in three dimensions `sc`, `bcc`, `fcc`, `hcp`, `diamond`; in two `sq`, "
-                "`sq2`, `hex`;\n"
-                "and `custom`, which needs at least one `basis`. `scale` is, in units lj, the reduced density N "
-                "sigma^d / V, from\n"
-                "which the length of the cell follows; in other units the length of one lattice unit. The hexagonal "
-                "cells are\n"
-                "rectangular: `hex` 1 by sqrt(3), `hcp` 1 by sqrt(3) by sqrt(8/3).\n\n"
-                "The spacings in x, y and z, which are printed, are the extent of the rotated cell; other commands "
-                "count lengths in\n"
-                "them unless told `units box`. Without a lattice, or after `none 1`, the spacings are 1.\n\n"
-                "The three `orient` vectors must be orthogonal and right-handed. In two dimensions the lattice must "
-                "lie in the\n"
-                "plane. The place of a site is: cell times edges, times scale, rotated, plus spacing times origin.\n",
-            .example = "lattice fcc 0.8442\nlattice custom 3.52 a1 1 0 0 a2 0.5 0.866 0 a3 0 0 1 basis 0 0 0 basis "
-                "0.5 0.5 0.5",
-        },
+        .about =
+            {
+                .name = "lattice",
+                .syntax = {"<style> <scale> [keyword value ...]", 2, 2, lattice_keywords},
+                .summary = "Lattice on which atoms are created, and the unit of lengths in regions",
+                .details =
+                    "`style` is one of `none`; in three dimensions `sc`, `bcc`, `fcc`, `hcp`, `diamond`; in two `sq`, "
+                    "`sq2`, `hex`;\n"
+                    "and `custom`, which needs at least one `basis`. `scale` is, in units lj, the reduced density N "
+                    "sigma^d / V, from\n"
+                    "which the length of the cell follows; in other units the length of one lattice unit. The "
+                    "hexagonal "
+                    "cells are\n"
+                    "rectangular: `hex` 1 by sqrt(3), `hcp` 1 by sqrt(3) by sqrt(8/3).\n\n"
+                    "The spacings in x, y and z, which are printed, are the extent of the rotated cell; other commands "
+                    "count lengths in\n"
+                    "them unless told `units box`. Without a lattice, or after `none 1`, the spacings are 1.\n\n"
+                    "The three `orient` vectors must be orthogonal and right-handed. In two dimensions the lattice "
+                    "must "
+                    "lie in the\n"
+                    "plane. The place of a site is: cell times edges, times scale, rotated, plus spacing times "
+                    "origin.\n",
+                .example = "lattice fcc 0.8442\nlattice custom 3.52 a1 1 0 0 a2 0.5 0.866 0 a3 0 0 1 basis 0 0 0 basis "
+                           "0.5 0.5 0.5",
+            },
         .run = lattice_run,
         .check = lattice_check,
     },
     {
-        .about = {
-            .name = "region",
-            .syntax = {"<ID> <style> <words> ... [side in|out] [units lattice|box], or <ID> delete", 2, -1, NULL},
-            .summary = "A part of space, for making boxes, atoms and groups",
-            .details =
-                "The styles are `block`, `cylinder`, `plane`, `prism`, `sphere`, `union` and `intersect`; each has a "
-                "page of its own.\n"
-                "`side out` takes the complement. Lengths are in lattice spacings at the time of the command (`units "
-                "lattice`, the\n"
-                "default) or in distance units (`units box`). Periodic images do not count: a region holds what lies "
-                "in it by\n"
-                "coordinates. `delete` removes a region. LAMMPS's `move`, `rotate` and `open` are refused.\n",
-            .example = "region box block 0 10 0 10 0 10\nregion gap cylinder z 5 5 2 INF INF side out\nregion gap "
-                "delete",
-        },
+        .about =
+            {
+                .name = "region",
+                .syntax = {"<ID> <style> <words> ... [side in|out] [units lattice|box], or <ID> delete", 2, -1, NULL},
+                .summary = "A part of space, for making boxes, atoms and groups",
+                .details =
+                    "The styles are `block`, `cylinder`, `plane`, `prism`, `sphere`, `union` and `intersect`; each has "
+                    "a "
+                    "page of its own.\n"
+                    "`side out` takes the complement. Lengths are in lattice spacings at the time of the command "
+                    "(`units "
+                    "lattice`, the\n"
+                    "default) or in distance units (`units box`). Periodic images do not count: a region holds what "
+                    "lies "
+                    "in it by\n"
+                    "coordinates. `delete` removes a region. LAMMPS's `move`, `rotate` and `open` are refused.\n",
+                .example = "region box block 0 10 0 10 0 10\nregion gap cylinder z 5 5 2 INF INF side out\nregion gap "
+                           "delete",
+            },
         .run = region_run,
         .check = region_check,
     },
     {
-        .about = {
-            .name = "create_box",
-            .syntax = {"<N> <region-ID> [extra/special/per/atom <N>]", 2, -1, NULL},
-            .summary = "Make the simulation box from a region, with N types of atoms",
-            .details =
-                "`N` is the number of atom types, from 1. The box is the extent of the region, which must have "
-                "bounds; a `prism` is\n"
-                "refused, since boxes are orthogonal. Shrink-wrapped faces (`boundary s`) start 0.0001 of the box "
-                "outside of the\n"
-                "region, so that atoms on it are within. In two dimensions z must be periodic. Keywords for bonds are "
-                "refused.\n",
-            .example = "region box block 0 20 0 20 0 20\ncreate_box 2 box",
-        },
+        .about =
+            {
+                .name = "create_box",
+                .syntax = {"<N> <region-ID> [extra/special/per/atom <N>]", 2, -1, NULL},
+                .summary = "Make the simulation box from a region, with N types of atoms",
+                .details =
+                    "`N` is the number of atom types, from 1. The box is the extent of the region, which must have "
+                    "bounds; a `prism` is\n"
+                    "refused, since boxes are orthogonal. Shrink-wrapped faces (`boundary s`) start 0.0001 of the box "
+                    "outside of the\n"
+                    "region, so that atoms on it are within. In two dimensions z must be periodic. Keywords for bonds "
+                    "are "
+                    "refused.\n",
+                .example = "region box block 0 20 0 20 0 20\ncreate_box 2 box",
+            },
         .run = create_box_run,
         .check = create_box_check,
     },

@@ -22,21 +22,21 @@ typedef struct creation {
     hs_deck *deck;
     hs_sim *sim;
     create_style style;
-    int type;                   /**< default type */
-    int *basis_type;            /**< owned [n_basis]: type of each basis atom */
-    const hs_region *region;    /**< NULL: everywhere */
+    int type;                /**< default type */
+    int *basis_type;         /**< owned [n_basis]: type of each basis atom */
+    const hs_region *region; /**< NULL: everywhere */
     bool is_lattice_units, remap;
-    double place[3];            /**< single: distance */
+    double place[3]; /**< single: distance */
     int64_t n_random;
-    int seed;                   /**< random */
-    double ratio;               /**< fraction of the sites, or */
-    int64_t n_subset;           /**< number of sites, to fill; both negative: all */
+    int seed;         /**< random */
+    double ratio;     /**< fraction of the sites, or */
+    int64_t n_subset; /**< number of sites, to fill; both negative: all */
     int subset_seed;
-    const char *test;           /**< variable that must not be 0 at a site; NULL: none */
-    const char *coordinate[3];  /**< internal variables that hold x, y, z for it, or NULL */
-    double lo[3], hi[3];        /**< where atoms may be: lo <= x < hi, distance */
+    const char *test;          /**< variable that must not be 0 at a site; NULL: none */
+    const char *coordinate[3]; /**< internal variables that hold x, y, z for it, or NULL */
+    double lo[3], hi[3];       /**< where atoms may be: lo <= x < hi, distance */
     int64_t next_id;
-    int64_t n_created;          /**< on all ranks */
+    int64_t n_created; /**< on all ranks */
 } creation;
 
 static const hs_keyword create_keywords[] = {
@@ -58,11 +58,14 @@ static hs_status create_check(const hs_args *args, bool has_variables, hs_error 
     for (int i = 2 + create_words[style]; i < args->n; ++i) {
         const char *word = args->word[i];
         if (strcmp(word, "mol") == 0 || strcmp(word, "rotate") == 0)
-            return hs_fail(err, HS_ERROR_INPUT, "create_atoms: the keyword '%s' is for molecules, which are not "
-                           "supported", word);
+            return hs_fail(err, HS_ERROR_INPUT,
+                           "create_atoms: the keyword '%s' is for molecules, which are not "
+                           "supported",
+                           word);
     }
     const hs_syntax syntax = {"<type> box | region <ID> | single <x> <y> <z> | random <N> <seed> <region-ID>|NULL "
-                              "[keyword value ...]", 2 + create_words[style], 2 + create_words[style], create_keywords};
+                              "[keyword value ...]",
+                              2 + create_words[style], 2 + create_words[style], create_keywords};
     return hs_syntax_check(&syntax, args, has_variables, err);
 }
 
@@ -95,8 +98,8 @@ static hs_status read_subset(creation *c, const hs_args *args, int i, hs_error *
     c->n_subset = -1;
     if (strcmp(args->word[i], "ratio") == 0) {
         HS_TRY(hs_arg_double(args, i + 1, &c->ratio, err));
-        if (!(c->ratio >= 0.0 && c->ratio <= 1.0)) return hs_arg_refuse(args, i + 1, "a fraction from 0 to 1", NULL,
-                                                                        err);
+        if (!(c->ratio >= 0.0 && c->ratio <= 1.0))
+            return hs_arg_refuse(args, i + 1, "a fraction from 0 to 1", NULL, err);
     } else {
         HS_TRY(hs_arg_int(args, i + 1, 1, INT64_MAX, &c->n_subset, err));
     }
@@ -113,7 +116,8 @@ static hs_status read_keyword(creation *c, const hs_args *args, int *i, hs_error
     int axis;
     if (strcmp(keyword, "basis") == 0) {
         if (!c->sim->lattice.is_set)
-            return hs_fail(err, HS_ERROR_INPUT, "create_atoms: 'basis' needs a lattice: the command 'lattice' comes "
+            return hs_fail(err, HS_ERROR_INPUT,
+                           "create_atoms: 'basis' needs a lattice: the command 'lattice' comes "
                            "first");
         HS_TRY(hs_arg_int(args, *i + 1, 1, c->sim->lattice.n_basis, &number, err));
         HS_TRY(read_type(c->sim, args, *i + 2, &c->basis_type[number - 1], err));
@@ -148,7 +152,8 @@ static hs_status read_style(creation *c, const hs_args *args, hs_error *err)
         if (strcmp(args->word[4], "NULL") != 0) HS_TRY(find_region(c->sim, args, 4, &c->region, err));
     }
     if ((c->style == CREATE_BOX || c->style == CREATE_REGION) && !c->sim->lattice.is_set)
-        return hs_fail(err, HS_ERROR_INPUT, "create_atoms: there is no lattice to put atoms on; the command 'lattice' "
+        return hs_fail(err, HS_ERROR_INPUT,
+                       "create_atoms: there is no lattice to put atoms on; the command 'lattice' "
                        "makes one");
     return HS_OK;
 }
@@ -166,7 +171,8 @@ static hs_status read_words(creation *c, const hs_args *args, hs_error *err)
     for (int i = 2 + create_words[style]; i < args->n; ++i) HS_TRY(read_keyword(c, args, &i, err));
     const bool has_coordinate = c->coordinate[0] != NULL || c->coordinate[1] != NULL || c->coordinate[2] != NULL;
     if ((c->test != NULL) != has_coordinate)
-        return hs_fail(err, HS_ERROR_INPUT, "create_atoms: 'var' and 'set' need each other: set x|y|z <name> names "
+        return hs_fail(err, HS_ERROR_INPUT,
+                       "create_atoms: 'var' and 'set' need each other: set x|y|z <name> names "
                        "the internal variables that the formula reads");
     return HS_OK;
 }
@@ -280,8 +286,7 @@ static hs_status create_single(creation *c, hs_error *err)
             if (box->periodic[axis] && !(x[axis] > box->lo[axis] - 1000.0 * hs_box_length(box, axis) &&
                                          x[axis] < box->hi[axis] + 1000.0 * hs_box_length(box, axis)))
                 return hs_fail(err, HS_ERROR_INPUT, "create_atoms: the place %g along %c is more than 1000 boxes away",
-                               x[axis],
-                               "xyz"[axis]);
+                               x[axis], "xyz"[axis]);
         for (int n = 0; n < 1001; ++n) hs_box_wrap(box, x, image);
     }
     return is_within(c, x) ? add_atom(c, c->type, x, err) : HS_OK;
@@ -298,8 +303,7 @@ static hs_status random_range(const creation *c, double lo[3], double hi[3], hs_
         if (c->region->extent[axis][1] < hi[axis]) hi[axis] = c->region->extent[axis][1];
         if (lo[axis] > hi[axis])
             return hs_fail(err, HS_ERROR_INPUT, "create_atoms: the region '%s' lies outside of the box along %c",
-                           c->region->id,
-                           "xyz"[axis]);
+                           c->region->id, "xyz"[axis]);
     }
     return HS_OK;
 }
@@ -317,8 +321,10 @@ static hs_status create_random(creation *c, hs_error *err)
         double x[3];
         for (int try = 0; !is_wanted; ++try) {
             if (try == N_TRIES)
-                return hs_fail(err, HS_ERROR_INPUT, "create_atoms: %d tries found no place for a random atom; does "
-                               "the region have a volume inside of the box?", N_TRIES);
+                return hs_fail(err, HS_ERROR_INPUT,
+                               "create_atoms: %d tries found no place for a random atom; does "
+                               "the region have a volume inside of the box?",
+                               N_TRIES);
             for (int axis = 0; axis < 3; ++axis) x[axis] = lo[axis] + hs_park_uniform(&park) * (hi[axis] - lo[axis]);
             if (c->sim->box.dimension == 2) x[2] = lo[2] + 0.5 * (hi[2] - lo[2]);
             HS_TRY(test_place(c, x, &is_wanted, err));
@@ -336,9 +342,12 @@ static hs_status create_all(creation *c, const hs_args *args, hs_error *err)
     hs_parallel_max_int64(&c->sim->parallel, &max_id, 1);
     c->next_id = max_id + 1;
     switch (c->style) {
-    case CREATE_SINGLE: return create_single(c, err);
-    case CREATE_RANDOM: return create_random(c, err);
-    default: return create_on_lattice(c, err);
+    case CREATE_SINGLE:
+        return create_single(c, err);
+    case CREATE_RANDOM:
+        return create_random(c, err);
+    default:
+        return create_on_lattice(c, err);
     }
 }
 
@@ -357,7 +366,7 @@ static hs_status create_atoms_run(hs_deck *deck, const hs_args *args, hs_error *
     hs_say(deck->out, "Created %lld atoms\n", (long long)c.n_created);
     hs_say(deck->out, "  using %s units in orthogonal box = (%#.8g %#.8g %#.8g) to (%#.8g %#.8g %#.8g)\n",
            c.is_lattice_units ? "lattice" : "box", box->lo[0], box->lo[1], box->lo[2], box->hi[0], box->hi[1],
-               box->hi[2]);
+           box->hi[2]);
     hs_say(deck->out, "  create_atoms CPU = %.3f seconds\n", hs_time_now_s() - start_s);
     return HS_OK;
 }
@@ -377,42 +386,48 @@ static hs_status mass_run(hs_deck *deck, const hs_args *args, hs_error *err)
 
 const hs_command hs_commands_create[] = {
     {
-        .about = {
-            .name = "create_atoms",
-            .syntax = {"<type> box | region <ID> | single <x> <y> <z> | random <N> <seed> <region-ID>|NULL [keyword "
-                       "value ...]", 2,
-                       -1, create_keywords},
-            .summary = "Create atoms on the lattice, at one place, or at random places",
-            .details =
-                "`box` fills the box with atoms on the sites of the lattice, `region` only a region of it. Sites on "
-                "the lower face\n"
-                "of a periodic box are filled, those on the upper face are not; on other faces, lower ones belong to "
-                "the box,\n"
-                "upper ones do not. IDs go on from the highest one; the third lattice direction is the slowest, basis "
-                "atoms are\n"
-                "the fastest. `single` makes one atom at x, y, z, or none if the place is outside of the box. "
-                "`random` makes N\n"
-                "atoms at random places of the box or of a region; the places may overlap. Places, IDs and the "
-                "choices of\n"
-                "`ratio` and `subset` are those of LAMMPS on one rank, whatever the number of ranks.\n\n"
-                "New atoms are at rest and in group all only. Molecules (`mol`, `rotate`) are not supported.\n",
-            .example = "create_atoms 1 box\ncreate_atoms 1 box basis 2 2\ncreate_atoms 2 single 5 5 5 units box\n"
-                       "create_atoms 1 random 500 4321 NULL",
-        },
+        .about =
+            {
+                .name = "create_atoms",
+                .syntax =
+                    {"<type> box | region <ID> | single <x> <y> <z> | random <N> <seed> <region-ID>|NULL [keyword "
+                     "value ...]",
+                     2, -1, create_keywords},
+                .summary = "Create atoms on the lattice, at one place, or at random places",
+                .details =
+                    "`box` fills the box with atoms on the sites of the lattice, `region` only a region of it. Sites "
+                    "on "
+                    "the lower face\n"
+                    "of a periodic box are filled, those on the upper face are not; on other faces, lower ones belong "
+                    "to "
+                    "the box,\n"
+                    "upper ones do not. IDs go on from the highest one; the third lattice direction is the slowest, "
+                    "basis "
+                    "atoms are\n"
+                    "the fastest. `single` makes one atom at x, y, z, or none if the place is outside of the box. "
+                    "`random` makes N\n"
+                    "atoms at random places of the box or of a region; the places may overlap. Places, IDs and the "
+                    "choices of\n"
+                    "`ratio` and `subset` are those of LAMMPS on one rank, whatever the number of ranks.\n\n"
+                    "New atoms are at rest and in group all only. Molecules (`mol`, `rotate`) are not supported.\n",
+                .example = "create_atoms 1 box\ncreate_atoms 1 box basis 2 2\ncreate_atoms 2 single 5 5 5 units box\n"
+                           "create_atoms 1 random 500 4321 NULL",
+            },
         .run = create_atoms_run,
         .check = create_check,
     },
     {
-        .about = {
-            .name = "mass",
-            .syntax = {"<type> <mass>", 2, 2, NULL},
-            .summary = "Mass of all atoms of a type",
-            .details =
-                "`type` is a number or a range (`*`, `2*`, `*3`, `2*3`); `mass` is greater than 0, in mass units. "
-                "Every type needs\n"
-                "one before the first run or the first `velocity`. The box must exist.\n",
-            .example = "mass 1 1.0\nmass * 39.95",
-        },
+        .about =
+            {
+                .name = "mass",
+                .syntax = {"<type> <mass>", 2, 2, NULL},
+                .summary = "Mass of all atoms of a type",
+                .details =
+                    "`type` is a number or a range (`*`, `2*`, `*3`, `2*3`); `mass` is greater than 0, in mass units. "
+                    "Every type needs\n"
+                    "one before the first run or the first `velocity`. The box must exist.\n",
+                .example = "mass 1 1.0\nmass * 39.95",
+            },
         .run = mass_run,
     },
     {.about = {.name = NULL}},

@@ -142,7 +142,7 @@ static hs_status run_write_data(hs_deck *deck, const hs_args *args, hs_error *er
         if (options.pair == HS_DATA_PAIR_II) warn_of_unlike_pairs(sim);
     }
     if (deck->options.dry_run) return HS_OK;
-    hs_sim_shrink_box(sim);   /* the atoms may have moved out of it since the last list */
+    hs_sim_shrink_box(sim); /* the atoms may have moved out of it since the last list */
     char *name;
     HS_TRY(hs_writer_step_name(&name, args->word[0], sim->env.step, 0, err));
     const hs_status status = hs_data_write(&sim->env, name, &options, err);

@@ -48,24 +48,26 @@ static hs_status check_style(const char *kind, const hs_description *const *abou
                    nearest != NULL ? nearest : "", nearest != NULL ? "'?" : "");
 }
 
-#define CHECK_STYLE(name, kind, table)                                                            \
-    static hs_status name(const hs_args *args, bool has_variables, hs_error *err)                 \
-    {                                                                                             \
-        const hs_description *abouts[256] = {NULL};                                               \
-        size_t n = 0;                                                                             \
-        for (size_t k = 0; (table)[k] != NULL && n < 256; ++k) abouts[n++] = &(table)[k]->about;  \
-        return check_style(kind, abouts, n, args, has_variables, err);                            \
+#define CHECK_STYLE(name, kind, table)                                                                                 \
+    static hs_status name(const hs_args *args, bool has_variables, hs_error *err)                                      \
+    {                                                                                                                  \
+        const hs_description *abouts[256] = {NULL};                                                                    \
+        size_t n = 0;                                                                                                  \
+        for (size_t k = 0; (table)[k] != NULL && n < 256; ++k) abouts[n++] = &(table)[k]->about;                       \
+        return check_style(kind, abouts, n, args, has_variables, err);                                                 \
     }
 CHECK_STYLE(check_fix, "fix", hs_fix_styles)
 CHECK_STYLE(check_compute, "compute", hs_compute_styles)
 
 const hs_command hs_commands_fix[] = {
-    {.about = {.name = "fix",
-               .syntax = {.usage = "<ID> <group-ID> <style> [words of the style]", .n_min = 3, .n_max = -1},
-               .summary = "make something act on a group of atoms at every step",
-               .details = "The styles and their words are listed under fixes. A fix of the same ID and style is replaced and keeps "
-                          "its place in the order.",
-               .example = "fix 1 all nve"},
+    {.about =
+         {.name = "fix",
+          .syntax = {.usage = "<ID> <group-ID> <style> [words of the style]", .n_min = 3, .n_max = -1},
+          .summary = "make something act on a group of atoms at every step",
+          .details =
+              "The styles and their words are listed under fixes. A fix of the same ID and style is replaced and keeps "
+              "its place in the order.",
+          .example = "fix 1 all nve"},
      .run = run_fix,
      .check = check_fix},
     {.about = {.name = "unfix",
@@ -74,12 +76,14 @@ const hs_command hs_commands_fix[] = {
                .details = "The fix stops acting; the ID is free again.",
                .example = "unfix 1"},
      .run = run_unfix},
-    {.about = {.name = "compute",
-               .syntax = {.usage = "<ID> <group-ID> <style> [words of the style]", .n_min = 3, .n_max = -1},
-               .summary = "define a quantity to be measured",
-               .details = "The styles are listed under computes. Values are used as `c_ID` or `c_ID[i]` in formulas and thermo "
-                          "output. `thermo_temp`, `thermo_press` and `thermo_pe` always exist.",
-               .example = "compute hot mobile temp"},
+    {.about =
+         {.name = "compute",
+          .syntax = {.usage = "<ID> <group-ID> <style> [words of the style]", .n_min = 3, .n_max = -1},
+          .summary = "define a quantity to be measured",
+          .details =
+              "The styles are listed under computes. Values are used as `c_ID` or `c_ID[i]` in formulas and thermo "
+              "output. `thermo_temp`, `thermo_press` and `thermo_pe` always exist.",
+          .example = "compute hot mobile temp"},
      .run = run_compute,
      .check = check_compute},
     {.about = {.name = "uncompute",

@@ -5,15 +5,24 @@
 #include "base/text.h"
 #include "deck/command.h"
 
-typedef enum { GROUP_DELETE, GROUP_CLEAR, GROUP_EMPTY, GROUP_REGION, GROUP_TYPE, GROUP_ID, GROUP_VARIABLE,
-              GROUP_SUBTRACT,
-               GROUP_UNION, GROUP_INTERSECT } group_style;
+typedef enum {
+    GROUP_DELETE,
+    GROUP_CLEAR,
+    GROUP_EMPTY,
+    GROUP_REGION,
+    GROUP_TYPE,
+    GROUP_ID,
+    GROUP_VARIABLE,
+    GROUP_SUBTRACT,
+    GROUP_UNION,
+    GROUP_INTERSECT
+} group_style;
 
 static const char *const group_styles[] = {"delete",   "clear",    "empty", "region",    "type", "id",
                                            "variable", "subtract", "union", "intersect", NULL};
 /** Least number of words after the style, and most (-1: any number). */
-static const int group_words[][2] = {{0, 0}, {0, 0}, {0, 0}, {1, 1}, {1, -1}, {1, -1}, {1, 1}, {2, -1}, {1, -1}, {2,
-                                                                                                                  -1}};
+static const int group_words[][2] = {{0, 0},  {0, 0}, {0, 0},  {1, 1},  {1, -1},
+                                     {1, -1}, {1, 1}, {2, -1}, {1, -1}, {2, -1}};
 
 static const char *const comparisons[] = {"<", ">", "<=", ">=", "==", "!=", "<>", NULL};
 
@@ -50,8 +59,7 @@ static hs_status group_check(const hs_args *args, bool has_variables, hs_error *
                        allowed[1] < 0 ? "at least " : "", allowed[0], allowed[0] == 1 ? "" : "s");
     if (allowed[1] >= 0 && n > allowed[1])
         return hs_fail(err, HS_ERROR_INPUT, "group: unexpected word '%s' after the style %s",
-                       args->word[2 + allowed[1]],
-                       args->word[1]);
+                       args->word[2 + allowed[1]], args->word[1]);
     return HS_OK;
 }
 
@@ -78,13 +86,20 @@ static hs_status read_range(const hs_args *args, int i, range *r, hs_error *err)
 static bool compares(int comparison, int64_t value, int64_t a, int64_t b)
 {
     switch (comparison) {
-    case 0: return value < a;
-    case 1: return value > a;
-    case 2: return value <= a;
-    case 3: return value >= a;
-    case 4: return value == a;
-    case 5: return value != a;
-    default: return value >= a && value <= b;
+    case 0:
+        return value < a;
+    case 1:
+        return value > a;
+    case 2:
+        return value <= a;
+    case 3:
+        return value >= a;
+    case 4:
+        return value == a;
+    case 5:
+        return value != a;
+    default:
+        return value >= a && value <= b;
     }
 }
 
@@ -104,8 +119,8 @@ static hs_status select_by_comparison(const hs_atoms *atoms, group_style style, 
         return hs_fail(err, HS_ERROR_INPUT, "group: after '%s' there must be %s", args->word[2],
                        n_words == 5 ? "two numbers, the least and the greatest" : "one number");
     if (!hs_text_to_int64(args->word[3], &a)) return hs_arg_refuse(args, 3, "a whole number", NULL, err);
-    if (n_words == 5 && !hs_text_to_int64(args->word[4], &b)) return hs_arg_refuse(args, 4, "a whole number", NULL,
-                                                                                   err);
+    if (n_words == 5 && !hs_text_to_int64(args->word[4], &b))
+        return hs_arg_refuse(args, 4, "a whole number", NULL, err);
     for (int i = 0; i < atoms->n_local; ++i)
         if (compares(comparison, number_of(atoms, style, i), a, b)) atoms->mask[i] |= bit;
     return HS_OK;
@@ -217,8 +232,8 @@ static hs_status clear_or_delete(hs_sim *sim, const hs_args *args, bool is_delet
 {
     int group;
     HS_TRY(hs_groups_get(&sim->groups, args->word[0], &group, err));
-    if (group == 0) return hs_fail(err, HS_ERROR_INPUT, "group: the group all cannot be %s",
-                                   is_delete ? "deleted" : "cleared");
+    if (group == 0)
+        return hs_fail(err, HS_ERROR_INPUT, "group: the group all cannot be %s", is_delete ? "deleted" : "cleared");
     if (is_delete) HS_TRY(check_unused(sim, group, err));
     clear_bit(&sim->atoms, hs_group_mask(group));
     if (is_delete) hs_groups_remove(&sim->groups, group);
@@ -232,12 +247,17 @@ static hs_status select_atoms(hs_deck *deck, group_style style, const hs_args *a
 {
     hs_sim *sim = deck->sim;
     switch (style) {
-    case GROUP_EMPTY: return HS_OK;
-    case GROUP_REGION: return select_by_region(sim, args, bit, err);
+    case GROUP_EMPTY:
+        return HS_OK;
+    case GROUP_REGION:
+        return select_by_region(sim, args, bit, err);
     case GROUP_TYPE:
-    case GROUP_ID: return select_by_number(&sim->atoms, style, args, bit, err);
-    case GROUP_VARIABLE: return select_by_variable(deck, args, bit, err);
-    default: return select_by_groups(sim, style, args, bit, err);
+    case GROUP_ID:
+        return select_by_number(&sim->atoms, style, args, bit, err);
+    case GROUP_VARIABLE:
+        return select_by_variable(deck, args, bit, err);
+    default:
+        return select_by_groups(sim, style, args, bit, err);
     }
 }
 
@@ -268,31 +288,34 @@ static hs_status group_run(hs_deck *deck, const hs_args *args, hs_error *err)
 
 const hs_command hs_commands_group[] = {
     {
-        .about = {
-            .name = "group",
-            .syntax = {"<ID> <style> <words> ...", 2, -1, NULL},
-            .summary = "Name a set of atoms",
-            .details =
-                "Atoms are added to the group `ID`, which is made if it is new; group `all` holds every atom. There "
-                "can be 32 groups.\n\n"
-                "| style | atoms |\n|---|---|\n"
-                "| `type` or `id`, then numbers and ranges | of these types or IDs; ranges are `first:last` or "
-                "`first:last:stride` |\n"
-                "| `type` or `id`, then `<`, `>`, `<=`, `>=`, `==` or `!=` and a number | that compare so |\n"
-                "| `type` or `id`, then `<>` and two numbers | from the first to the second, both included |\n"
-                "| `region <ID>` | in the region now |\n"
-                "| `variable <name>` | for which the atom-style variable is not 0 now |\n"
-                "| `union <ID> ...` | in any of the groups |\n"
-                "| `intersect <ID> <ID> ...` | in all of the groups |\n"
-                "| `subtract <ID> <ID> ...` | in the first group and in none of the others |\n"
-                "| `empty` | none |\n\n"
-                "`clear` takes all atoms out of the group; `delete` removes it, unless a fix, compute, dump or "
-                "exclusion uses it.\n"
-                "Atoms stay in their groups wherever they move. The styles `molecule`, `include`, `dynamic` and "
-                "`static` are refused.\n",
-            .example = "group wall type 2 3\ngroup odd id 1:999:2\ngroup upper region top\ngroup mobile subtract all "
-                "wall",
-        },
+        .about =
+            {
+                .name = "group",
+                .syntax = {"<ID> <style> <words> ...", 2, -1, NULL},
+                .summary = "Name a set of atoms",
+                .details =
+                    "Atoms are added to the group `ID`, which is made if it is new; group `all` holds every atom. "
+                    "There "
+                    "can be 32 groups.\n\n"
+                    "| style | atoms |\n|---|---|\n"
+                    "| `type` or `id`, then numbers and ranges | of these types or IDs; ranges are `first:last` or "
+                    "`first:last:stride` |\n"
+                    "| `type` or `id`, then `<`, `>`, `<=`, `>=`, `==` or `!=` and a number | that compare so |\n"
+                    "| `type` or `id`, then `<>` and two numbers | from the first to the second, both included |\n"
+                    "| `region <ID>` | in the region now |\n"
+                    "| `variable <name>` | for which the atom-style variable is not 0 now |\n"
+                    "| `union <ID> ...` | in any of the groups |\n"
+                    "| `intersect <ID> <ID> ...` | in all of the groups |\n"
+                    "| `subtract <ID> <ID> ...` | in the first group and in none of the others |\n"
+                    "| `empty` | none |\n\n"
+                    "`clear` takes all atoms out of the group; `delete` removes it, unless a fix, compute, dump or "
+                    "exclusion uses it.\n"
+                    "Atoms stay in their groups wherever they move. The styles `molecule`, `include`, `dynamic` and "
+                    "`static` are refused.\n",
+                .example =
+                    "group wall type 2 3\ngroup odd id 1:999:2\ngroup upper region top\ngroup mobile subtract all "
+                    "wall",
+            },
         .run = group_run,
         .check = group_check,
     },

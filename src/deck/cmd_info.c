@@ -10,7 +10,7 @@
 typedef struct topic {
     const char *name;
     void (*tell)(hs_sink *out, const hs_deck *deck);
-    bool is_default;   /**< told by `info` without words as part of all */
+    bool is_default; /**< told by `info` without words as part of all */
 } topic;
 
 static void tell_system(hs_sink *out, const hs_deck *deck)
@@ -118,11 +118,11 @@ static void tell_time(hs_sink *out, const hs_deck *deck)
     hs_say(out, "\nTime information:\nCPU time      = %.2f s\n", hs_time_cpu_s());
 }
 
-#define TELL_STYLES(out, title, table)                                                \
-    do {                                                                              \
-        hs_say(out, "\n%s:\n", title);                                                \
-        for (int k = 0; (table)[k] != NULL; ++k) hs_say(out, " %s", (table)[k]->about.name); \
-        hs_say(out, "\n");                                                            \
+#define TELL_STYLES(out, title, table)                                                                                 \
+    do {                                                                                                               \
+        hs_say(out, "\n%s:\n", title);                                                                                 \
+        for (int k = 0; (table)[k] != NULL; ++k) hs_say(out, " %s", (table)[k]->about.name);                           \
+        hs_say(out, "\n");                                                                                             \
     } while (0)
 
 static void tell_styles(hs_sink *out, const hs_deck *deck)

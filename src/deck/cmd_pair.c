@@ -75,18 +75,21 @@ static hs_status run_pair_modify(hs_deck *deck, const hs_args *args, hs_error *e
 }
 
 const hs_command hs_commands_pair[] = {
-    {.about = {.name = "pair_style",
-               .syntax = {.usage = "<style> [words of the style]", .n_min = 1, .n_max = -1},
-               .summary = "choose the potential between pairs of atoms",
-               .details = "The styles and their words are listed under pair styles. Giving the present style again changes its "
-                          "global settings; another style forgets all coefficients.",
-               .example = "pair_style lj/cut 2.5"},
+    {.about =
+         {.name = "pair_style",
+          .syntax = {.usage = "<style> [words of the style]", .n_min = 1, .n_max = -1},
+          .summary = "choose the potential between pairs of atoms",
+          .details =
+              "The styles and their words are listed under pair styles. Giving the present style again changes its "
+              "global settings; another style forgets all coefficients.",
+          .example = "pair_style lj/cut 2.5"},
      .run = run_pair_style,
      .check = check_pair_style},
     {.about = {.name = "pair_coeff",
                .syntax = {.usage = "<I> <J> [coefficients of the style]", .n_min = 2, .n_max = -1},
                .summary = "set the coefficients of pairs of atom types",
-               .details = "I and J are atom types or ranges of them: `3`, `*`, `2*4`, `2*`, `*3`. Pairs with I <= J are set.",
+               .details =
+                   "I and J are atom types or ranges of them: `3`, `*`, `2*4`, `2*`, `*3`. Pairs with I <= J are set.",
                .example = "pair_coeff * * 1.0 1.0\npair_coeff 1 2 0.5 1.2 3.0"},
      .run = run_pair_coeff},
     {.about = {.name = "pair_modify",

@@ -16,8 +16,8 @@ typedef struct run_words {
     bool has_start, has_stop;
     int64_t start, stop;
     bool pre, post;
-    int64_t every;            /**< 0: not given */
-    int first_command, end;   /**< words of the commands */
+    int64_t every;          /**< 0: not given */
+    int first_command, end; /**< words of the commands */
 } run_words;
 
 static hs_status read_every(const hs_args *args, int i, run_words *run, hs_error *err)
@@ -56,9 +56,14 @@ static hs_status read_run(const hs_args *args, run_words *run, hs_error *err)
             run->has_stop = true;
             HS_TRY(hs_arg_int(args, i + 1, 0, step_max, &run->stop, err));
             break;
-        case 3: HS_TRY(hs_arg_bool(args, i + 1, &run->pre, err)); break;
-        case 4: HS_TRY(hs_arg_bool(args, i + 1, &run->post, err)); break;
-        default: return read_every(args, i, run, err);
+        case 3:
+            HS_TRY(hs_arg_bool(args, i + 1, &run->pre, err));
+            break;
+        case 4:
+            HS_TRY(hs_arg_bool(args, i + 1, &run->post, err));
+            break;
+        default:
+            return read_every(args, i, run, err);
         }
     }
     return HS_OK;

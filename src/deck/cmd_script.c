@@ -58,7 +58,7 @@ static hs_status log_run(hs_deck *deck, const hs_args *args, hs_error *err)
 /* ---- print ---- */
 
 typedef struct print_plan {
-    const char *file;   /**< NULL: to no file */
+    const char *file; /**< NULL: to no file */
     bool is_append;
     bool to_screen, to_universe;
 } print_plan;

@@ -32,18 +32,17 @@ static const hs_keyword set_keywords[] = {
 typedef struct selection {
     hs_deck *deck;
     hs_sim *sim;
-    unsigned char *flag;   /**< owned [n_local] */
-    int64_t n_all;         /**< selected on all ranks */
+    unsigned char *flag; /**< owned [n_local] */
+    int64_t n_all;       /**< selected on all ranks */
 } selection;
 
 static hs_status set_check(const hs_args *args, bool has_variables, hs_error *err)
 {
-    static const char *const others[] = {"mol", "charge", "mass", "density", "density/disc", "diameter", "shape",
-                                         "length",
-                                         "tri", "dipole", "dipole/random", "quat", "quat/random", "omega", "angmom",
-                                         "theta",
-                                         "theta/random", "bond", "angle", "dihedral", "improper", "spin", "spin/random",
-                                         "volume", "temperature", "cc", "template", NULL};
+    static const char *const others[] = {"mol",         "charge",   "mass",     "density", "density/disc",  "diameter",
+                                         "shape",       "length",   "tri",      "dipole",  "dipole/random", "quat",
+                                         "quat/random", "omega",    "angmom",   "theta",   "theta/random",  "bond",
+                                         "angle",       "dihedral", "improper", "spin",    "spin/random",   "volume",
+                                         "temperature", "cc",       "template", NULL};
     int style;
     if (strchr(args->word[0], '$') != NULL) return HS_OK;
     if (strcmp(args->word[0], "mol") == 0)
@@ -52,8 +51,10 @@ static hs_status set_check(const hs_args *args, bool has_variables, hs_error *er
     for (int i = 2; i < args->n; ++i)
         for (int k = 0; others[k] != NULL; ++k)
             if (strcmp(args->word[i], others[k]) == 0)
-                return hs_fail(err, HS_ERROR_INPUT, "set: '%s' cannot be set: atoms of the style atomic have a type, "
-                               "a position, a velocity and image numbers", args->word[i]);
+                return hs_fail(err, HS_ERROR_INPUT,
+                               "set: '%s' cannot be set: atoms of the style atomic have a type, "
+                               "a position, a velocity and image numbers",
+                               args->word[i]);
     const hs_syntax syntax = {"atom|type|group|region <ID> <keyword> <values> ...", 2, 2, set_keywords};
     HS_TRY(hs_syntax_check(&syntax, args, has_variables, err));
     if (args->n == 2 && !has_variables) return hs_arg_need(args, 2, "a keyword", err);
@@ -77,12 +78,15 @@ static hs_status read_ids(const hs_args *args, int i, int64_t *lo, int64_t *hi, 
             *hi = *lo;
         } else {
             *star = '\0';
-            is_good = (word[0] == '\0' || hs_text_to_int64(word, lo)) &&
-                      (star[1] == '\0' || hs_text_to_int64(star + 1, hi));
+            is_good =
+                (word[0] == '\0' || hs_text_to_int64(word, lo)) && (star[1] == '\0' || hs_text_to_int64(star + 1, hi));
         }
     }
-    if (!is_good || *lo < 1 || *lo > *hi) return hs_arg_refuse(args, i, "an atom ID or range of IDs (n, *, n*, *n, "
-                                                               "m*n)", NULL, err);
+    if (!is_good || *lo < 1 || *lo > *hi)
+        return hs_arg_refuse(args, i,
+                             "an atom ID or range of IDs (n, *, n*, *n, "
+                             "m*n)",
+                             NULL, err);
     return HS_OK;
 }
 
@@ -182,7 +186,8 @@ static hs_status set_image(const selection *s, const hs_args *args, int i, hs_er
                 status = hs_fail(err, HS_ERROR_INPUT, "set: %s gives the image number %g; a whole number is needed",
                                  args->word[i + 1 + axis], values[k]);
             else if (values[k] != 0.0 && !s->sim->box.periodic[axis])
-                status = hs_fail(err, HS_ERROR_INPUT, "set: the image number along %c must be 0, since %c is not "
+                status = hs_fail(err, HS_ERROR_INPUT,
+                                 "set: the image number along %c must be 0, since %c is not "
                                  "periodic",
                                  "xyz"[axis], "xyz"[axis]);
             else
@@ -244,8 +249,8 @@ static hs_status set_exact(const selection *s, const hs_args *args, int i, int t
     unsigned char *mark = NULL;
     if (strcmp(args->word[i], "type/ratio") == 0) {
         HS_TRY(hs_arg_double(args, i + 2, &fraction, err));
-        if (!(fraction >= 0.0 && fraction <= 1.0)) return hs_arg_refuse(args, i + 2, "a fraction from 0 to 1", NULL,
-                                                                        err);
+        if (!(fraction >= 0.0 && fraction <= 1.0))
+            return hs_arg_refuse(args, i + 2, "a fraction from 0 to 1", NULL, err);
         n_wanted = (int64_t)(fraction * (double)s->n_all);
     } else {
         HS_TRY(hs_arg_int(args, i + 2, 0, INT64_MAX, &n_wanted, err));
@@ -315,26 +320,29 @@ static hs_status set_run(hs_deck *deck, const hs_args *args, hs_error *err)
 
 const hs_command hs_commands_set[] = {
     {
-        .about = {
-            .name = "set",
-            .syntax = {"atom|type|group|region <ID> <keyword> <values> ...", 2, -1, set_keywords},
-            .summary = "Set types, positions, velocities or image numbers of atoms",
-            .details =
-                "The atoms are chosen by ID or range of IDs (`atom 3`, `atom 5*10`), by type or range of types, by "
-                "group, or by\n"
-                "region, once for all keywords of the command, which act one after the other. A value `v_name` takes "
-                "an atom-style\n"
-                "variable's value for each atom. Positions are in distance units and are not wrapped into the box "
-                "until the\n"
-                "next run. `type/fraction` draws for each atom from its place, so that the number of atoms is only "
-                "about right;\n"
-                "`type/ratio` and `type/subset` hit it exactly, going through atoms by ID. The choices are those of "
-                "LAMMPS on\n"
-                "one rank (before the first run of a deck; after it LAMMPS has reordered its atoms), whatever the "
-                "number of ranks.\n"
-                "Image numbers must be 0 along axes that are not periodic.\n",
-            .example = "set type 1 type/fraction 2 0.5 12393\nset group left vx 0.5\nset atom 7 x 1.0 y 1.0",
-        },
+        .about =
+            {
+                .name = "set",
+                .syntax = {"atom|type|group|region <ID> <keyword> <values> ...", 2, -1, set_keywords},
+                .summary = "Set types, positions, velocities or image numbers of atoms",
+                .details =
+                    "The atoms are chosen by ID or range of IDs (`atom 3`, `atom 5*10`), by type or range of types, by "
+                    "group, or by\n"
+                    "region, once for all keywords of the command, which act one after the other. A value `v_name` "
+                    "takes "
+                    "an atom-style\n"
+                    "variable's value for each atom. Positions are in distance units and are not wrapped into the box "
+                    "until the\n"
+                    "next run. `type/fraction` draws for each atom from its place, so that the number of atoms is only "
+                    "about right;\n"
+                    "`type/ratio` and `type/subset` hit it exactly, going through atoms by ID. The choices are those "
+                    "of "
+                    "LAMMPS on\n"
+                    "one rank (before the first run of a deck; after it LAMMPS has reordered its atoms), whatever the "
+                    "number of ranks.\n"
+                    "Image numbers must be 0 along axes that are not periodic.\n",
+                .example = "set type 1 type/fraction 2 0.5 12393\nset group left vx 0.5\nset atom 7 x 1.0 y 1.0",
+            },
         .run = set_run,
         .check = set_check,
     },

@@ -7,7 +7,8 @@
 static hs_status need_no_box(const hs_deck *deck, const char *command, hs_error *err)
 {
     if (!deck->sim->box.exists) return HS_OK;
-    return hs_fail(err, HS_ERROR_INPUT, "%s: must come before the box is made (create_box, read_data); 'clear' starts "
+    return hs_fail(err, HS_ERROR_INPUT,
+                   "%s: must come before the box is made (create_box, read_data); 'clear' starts "
                    "anew",
                    command);
 }
@@ -58,14 +59,13 @@ static hs_status read_faces(const hs_args *args, int axis, hs_boundary faces[2],
     const char *word = args->word[axis];
     const size_t n = strlen(word);
     if (n < 1 || n > 2 || strspn(word, "pfsm") != n)
-        return hs_arg_refuse(args, axis, "p, f, s or m, or two of these letters for the lower and the upper face",
-                             NULL, err);
+        return hs_arg_refuse(args, axis, "p, f, s or m, or two of these letters for the lower and the upper face", NULL,
+                             err);
     faces[0] = (hs_boundary)word[0];
     faces[1] = (hs_boundary)word[n - 1];
     if ((faces[0] == HS_BOUNDARY_PERIODIC) != (faces[1] == HS_BOUNDARY_PERIODIC))
         return hs_fail(err, HS_ERROR_INPUT, "%s: '%s' for %c: both faces of an axis must be periodic, or neither",
-                       args->command,
-                       word, "xyz"[axis]);
+                       args->command, word, "xyz"[axis]);
     return HS_OK;
 }
 
@@ -96,19 +96,20 @@ static hs_status boundary_run(hs_deck *deck, const hs_args *args, hs_error *err)
 
 static hs_status atom_style_check(const hs_args *args, bool has_variables, hs_error *err)
 {
-    static const char *const others[] = {"angle", "body", "bond", "charge", "dipole", "dpd", "edpd", "electron",
-                                         "ellipsoid",
-                                         "full", "hybrid", "line", "mdpd", "mesont", "molecular", "peri", "smd", "sph",
-                                         "sphere", "spin", "tdpd", "template", "tri", "wavepacket", NULL};
+    static const char *const others[] = {"angle",     "body",      "bond",       "charge", "dipole", "dpd",  "edpd",
+                                         "electron",  "ellipsoid", "full",       "hybrid", "line",   "mdpd", "mesont",
+                                         "molecular", "peri",      "smd",        "sph",    "sphere", "spin", "tdpd",
+                                         "template",  "tri",       "wavepacket", NULL};
     static const char *const atomic[] = {"atomic", NULL};
     if (has_variables && is_variable(args->word[0])) return HS_OK;
     for (int k = 0; others[k] != NULL; ++k)
         if (strcmp(args->word[0], others[k]) == 0)
-            return hs_fail(err, HS_ERROR_INPUT, "atom_style: '%s' is not supported: atoms have a type, a position and "
+            return hs_fail(err, HS_ERROR_INPUT,
+                           "atom_style: '%s' is not supported: atoms have a type, a position and "
                            "a velocity (no charges, bonds, sizes or orientations), which is the style 'atomic'",
                            args->word[0]);
-    if (strcmp(args->word[0], "atomic") != 0) return hs_arg_refuse(args, 0, "a supported atom style (atomic)", atomic,
-                                                                   err);
+    if (strcmp(args->word[0], "atomic") != 0)
+        return hs_arg_refuse(args, 0, "a supported atom style (atomic)", atomic, err);
     if (args->n > 1 && !has_variables)
         return hs_fail(err, HS_ERROR_INPUT, "atom_style: unexpected word '%s' after atomic", args->word[1]);
     return HS_OK;
@@ -185,7 +186,8 @@ static hs_status processors_run(hs_deck *deck, const hs_args *args, hs_error *er
         product *= n;
     }
     if (is_free ? n_ranks % product != 0 : product != n_ranks)
-        return hs_fail(err, HS_ERROR_INPUT, "processors: a grid of %s x %s x %s does not fit this run's %lld MPI "
+        return hs_fail(err, HS_ERROR_INPUT,
+                       "processors: a grid of %s x %s x %s does not fit this run's %lld MPI "
                        "rank%s",
                        args->word[0], args->word[1], args->word[2], (long long)n_ranks, n_ranks == 1 ? "" : "s");
     return HS_OK;
@@ -193,108 +195,120 @@ static hs_status processors_run(hs_deck *deck, const hs_args *args, hs_error *er
 
 const hs_command hs_commands_system[] = {
     {
-        .about = {
-            .name = "units",
-            .syntax = {"lj|real|metal", 1, 1, NULL},
-            .summary = "Choose the units of all numbers in the deck and of all output",
-            .details =
-                "| | lj | real | metal |\n|---|---|---|---|\n"
-                "| mass | m | g/mol | g/mol |\n| distance | sigma | Angstrom | Angstrom |\n"
-                "| time | tau | fs | ps |\n| energy | epsilon | kcal/mol | eV |\n"
-                "| velocity | sigma/tau | Angstrom/fs | Angstrom/ps |\n"
-                "| temperature | epsilon/k | K | K |\n| pressure | epsilon/sigma^3 | atm | bar |\n"
-                "| default timestep | 0.005 | 1 | 0.001 |\n| default skin | 0.3 | 2 | 2 |\n\n"
-                "Must come before the box; the default is `lj`. Also sets the timestep and the skin to the defaults "
-                "of the\n"
-                "system. In `lj`, the number of the command `lattice` is a density and energies are printed per "
-                "atom.\n",
-            .example = "units lj",
-        },
+        .about =
+            {
+                .name = "units",
+                .syntax = {"lj|real|metal", 1, 1, NULL},
+                .summary = "Choose the units of all numbers in the deck and of all output",
+                .details =
+                    "| | lj | real | metal |\n|---|---|---|---|\n"
+                    "| mass | m | g/mol | g/mol |\n| distance | sigma | Angstrom | Angstrom |\n"
+                    "| time | tau | fs | ps |\n| energy | epsilon | kcal/mol | eV |\n"
+                    "| velocity | sigma/tau | Angstrom/fs | Angstrom/ps |\n"
+                    "| temperature | epsilon/k | K | K |\n| pressure | epsilon/sigma^3 | atm | bar |\n"
+                    "| default timestep | 0.005 | 1 | 0.001 |\n| default skin | 0.3 | 2 | 2 |\n\n"
+                    "Must come before the box; the default is `lj`. Also sets the timestep and the skin to the "
+                    "defaults "
+                    "of the\n"
+                    "system. In `lj`, the number of the command `lattice` is a density and energies are printed per "
+                    "atom.\n",
+                .example = "units lj",
+            },
         .run = units_run,
         .check = units_check,
     },
     {
-        .about = {
-            .name = "dimension",
-            .syntax = {"2|3", 1, 1, NULL},
-            .summary = "Two or three dimensions",
-            .details =
-                "Must come before the box; the default is 3. In two dimensions z must be periodic and atoms lie at z "
-                "= 0;\n"
-                "temperatures count two degrees of freedom an atom, and volumes are areas.\n",
-            .example = "dimension 2",
-        },
+        .about =
+            {
+                .name = "dimension",
+                .syntax = {"2|3", 1, 1, NULL},
+                .summary = "Two or three dimensions",
+                .details = "Must come before the box; the default is 3. In two dimensions z must be periodic and atoms "
+                           "lie at z "
+                           "= 0;\n"
+                           "temperatures count two degrees of freedom an atom, and volumes are areas.\n",
+                .example = "dimension 2",
+            },
         .run = dimension_run,
     },
     {
-        .about = {
-            .name = "boundary",
-            .syntax = {"<x> <y> <z>", 3, 3, NULL},
-            .summary = "Periodic, fixed or shrink-wrapped faces of the box",
-            .details =
-                "One word for each axis, of one letter for both faces or of two for the lower and the upper one: `p` "
-                "periodic\n"
-                "(both faces or neither), `f` fixed: atoms that leave are lost, `s` shrink-wrapped: the face follows "
-                "the\n"
-                "outermost atom, `m` the same, but never inside of its first place. Must come before the box; the "
-                "default\n"
-                "is `p p p`.\n",
-            .example = "boundary p p fs",
-        },
+        .about =
+            {
+                .name = "boundary",
+                .syntax = {"<x> <y> <z>", 3, 3, NULL},
+                .summary = "Periodic, fixed or shrink-wrapped faces of the box",
+                .details =
+                    "One word for each axis, of one letter for both faces or of two for the lower and the upper one: "
+                    "`p` "
+                    "periodic\n"
+                    "(both faces or neither), `f` fixed: atoms that leave are lost, `s` shrink-wrapped: the face "
+                    "follows "
+                    "the\n"
+                    "outermost atom, `m` the same, but never inside of its first place. Must come before the box; the "
+                    "default\n"
+                    "is `p p p`.\n",
+                .example = "boundary p p fs",
+            },
         .run = boundary_run,
         .check = boundary_check,
     },
     {
-        .about = {
-            .name = "atom_style",
-            .syntax = {"atomic", 1, -1, NULL},
-            .summary = "What atoms have: type, position, velocity",
-            .details = "Only `atomic` (the default) is supported. Must come before the box.\n",
-            .example = "atom_style atomic",
-        },
+        .about =
+            {
+                .name = "atom_style",
+                .syntax = {"atomic", 1, -1, NULL},
+                .summary = "What atoms have: type, position, velocity",
+                .details = "Only `atomic` (the default) is supported. Must come before the box.\n",
+                .example = "atom_style atomic",
+            },
         .run = atom_style_run,
         .check = atom_style_check,
     },
     {
-        .about = {
-            .name = "atom_modify",
-            .syntax = {"[id yes] [map yes|array|hash] [first <group-ID>] [sort <every> <bin-size>]", 0, 0,
-                       atom_modify_keywords},
-            .summary = "Settings of LAMMPS's storage of atoms, accepted without effect",
-            .details =
-                "Halfshell always keeps IDs, finds atoms by ID without a map, and sorts atoms itself; so `map`, "
-                "`first` and\n"
-                "`sort` are checked and change nothing. `id no` is refused. `id` and `map` must come before the box.\n",
-            .example = "atom_modify map array sort 0 0.0",
-        },
+        .about =
+            {
+                .name = "atom_modify",
+                .syntax = {"[id yes] [map yes|array|hash] [first <group-ID>] [sort <every> <bin-size>]", 0, 0,
+                           atom_modify_keywords},
+                .summary = "Settings of LAMMPS's storage of atoms, accepted without effect",
+                .details =
+                    "Halfshell always keeps IDs, finds atoms by ID without a map, and sorts atoms itself; so `map`, "
+                    "`first` and\n"
+                    "`sort` are checked and change nothing. `id no` is refused. `id` and `map` must come before the "
+                    "box.\n",
+                .example = "atom_modify map array sort 0 0.0",
+            },
         .run = atom_modify_run,
     },
     {
-        .about = {
-            .name = "newton",
-            .syntax = {"on|off [on|off]", 1, 2, NULL},
-            .summary = "Use of Newton's third law between ranks in LAMMPS, accepted without effect",
-            .details =
-                "One word for pairs and bonds, or one for each. Halfshell computes every pair once and chooses itself "
-                "how; the\n"
-                "results do not depend on it.\n",
-            .example = "newton on",
-        },
+        .about =
+            {
+                .name = "newton",
+                .syntax = {"on|off [on|off]", 1, 2, NULL},
+                .summary = "Use of Newton's third law between ranks in LAMMPS, accepted without effect",
+                .details = "One word for pairs and bonds, or one for each. Halfshell computes every pair once and "
+                           "chooses itself "
+                           "how; the\n"
+                           "results do not depend on it.\n",
+                .example = "newton on",
+            },
         .run = newton_run,
     },
     {
-        .about = {
-            .name = "processors",
-            .syntax = {"<Px> <Py> <Pz> [grid onelevel|numa] [map <order>]", 3, 3, processors_keywords},
-            .summary = "Grid of MPI ranks as LAMMPS divides the box, checked against the number of ranks",
-            .details =
-                "`Px Py Pz` are ranks along each axis, `*` leaves one free. The grid must fit the number of ranks of "
-                "the run, as\n"
-                "in LAMMPS; how the box is then divided is up to Halfshell, and results do not depend on it. Must "
-                "come\n"
-                "before the box.\n",
-            .example = "processors * * 1",
-        },
+        .about =
+            {
+                .name = "processors",
+                .syntax = {"<Px> <Py> <Pz> [grid onelevel|numa] [map <order>]", 3, 3, processors_keywords},
+                .summary = "Grid of MPI ranks as LAMMPS divides the box, checked against the number of ranks",
+                .details =
+                    "`Px Py Pz` are ranks along each axis, `*` leaves one free. The grid must fit the number of ranks "
+                    "of "
+                    "the run, as\n"
+                    "in LAMMPS; how the box is then divided is up to Halfshell, and results do not depend on it. Must "
+                    "come\n"
+                    "before the box.\n",
+                .example = "processors * * 1",
+            },
         .run = processors_run,
     },
     {.about = {.name = NULL}},

@@ -28,7 +28,8 @@ static const hs_keyword velocity_keywords[] = {
     {"temp", 1, "<compute-ID>", "create, scale: compute that measures the temperature (default: of the group)"},
     {"bias", 1, "yes|no", "create, scale: leave the bias of the compute alone; only `no` is supported"},
     {"loop", 1, "all|local|geom", "create: what the random numbers of an atom belong to (default all)"},
-    {"units", 1, "lattice|box", "set, ramp: velocities and coordinates in lattice spacings (default) or distance "
+    {"units", 1, "lattice|box",
+     "set, ramp: velocities and coordinates in lattice spacings (default) or distance "
      "units"},
     {NULL, 0, NULL, NULL},
 };
@@ -41,7 +42,7 @@ typedef struct velocity {
     velocity_style style;
     loop_kind loop;
     bool is_gaussian, zero_momentum, zero_rotation, is_sum, is_lattice_units;
-    hs_compute *temperature;   /**< NULL: temperature of the group */
+    hs_compute *temperature; /**< NULL: temperature of the group */
 } velocity;
 
 static hs_status velocity_check(const hs_args *args, bool has_variables, hs_error *err)
@@ -54,7 +55,8 @@ static hs_status velocity_check(const hs_args *args, bool has_variables, hs_erro
              velocity_usage[style]);
     for (int i = 2 + velocity_words[style]; i < args->n; ++i)
         if (strcmp(args->word[i], "rigid") == 0)
-            return hs_fail(err, HS_ERROR_INPUT, "velocity: the keyword 'rigid' is not supported: there are no rigid "
+            return hs_fail(err, HS_ERROR_INPUT,
+                           "velocity: the keyword 'rigid' is not supported: there are no rigid "
                            "bodies");
     const int n = 2 + velocity_words[style];
     const hs_syntax syntax = {usage, n, n, velocity_keywords};
@@ -121,8 +123,10 @@ static hs_status draw_by_id(const velocity *vel, int seed, hs_error *err)
     int64_t max_id = hs_atoms_max_id(atoms);
     hs_parallel_max_int64(&vel->sim->parallel, &max_id, 1);
     if (max_id != atoms->n_all)
-        return hs_fail(err, HS_ERROR_INPUT, "velocity: 'loop all' needs the IDs 1 to %lld, but the highest is %lld; "
-                       "'loop geom' does not", (long long)atoms->n_all, (long long)max_id);
+        return hs_fail(err, HS_ERROR_INPUT,
+                       "velocity: 'loop all' needs the IDs 1 to %lld, but the highest is %lld; "
+                       "'loop geom' does not",
+                       (long long)atoms->n_all, (long long)max_id);
     hs_park park;
     hs_park_init(&park, seed);
     int next = 0;
@@ -151,8 +155,8 @@ static hs_status draw_by_member(const velocity *vel, int seed, int bit, hs_error
     for (int64_t k = 0; status == HS_OK && k < n_ids; ++k) {
         double v[3];
         draw(vel, &park, v);
-        if (next < vel->group.n && atoms->id[vel->group.member[next]] == ids[k]) assign(vel, vel->group.member[next++],
-                                                                                        v);
+        if (next < vel->group.n && atoms->id[vel->group.member[next]] == ids[k])
+            assign(vel, vel->group.member[next++], v);
     }
     HS_FREE(ids);
     HS_FREE(selected);
@@ -190,9 +194,15 @@ static hs_status create_velocities(const velocity *vel, double t_wanted, int see
 {
     double t;
     switch (vel->loop) {
-    case LOOP_ALL: HS_TRY(draw_by_id(vel, seed, err)); break;
-    case LOOP_LOCAL: HS_TRY(draw_by_member(vel, seed, bit, err)); break;
-    case LOOP_GEOM: draw_by_place(vel, seed); break;
+    case LOOP_ALL:
+        HS_TRY(draw_by_id(vel, seed, err));
+        break;
+    case LOOP_LOCAL:
+        HS_TRY(draw_by_member(vel, seed, bit, err));
+        break;
+    case LOOP_GEOM:
+        draw_by_place(vel, seed);
+        break;
     }
     if (vel->zero_momentum) HS_TRY(hs_velocity_zero_momentum(&vel->group, err));
     if (vel->zero_rotation) HS_TRY(hs_velocity_zero_rotation(&vel->group, err));
@@ -307,10 +317,14 @@ static hs_status velocity_zero(const velocity *vel, const hs_args *args, hs_erro
 static hs_status carry_out(velocity *vel, const hs_args *args, int bit, hs_error *err)
 {
     switch (vel->style) {
-    case VELOCITY_CREATE: return velocity_create(vel, args, bit, err);
-    case VELOCITY_SCALE: return velocity_scale(vel, args, err);
-    case VELOCITY_RAMP: return velocity_ramp(vel, args, err);
-    case VELOCITY_ZERO: return velocity_zero(vel, args, err);
+    case VELOCITY_CREATE:
+        return velocity_create(vel, args, bit, err);
+    case VELOCITY_SCALE:
+        return velocity_scale(vel, args, err);
+    case VELOCITY_RAMP:
+        return velocity_ramp(vel, args, err);
+    case VELOCITY_ZERO:
+        return velocity_zero(vel, args, err);
     default:
         for (int axis = 0; axis < 3; ++axis) HS_TRY(set_component(vel, args, axis, err));
         return HS_OK;
@@ -327,8 +341,8 @@ static hs_status velocity_run(hs_deck *deck, const hs_args *args, hs_error *err)
     HS_TRY(hs_sim_need_masses(sim, args->command, err));
     HS_TRY(hs_groups_get(&sim->groups, args->word[0], &bit, err));
     HS_TRY(hs_arg_choice(args, 1, velocity_styles, &style, err));
-    velocity vel = {.deck = deck, .sim = sim, .style = (velocity_style)style, .zero_momentum = true,
-                    .is_lattice_units = true};
+    velocity vel = {
+        .deck = deck, .sim = sim, .style = (velocity_style)style, .zero_momentum = true, .is_lattice_units = true};
     HS_TRY(read_keywords(&vel, args, err));
     hs_status status = hs_velocity_group_init(&vel.group, sim, bit, err);
     if (status == HS_OK) status = carry_out(&vel, args, bit, err);
@@ -339,32 +353,37 @@ static hs_status velocity_run(hs_deck *deck, const hs_args *args, hs_error *err)
 
 const hs_command hs_commands_velocity[] = {
     {
-        .about = {
-            .name = "velocity",
-            .syntax = {"<group-ID> create <T> <seed> | set <vx> <vy> <vz> | scale <T> | ramp vx|vy|vz <vlo> <vhi> "
-                       "x|y|z <clo> <chi> | zero linear|angular [keyword value ...]", 3, -1, velocity_keywords},
-            .summary = "Draw, set, scale, ramp or zero the velocities of a group",
-            .details =
-                "`create` draws velocities at random, divides them by the square root of the mass, zeroes the "
-                "momentum (and with\n"
-                "`rot yes` the angular momentum about the center of mass), and scales to the temperature `T`, 0 or "
-                "more, counting\n"
-                "dim N - dim degrees of freedom. `loop all` draws for each ID in order, `loop local` for the group's "
-                "atoms by ID,\n"
-                "`loop geom` from the bits of each atom's position. The numbers are LAMMPS's on one rank (`loop "
-                "local`: before\n"
-                "the first run), whatever the number of ranks; `loop all` needs IDs 1 to N.\n\n"
-                "`set` gives all atoms one velocity; each component is a number in lattice spacings or distance units "
-                "per time, a\n"
-                "variable `v_name` (equal or atom style, not scaled by `units`), or `NULL` to leave it. `scale` "
-                "scales to the\n"
-                "temperature `T`. `ramp` interpolates one component linearly between two coordinates, and keeps it "
-                "constant\n"
-                "beyond. `zero linear` takes the mean velocity away, `zero angular` the rotation.\n\n"
-                "In two dimensions vz is 0. Every type must have a mass. LAMMPS's keyword `rigid` is refused.\n",
-            .example = "velocity all create 1.44 87287 loop geom\nvelocity left set 0.5 NULL NULL sum yes units box\n"
-                       "velocity all ramp vx 0 2 y 0 10\nvelocity all zero angular",
-        },
+        .about =
+            {
+                .name = "velocity",
+                .syntax = {"<group-ID> create <T> <seed> | set <vx> <vy> <vz> | scale <T> | ramp vx|vy|vz <vlo> <vhi> "
+                           "x|y|z <clo> <chi> | zero linear|angular [keyword value ...]",
+                           3, -1, velocity_keywords},
+                .summary = "Draw, set, scale, ramp or zero the velocities of a group",
+                .details =
+                    "`create` draws velocities at random, divides them by the square root of the mass, zeroes the "
+                    "momentum (and with\n"
+                    "`rot yes` the angular momentum about the center of mass), and scales to the temperature `T`, 0 or "
+                    "more, counting\n"
+                    "dim N - dim degrees of freedom. `loop all` draws for each ID in order, `loop local` for the "
+                    "group's "
+                    "atoms by ID,\n"
+                    "`loop geom` from the bits of each atom's position. The numbers are LAMMPS's on one rank (`loop "
+                    "local`: before\n"
+                    "the first run), whatever the number of ranks; `loop all` needs IDs 1 to N.\n\n"
+                    "`set` gives all atoms one velocity; each component is a number in lattice spacings or distance "
+                    "units "
+                    "per time, a\n"
+                    "variable `v_name` (equal or atom style, not scaled by `units`), or `NULL` to leave it. `scale` "
+                    "scales to the\n"
+                    "temperature `T`. `ramp` interpolates one component linearly between two coordinates, and keeps it "
+                    "constant\n"
+                    "beyond. `zero linear` takes the mean velocity away, `zero angular` the rotation.\n\n"
+                    "In two dimensions vz is 0. Every type must have a mass. LAMMPS's keyword `rigid` is refused.\n",
+                .example =
+                    "velocity all create 1.44 87287 loop geom\nvelocity left set 0.5 NULL NULL sum yes units box\n"
+                    "velocity all ramp vx 0 2 y 0 10\nvelocity all zero angular",
+            },
         .run = velocity_run,
         .check = velocity_check,
     },

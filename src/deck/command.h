@@ -7,7 +7,7 @@
 #include "sim/sim.h"
 
 typedef struct hs_command {
-    hs_description about;   /**< about.name is the command's word; about.syntax the words after it */
+    hs_description about; /**< about.name is the command's word; about.syntax the words after it */
     /** Carry it out. args exclude the command's name; errors get the deck's place by the caller. */
     HS_MUST_USE hs_status (*run)(hs_deck *deck, const hs_args *args, hs_error *err);
     /** Extra checks of the first pass beyond the syntax (style names, sub-words); words may hold unexpanded `$`.

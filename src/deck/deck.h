@@ -10,20 +10,20 @@ struct hs_variables;
 struct hs_source;
 
 typedef struct hs_deck {
-    hs_sim *sim;                       /**< owned; made anew by `clear` */
-    hs_sink *out;                      /**< borrowed */
-    hs_options options;                /**< command-line settings, kept over `clear` */
-    struct hs_variables *variables;    /**< owned; kept over `clear` */
-    struct hs_source *source;          /**< owned stack of files being read; deck/interpreter.c */
+    hs_sim *sim;                    /**< owned; made anew by `clear` */
+    hs_sink *out;                   /**< borrowed */
+    hs_options options;             /**< command-line settings, kept over `clear` */
+    struct hs_variables *variables; /**< owned; kept over `clear` */
+    struct hs_source *source;       /**< owned stack of files being read; deck/interpreter.c */
     bool echo_screen, echo_log;
-    FILE *log_opened; /**< log file opened by -log or the command `log`; owned; NULL: out->log is not ours */
-    char *label_wanted;                /**< owned; skipping to this label (jump); NULL: not skipping */
-    bool jump_skipped;                 /**< `next` has come to its end: the next jump does nothing */
-    bool quit;                         /**< the command quit was met */
-    int exit_code;                     /**< given with quit */
-    bool is_running;                   /**< within hs_sim_run: functions of time since the run's start have a value */
-    int depth;                         /**< commands within commands (if, run every) being carried out */
-    hs_text input;                     /**< owned; standard input, read once for both passes */
+    FILE *log_opened;   /**< log file opened by -log or the command `log`; owned; NULL: out->log is not ours */
+    char *label_wanted; /**< owned; skipping to this label (jump); NULL: not skipping */
+    bool jump_skipped;  /**< `next` has come to its end: the next jump does nothing */
+    bool quit;          /**< the command quit was met */
+    int exit_code;      /**< given with quit */
+    bool is_running;    /**< within hs_sim_run: functions of time since the run's start have a value */
+    int depth;          /**< commands within commands (if, run every) being carried out */
+    hs_text input;      /**< owned; standard input, read once for both passes */
     bool input_is_read;
 } hs_deck;
 

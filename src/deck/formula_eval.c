@@ -10,19 +10,29 @@
 /** Value of a node: one number, or one for every local atom. */
 typedef struct result {
     double number;
-    double *array;   /**< owned [n_local]; NULL: one number */
+    double *array; /**< owned [n_local]; NULL: one number */
 } result;
 
 double hs_formula_attribute(const hs_sim *sim, int attribute, int i)
 {
     const hs_atoms *atoms = &sim->atoms;
     switch (attribute) {
-    case 0: return (double)atoms->id[i];
-    case 1: return atoms->mass[atoms->type[i]];
-    case 2: return (double)atoms->type[i];
-    case 3: case 4: case 5: return atoms->x[attribute - 3][i];
-    case 6: case 7: case 8: return atoms->v[attribute - 6][i];
-    default: return atoms->f[attribute - 9][i];
+    case 0:
+        return (double)atoms->id[i];
+    case 1:
+        return atoms->mass[atoms->type[i]];
+    case 2:
+        return (double)atoms->type[i];
+    case 3:
+    case 4:
+    case 5:
+        return atoms->x[attribute - 3][i];
+    case 6:
+    case 7:
+    case 8:
+        return atoms->v[attribute - 6][i];
+    default:
+        return atoms->f[attribute - 9][i];
     }
 }
 
@@ -30,9 +40,15 @@ static hs_status apply_binary(const hs_formula *formula, hs_node_kind kind, doub
                               hs_error *err)
 {
     switch (kind) {
-    case HS_NODE_ADD: *value = a + b; break;
-    case HS_NODE_SUBTRACT: *value = a - b; break;
-    case HS_NODE_MULTIPLY: *value = a * b; break;
+    case HS_NODE_ADD:
+        *value = a + b;
+        break;
+    case HS_NODE_SUBTRACT:
+        *value = a - b;
+        break;
+    case HS_NODE_MULTIPLY:
+        *value = a * b;
+        break;
     case HS_NODE_DIVIDE:
         if (b == 0.0) return hs_fail(err, HS_ERROR_INPUT, "formula '%.400s': division by zero", formula->text);
         *value = a / b;
@@ -49,16 +65,35 @@ static hs_status apply_binary(const hs_formula *formula, hs_node_kind kind, doub
                            formula->text, a, b);
         *value = b == 0.0 ? 1.0 : pow(a, b);
         break;
-    case HS_NODE_EQUAL: *value = a == b; break;
-    case HS_NODE_NOT_EQUAL: *value = a != b; break;
-    case HS_NODE_LESS: *value = a < b; break;
-    case HS_NODE_LESS_EQUAL: *value = a <= b; break;
-    case HS_NODE_GREATER: *value = a > b; break;
-    case HS_NODE_GREATER_EQUAL: *value = a >= b; break;
-    case HS_NODE_AND: *value = a != 0.0 && b != 0.0; break;
-    case HS_NODE_OR: *value = a != 0.0 || b != 0.0; break;
-    case HS_NODE_XOR: *value = (a != 0.0) != (b != 0.0); break;
-    default: return hs_fail(err, HS_ERROR_RUN, "formula '%.400s': no such operator %d", formula->text, (int)kind);
+    case HS_NODE_EQUAL:
+        *value = a == b;
+        break;
+    case HS_NODE_NOT_EQUAL:
+        *value = a != b;
+        break;
+    case HS_NODE_LESS:
+        *value = a < b;
+        break;
+    case HS_NODE_LESS_EQUAL:
+        *value = a <= b;
+        break;
+    case HS_NODE_GREATER:
+        *value = a > b;
+        break;
+    case HS_NODE_GREATER_EQUAL:
+        *value = a >= b;
+        break;
+    case HS_NODE_AND:
+        *value = a != 0.0 && b != 0.0;
+        break;
+    case HS_NODE_OR:
+        *value = a != 0.0 || b != 0.0;
+        break;
+    case HS_NODE_XOR:
+        *value = (a != 0.0) != (b != 0.0);
+        break;
+    default:
+        return hs_fail(err, HS_ERROR_RUN, "formula '%.400s': no such operator %d", formula->text, (int)kind);
     }
     return HS_OK;
 }
@@ -216,16 +251,26 @@ static hs_status eval_node(const hs_formula *formula, int n, hs_deck *deck, bool
     const hs_node *node = &formula->node[n];
     result *out = &results[n];
     switch (node->kind) {
-    case HS_NODE_NUMBER: out->number = node->number; return HS_OK;
-    case HS_NODE_VARIABLE: return eval_variable(node, deck, per_atom, out, err);
-    case HS_NODE_COMPUTE: return eval_compute(node, deck, results, &out->number, err);
-    case HS_NODE_FIX: return eval_fix(node, deck, results, &out->number, err);
-    case HS_NODE_KEYWORD: return eval_keyword(node, deck, &out->number, err);
-    case HS_NODE_ATTRIBUTE: return eval_attribute(node, deck->sim, out, err);
-    case HS_NODE_ATOM_VALUE: return eval_atom_value(node, deck, results, &out->number, err);
+    case HS_NODE_NUMBER:
+        out->number = node->number;
+        return HS_OK;
+    case HS_NODE_VARIABLE:
+        return eval_variable(node, deck, per_atom, out, err);
+    case HS_NODE_COMPUTE:
+        return eval_compute(node, deck, results, &out->number, err);
+    case HS_NODE_FIX:
+        return eval_fix(node, deck, results, &out->number, err);
+    case HS_NODE_KEYWORD:
+        return eval_keyword(node, deck, &out->number, err);
+    case HS_NODE_ATTRIBUTE:
+        return eval_attribute(node, deck->sim, out, err);
+    case HS_NODE_ATOM_VALUE:
+        return eval_atom_value(node, deck, results, &out->number, err);
     case HS_NODE_GROUP:
-    case HS_NODE_SPECIAL: return eval_words(node, deck, out, err);
-    default: return eval_operation(formula, node, deck, per_atom, results, out, err);
+    case HS_NODE_SPECIAL:
+        return eval_words(node, deck, out, err);
+    default:
+        return eval_operation(formula, node, deck, per_atom, results, out, err);
     }
 }
 

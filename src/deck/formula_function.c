@@ -22,21 +22,21 @@ static hs_status refuse(const hs_call *call, const char *why, double value, hs_e
     return hs_fail(err, HS_ERROR_INPUT, "%s: %s (got %.15g)", call->function->usage, why, value);
 }
 
-#define PLAIN(name, expression)                                                        \
-    static hs_status do_##name(const hs_call *call, double *value, hs_error *err)      \
-    {                                                                                  \
-        (void)err;                                                                     \
-        const double x = call->arg[0];                                                 \
-        *value = (expression);                                                         \
-        return HS_OK;                                                                  \
+#define PLAIN(name, expression)                                                                                        \
+    static hs_status do_##name(const hs_call *call, double *value, hs_error *err)                                      \
+    {                                                                                                                  \
+        (void)err;                                                                                                     \
+        const double x = call->arg[0];                                                                                 \
+        *value = (expression);                                                                                         \
+        return HS_OK;                                                                                                  \
     }
-#define GUARDED(name, condition, why, expression)                                      \
-    static hs_status do_##name(const hs_call *call, double *value, hs_error *err)      \
-    {                                                                                  \
-        const double x = call->arg[0];                                                 \
-        if (!(condition)) return refuse(call, why, x, err);                            \
-        *value = (expression);                                                         \
-        return HS_OK;                                                                  \
+#define GUARDED(name, condition, why, expression)                                                                      \
+    static hs_status do_##name(const hs_call *call, double *value, hs_error *err)                                      \
+    {                                                                                                                  \
+        const double x = call->arg[0];                                                                                 \
+        if (!(condition)) return refuse(call, why, x, err);                                                            \
+        *value = (expression);                                                                                         \
+        return HS_OK;                                                                                                  \
     }
 
 PLAIN(exp, exp(x))
@@ -140,8 +140,10 @@ static hs_status take_whole(const hs_call *call, int64_t min, int64_t *n, hs_err
     for (int i = 0; i < call->function->n_args; ++i) {
         HS_TRY(hs_formula_whole(call->function->usage, call->arg[i], &n[i], err));
         if (n[i] < min)
-            return refuse(call, min > 0 ? "the arguments must be whole numbers of 1 or more"
-                                        : "the arguments must be whole numbers of 0 or more", call->arg[i], err);
+            return refuse(call,
+                          min > 0 ? "the arguments must be whole numbers of 1 or more"
+                                  : "the arguments must be whole numbers of 0 or more",
+                          call->arg[i], err);
     }
     return HS_OK;
 }

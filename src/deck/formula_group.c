@@ -8,7 +8,7 @@
 typedef struct selection {
     const hs_sim *sim;
     uint32_t mask;
-    const hs_region *region;   /**< NULL: everywhere */
+    const hs_region *region; /**< NULL: everywhere */
 } selection;
 
 static hs_status select_atoms(hs_deck *deck, const hs_node *node, selection *chosen, hs_error *err)
@@ -37,8 +37,7 @@ static bool is_chosen(const selection *chosen, int i)
 /** Place of an atom with the box lengths it has crossed added. */
 static void unwrap(const hs_sim *sim, int i, double x[3])
 {
-    for (int d = 0; d < 3; ++d)
-        x[d] = sim->atoms.x[d][i] + sim->atoms.image[d][i] * hs_box_length(&sim->box, d);
+    for (int d = 0; d < 3; ++d) x[d] = sim->atoms.x[d][i] + sim->atoms.image[d][i] * hs_box_length(&sim->box, d);
 }
 
 static hs_status need_mass(double mass, const hs_node *node, hs_error *err)

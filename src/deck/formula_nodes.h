@@ -6,19 +6,32 @@
 
 typedef enum {
     HS_NODE_NUMBER,
-    HS_NODE_NEGATE, HS_NODE_NOT,
-    HS_NODE_ADD, HS_NODE_SUBTRACT, HS_NODE_MULTIPLY, HS_NODE_DIVIDE, HS_NODE_MODULO, HS_NODE_POWER,
-    HS_NODE_EQUAL, HS_NODE_NOT_EQUAL, HS_NODE_LESS, HS_NODE_LESS_EQUAL, HS_NODE_GREATER, HS_NODE_GREATER_EQUAL,
-    HS_NODE_AND, HS_NODE_OR, HS_NODE_XOR,
-    HS_NODE_FUNCTION,     /**< math function of the nodes arg[] */
-    HS_NODE_VARIABLE,     /**< v_text */
-    HS_NODE_COMPUTE,      /**< c_text with index nodes arg[0 .. n_args) */
-    HS_NODE_FIX,          /**< f_text, the same */
-    HS_NODE_KEYWORD,      /**< thermo keyword text */
-    HS_NODE_ATTRIBUTE,    /**< per-atom attribute */
-    HS_NODE_ATOM_VALUE,   /**< attribute of the atom whose ID is arg[0] */
-    HS_NODE_GROUP,        /**< group function of words[] */
-    HS_NODE_SPECIAL       /**< special function of words[] */
+    HS_NODE_NEGATE,
+    HS_NODE_NOT,
+    HS_NODE_ADD,
+    HS_NODE_SUBTRACT,
+    HS_NODE_MULTIPLY,
+    HS_NODE_DIVIDE,
+    HS_NODE_MODULO,
+    HS_NODE_POWER,
+    HS_NODE_EQUAL,
+    HS_NODE_NOT_EQUAL,
+    HS_NODE_LESS,
+    HS_NODE_LESS_EQUAL,
+    HS_NODE_GREATER,
+    HS_NODE_GREATER_EQUAL,
+    HS_NODE_AND,
+    HS_NODE_OR,
+    HS_NODE_XOR,
+    HS_NODE_FUNCTION,   /**< math function of the nodes arg[] */
+    HS_NODE_VARIABLE,   /**< v_text */
+    HS_NODE_COMPUTE,    /**< c_text with index nodes arg[0 .. n_args) */
+    HS_NODE_FIX,        /**< f_text, the same */
+    HS_NODE_KEYWORD,    /**< thermo keyword text */
+    HS_NODE_ATTRIBUTE,  /**< per-atom attribute */
+    HS_NODE_ATOM_VALUE, /**< attribute of the atom whose ID is arg[0] */
+    HS_NODE_GROUP,      /**< group function of words[] */
+    HS_NODE_SPECIAL     /**< special function of words[] */
 } hs_node_kind;
 
 enum { HS_FUNCTION_ARGS_MAX = 6 };
@@ -30,19 +43,19 @@ typedef struct hs_node {
     hs_node_kind kind;
     double number;
     int n_args;
-    int arg[HS_FUNCTION_ARGS_MAX];            /**< nodes, all before this one */
-    const struct hs_function *function;       /**< of HS_NODE_FUNCTION */
-    const struct hs_word_function *words_of;  /**< of HS_NODE_GROUP and HS_NODE_SPECIAL */
-    int attribute;                            /**< index in hs_formula_attributes */
-    char *text;                               /**< owned; ID, keyword, or the words of a function, separated by NULs */
+    int arg[HS_FUNCTION_ARGS_MAX];           /**< nodes, all before this one */
+    const struct hs_function *function;      /**< of HS_NODE_FUNCTION */
+    const struct hs_word_function *words_of; /**< of HS_NODE_GROUP and HS_NODE_SPECIAL */
+    int attribute;                           /**< index in hs_formula_attributes */
+    char *text;                              /**< owned; ID, keyword, or the words of a function, separated by NULs */
     int n_words;
-    const char *words[HS_FUNCTION_ARGS_MAX];  /**< point into text */
+    const char *words[HS_FUNCTION_ARGS_MAX]; /**< point into text */
 } hs_node;
 
 /** Nodes stand in the order of evaluation: operands before what uses them, the result last. So nothing recurses. */
 struct hs_formula {
-    char *text;       /**< owned */
-    hs_node *node;    /**< owned [n_nodes] */
+    char *text;    /**< owned */
+    hs_node *node; /**< owned [n_nodes] */
     int n_nodes, capacity;
 };
 
@@ -51,8 +64,8 @@ typedef struct hs_call {
     const struct hs_function *function;
     const double *arg;
     hs_deck *deck;
-    int64_t atom;       /**< ID of the atom in atom-style formulas, 0 in equal-style ones */
-    int64_t draw;       /**< number of this evaluation among all with random numbers per atom */
+    int64_t atom; /**< ID of the atom in atom-style formulas, 0 in equal-style ones */
+    int64_t draw; /**< number of this evaluation among all with random numbers per atom */
 } hs_call;
 
 typedef struct hs_function {
@@ -67,13 +80,13 @@ typedef struct hs_function {
 typedef struct hs_word_function {
     const char *name;
     int n_min, n_max;
-    hs_status (*value)(hs_deck *deck, const hs_node *node, double *value, hs_error *err);   /**< NULL: per atom only */
+    hs_status (*value)(hs_deck *deck, const hs_node *node, double *value, hs_error *err);  /**< NULL: per atom only */
     hs_status (*atoms)(hs_deck *deck, const hs_node *node, double *values, hs_error *err); /**< NULL: one number only */
     const char *usage, *help;
 } hs_word_function;
 
-extern const hs_function hs_math_functions[];        /**< ended by a NULL name */
-extern const hs_word_function hs_group_functions[];  /**< the same */
+extern const hs_function hs_math_functions[];       /**< ended by a NULL name */
+extern const hs_word_function hs_group_functions[]; /**< the same */
 extern const hs_word_function hs_special_functions[];
 /** Names of LAMMPS's functions that are refused, each followed by why; ended by NULL. */
 extern const char *const hs_refused_functions[];

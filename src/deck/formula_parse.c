@@ -37,9 +37,18 @@ const char *const hs_refused_functions[] = {
     NULL,
 };
 
-static const struct { const char *name; double value; } constants[] = {
-    {"PI", 3.14159265358979323846}, {"version", 20210929.0}, {"yes", 1.0}, {"no", 0.0},
-    {"true", 1.0}, {"false", 0.0}, {"on", 1.0}, {"off", 0.0},
+static const struct {
+    const char *name;
+    double value;
+} constants[] = {
+    {"PI", 3.14159265358979323846},
+    {"version", 20210929.0},
+    {"yes", 1.0},
+    {"no", 0.0},
+    {"true", 1.0},
+    {"false", 0.0},
+    {"on", 1.0},
+    {"off", 0.0},
 };
 
 static hs_status parse_binary(parser *p, int precedence_min, int *node);
@@ -345,11 +354,26 @@ static hs_status parse_operand(parser *p, int *node)
 /** The binary operator at the present place, its length and strength; 0 when there is none. */
 static int find_operator(const char *at, hs_node_kind *kind, size_t *length)
 {
-    static const struct { const char *sign; hs_node_kind kind; int precedence; } table[] = {
-        {"||", HS_NODE_OR, 1}, {"|^", HS_NODE_XOR, 1}, {"&&", HS_NODE_AND, 2}, {"==", HS_NODE_EQUAL, 3},
-        {"!=", HS_NODE_NOT_EQUAL, 3}, {"<=", HS_NODE_LESS_EQUAL, 4}, {">=", HS_NODE_GREATER_EQUAL, 4},
-        {"<", HS_NODE_LESS, 4}, {">", HS_NODE_GREATER, 4}, {"+", HS_NODE_ADD, 5}, {"-", HS_NODE_SUBTRACT, 5},
-        {"*", HS_NODE_MULTIPLY, 6}, {"/", HS_NODE_DIVIDE, 6}, {"%", HS_NODE_MODULO, 6}, {"^", HS_NODE_POWER, 7},
+    static const struct {
+        const char *sign;
+        hs_node_kind kind;
+        int precedence;
+    } table[] = {
+        {"||", HS_NODE_OR, 1},
+        {"|^", HS_NODE_XOR, 1},
+        {"&&", HS_NODE_AND, 2},
+        {"==", HS_NODE_EQUAL, 3},
+        {"!=", HS_NODE_NOT_EQUAL, 3},
+        {"<=", HS_NODE_LESS_EQUAL, 4},
+        {">=", HS_NODE_GREATER_EQUAL, 4},
+        {"<", HS_NODE_LESS, 4},
+        {">", HS_NODE_GREATER, 4},
+        {"+", HS_NODE_ADD, 5},
+        {"-", HS_NODE_SUBTRACT, 5},
+        {"*", HS_NODE_MULTIPLY, 6},
+        {"/", HS_NODE_DIVIDE, 6},
+        {"%", HS_NODE_MODULO, 6},
+        {"^", HS_NODE_POWER, 7},
     };
     for (size_t i = 0; i < sizeof table / sizeof table[0]; ++i) {
         *length = strlen(table[i].sign);

@@ -59,12 +59,18 @@ static hs_status do_vector(hs_deck *deck, const hs_node *node, double *value, hs
         last = x;
     }
     const double n = from.n;
-    if (strcmp(name, "sum") == 0) *value = sum;
-    else if (strcmp(name, "min") == 0) *value = least;
-    else if (strcmp(name, "max") == 0) *value = greatest;
-    else if (strcmp(name, "ave") == 0) *value = sum / n;
-    else if (strcmp(name, "trap") == 0) *value = from.n > 1 ? sum - 0.5 * (first + last) : 0.0;
-    else *value = from.n > 1 ? (moment - 0.5 * (n + 1.0) * sum) / (n * (n * n - 1.0) / 12.0) : 0.0;
+    if (strcmp(name, "sum") == 0)
+        *value = sum;
+    else if (strcmp(name, "min") == 0)
+        *value = least;
+    else if (strcmp(name, "max") == 0)
+        *value = greatest;
+    else if (strcmp(name, "ave") == 0)
+        *value = sum / n;
+    else if (strcmp(name, "trap") == 0)
+        *value = from.n > 1 ? sum - 0.5 * (first + last) : 0.0;
+    else
+        *value = from.n > 1 ? (moment - 0.5 * (n + 1.0) * sum) / (n * (n * n - 1.0) / 12.0) : 0.0;
     return HS_OK;
 }
 
@@ -92,20 +98,26 @@ static hs_status do_masks(hs_deck *deck, const hs_node *node, double *values, hs
 static hs_status do_is_defined(hs_deck *deck, const hs_node *node, double *value, hs_error *err)
 {
     const char *category = node->words[0], *id = node->words[1];
-    if (strcmp(category, "compute") == 0) *value = hs_sim_find_compute(deck->sim, id) != NULL;
-    else if (strcmp(category, "dump") == 0) *value = hs_sim_find_dump(deck->sim, id) != NULL;
-    else if (strcmp(category, "fix") == 0) *value = hs_sim_find_fix(deck->sim, id) != NULL;
-    else if (strcmp(category, "region") == 0) *value = hs_sim_find_region(deck->sim, id) != NULL;
-    else if (strcmp(category, "group") == 0) *value = hs_groups_find(&deck->sim->groups, id) >= 0;
-    else if (strcmp(category, "variable") == 0) *value = hs_variables_find(deck->variables, id) != NULL;
+    if (strcmp(category, "compute") == 0)
+        *value = hs_sim_find_compute(deck->sim, id) != NULL;
+    else if (strcmp(category, "dump") == 0)
+        *value = hs_sim_find_dump(deck->sim, id) != NULL;
+    else if (strcmp(category, "fix") == 0)
+        *value = hs_sim_find_fix(deck->sim, id) != NULL;
+    else if (strcmp(category, "region") == 0)
+        *value = hs_sim_find_region(deck->sim, id) != NULL;
+    else if (strcmp(category, "group") == 0)
+        *value = hs_groups_find(&deck->sim->groups, id) >= 0;
+    else if (strcmp(category, "variable") == 0)
+        *value = hs_variables_find(deck->variables, id) != NULL;
     else
         return hs_fail(err, HS_ERROR_INPUT, "%s: '%s' must be compute, dump, fix, group, region or variable",
                        node->words_of->usage, category);
     return HS_OK;
 }
 
-#define IS_STYLE(table, id, out)                                                       \
-    for (int k = 0; (table)[k] != NULL; ++k)                                            \
+#define IS_STYLE(table, id, out)                                                                                       \
+    for (int k = 0; (table)[k] != NULL; ++k)                                                                           \
         if (strcmp((table)[k]->about.name, (id)) == 0) *(out) = 1.0;
 
 static hs_status do_is_available(hs_deck *deck, const hs_node *node, double *value, hs_error *err)
@@ -113,13 +125,19 @@ static hs_status do_is_available(hs_deck *deck, const hs_node *node, double *val
     (void)deck;
     const char *category = node->words[0], *id = node->words[1];
     *value = 0.0;
-    if (strcmp(category, "command") == 0) *value = hs_command_find(id) != NULL;
-    else if (strcmp(category, "pair") == 0) { IS_STYLE(hs_pair_styles, id, value) }
-    else if (strcmp(category, "fix") == 0) { IS_STYLE(hs_fix_styles, id, value) }
-    else if (strcmp(category, "compute") == 0) { IS_STYLE(hs_compute_styles, id, value) }
-    else if (strcmp(category, "region") == 0) { IS_STYLE(hs_region_styles, id, value) }
-    else if (strcmp(category, "dump") == 0) { IS_STYLE(hs_dump_styles, id, value) }
-    else
+    if (strcmp(category, "command") == 0)
+        *value = hs_command_find(id) != NULL;
+    else if (strcmp(category, "pair") == 0) {
+        IS_STYLE(hs_pair_styles, id, value)
+    } else if (strcmp(category, "fix") == 0) {
+        IS_STYLE(hs_fix_styles, id, value)
+    } else if (strcmp(category, "compute") == 0) {
+        IS_STYLE(hs_compute_styles, id, value)
+    } else if (strcmp(category, "region") == 0) {
+        IS_STYLE(hs_region_styles, id, value)
+    } else if (strcmp(category, "dump") == 0) {
+        IS_STYLE(hs_dump_styles, id, value)
+    } else
         return hs_fail(err, HS_ERROR_INPUT, "%s: '%s' must be command, pair, fix, compute, region or dump",
                        node->words_of->usage, category);
     return HS_OK;

@@ -27,7 +27,7 @@ hs_status hs_lexer_line(const char *data, size_t size, hs_cursor *cursor, hs_tex
     hs_text_clear(line);
     *first = cursor->n_lines_read + 1;
     *found = false;
-    size_t n_kept = 0;   /* up to the last line break within triple quotes */
+    size_t n_kept = 0; /* up to the last line break within triple quotes */
     while (cursor->at < size) {
         *found = true;
         const char *begin = data + cursor->at;

@@ -8,8 +8,8 @@
 
 /** A place in a deck's text. Zero-initialised it is at the start of line 1. */
 typedef struct hs_cursor {
-    size_t at;           /**< bytes read */
-    long n_lines_read;   /**< physical lines read */
+    size_t at;         /**< bytes read */
+    long n_lines_read; /**< physical lines read */
 } hs_cursor;
 
 /** Read the next logical line: `&` at the end of a physical line (blanks may follow it) joins the next one, and so does
@@ -31,9 +31,9 @@ const char *hs_lexer_quote_end(const char *text, char mark, size_t n_mark);
 
 /** Words of one line. */
 typedef struct hs_words {
-    char *buffer;        /**< owned; the words point into it */
-    const char **word;   /**< owned [n] */
-    bool *was_quoted;    /**< owned [n] */
+    char *buffer;      /**< owned; the words point into it */
+    const char **word; /**< owned [n] */
+    bool *was_quoted;  /**< owned [n] */
     int n;
 } hs_words;
 

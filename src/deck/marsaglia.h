@@ -11,11 +11,11 @@
 enum { HS_MARSAGLIA_SEED_MAX = 900000000 };
 
 typedef struct hs_marsaglia {
-    double u[97];          /**< lagged Fibonacci state */
-    double c;              /**< arithmetic sequence */
-    int i, j;              /**< the two lags' places in u */
+    double u[97]; /**< lagged Fibonacci state */
+    double c;     /**< arithmetic sequence */
+    int i, j;     /**< the two lags' places in u */
     bool is_seeded;
-    bool have_second;      /**< the polar method's second number waits */
+    bool have_second; /**< the polar method's second number waits */
     double second;
 } hs_marsaglia;
 

@@ -9,14 +9,14 @@
 enum { HS_SOURCES_MAX = 16 };
 
 typedef struct hs_source {
-    char *name;             /**< owned; as written in the deck or on the command line */
-    hs_text text;           /**< owned; the whole file */
+    char *name;   /**< owned; as written in the deck or on the command line */
+    hs_text text; /**< owned; the whole file */
     hs_cursor cursor;
-    long line;              /**< first line of the present command */
-    long jump_line;         /**< line of the jump whose label is looked for... */
-    char *jump_name;        /**< ...and its file; owned */
+    long line;       /**< first line of the present command */
+    long jump_line;  /**< line of the jump whose label is looked for... */
+    char *jump_name; /**< ...and its file; owned */
     struct hs_source *below;
-    int depth;              /**< 1 for the deck itself */
+    int depth; /**< 1 for the deck itself */
 } hs_source;
 
 /** Read a whole file; "-" or NULL is standard input. Rank 0 reads, all ranks get the text (collective). */

@@ -27,7 +27,7 @@ hs_status hs_subset_select(unsigned char *mark, int64_t n, int64_t n_wanted, int
     HS_TRY(HS_ALLOC(next, (size_t)n, err));
     hs_marsaglia generator;
     hs_marsaglia_init(&generator, seed);
-    list open[2] = {{-1, -1, 0}, {-1, -1, 0}};   /* not marked, marked */
+    list open[2] = {{-1, -1, 0}, {-1, -1, 0}}; /* not marked, marked */
     for (int64_t i = 0; i < n; ++i) {
         mark[i] = 0;
         append(&open[0], next, i);

@@ -10,7 +10,7 @@
 /** Longest line that replacing may make: variables that double one another would else fill the memory. */
 enum {
     LENGTH_MAX = 1 << 20,
-    SHOWN_MAX = 200   /**< replacements of one line that are echoed one by one */
+    SHOWN_MAX = 200 /**< replacements of one line that are echoed one by one */
 };
 
 const char *hs_dollar_find(const char *at)

@@ -15,8 +15,8 @@ HS_MUST_USE hs_status hs_substitute(hs_deck *deck, hs_text *line, bool echo, hs_
 /** A `$` expression at @p at (which is a '$'): length of the whole, and its inside. */
 typedef struct hs_dollar {
     enum { HS_DOLLAR_NAME, HS_DOLLAR_FORMULA } kind;
-    size_t length;        /**< of "$x", "${name}", "$(formula)" */
-    const char *inside;   /**< name or formula; points into the line */
+    size_t length;      /**< of "$x", "${name}", "$(formula)" */
+    const char *inside; /**< name or formula; points into the line */
     size_t n_inside;
 } hs_dollar;
 

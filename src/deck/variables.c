@@ -155,11 +155,16 @@ static bool keeps_first(hs_variable_style style)
 static hs_status fill(hs_variable *variable, const hs_args *args, hs_error *err)
 {
     switch (variable->style) {
-    case HS_VARIABLE_LOOP: return set_loop(variable, args, err);
+    case HS_VARIABLE_LOOP:
+        return set_loop(variable, args, err);
     case HS_VARIABLE_EQUAL:
-    case HS_VARIABLE_ATOM: return set_formula(variable, args, err);
-    case HS_VARIABLE_INTERNAL: return hs_arg_double(args, 2, &variable->number, err);
-    default: forget(variable); return copy_values(variable, args->n - 2, args->word + 2, err);
+    case HS_VARIABLE_ATOM:
+        return set_formula(variable, args, err);
+    case HS_VARIABLE_INTERNAL:
+        return hs_arg_double(args, 2, &variable->number, err);
+    default:
+        forget(variable);
+        return copy_values(variable, args->n - 2, args->word + 2, err);
     }
 }
 
@@ -308,10 +313,14 @@ hs_status hs_variables_text(hs_deck *deck, const char *name, hs_text *text, hs_e
     hs_text_clear(text);
     HS_TRY(hs_variables_need(deck->variables, name, &variable, err));
     switch (variable->style) {
-    case HS_VARIABLE_INDEX: return hs_text_printf(text, err, "%s", variable->value[variable->which]);
-    case HS_VARIABLE_LOOP: return hs_text_printf(text, err, "%0*lld", variable->width, (long long)variable->which);
-    case HS_VARIABLE_STRING: return hs_text_printf(text, err, "%s", variable->value[0]);
-    case HS_VARIABLE_FORMAT: return format_text(deck, variable, text, err);
+    case HS_VARIABLE_INDEX:
+        return hs_text_printf(text, err, "%s", variable->value[variable->which]);
+    case HS_VARIABLE_LOOP:
+        return hs_text_printf(text, err, "%0*lld", variable->width, (long long)variable->which);
+    case HS_VARIABLE_STRING:
+        return hs_text_printf(text, err, "%s", variable->value[0]);
+    case HS_VARIABLE_FORMAT:
+        return format_text(deck, variable, text, err);
     case HS_VARIABLE_GETENV: {
         const char *found = getenv(variable->value[0]);
         return hs_text_printf(text, err, "%s", found != NULL ? found : "");
@@ -319,7 +328,8 @@ hs_status hs_variables_text(hs_deck *deck, const char *name, hs_text *text, hs_e
     case HS_VARIABLE_EQUAL:
         HS_TRY(eval_equal(deck, variable, &value, err));
         return hs_text_printf(text, err, "%.15g", value);
-    case HS_VARIABLE_INTERNAL: return hs_text_printf(text, err, "%.15g", variable->number);
+    case HS_VARIABLE_INTERNAL:
+        return hs_text_printf(text, err, "%.15g", variable->number);
     default:
         return hs_fail(err, HS_ERROR_INPUT, "the variable '%s' is atom-style: it has one value per atom and no text",
                        variable->name);

@@ -23,24 +23,24 @@ extern const char *const hs_variable_styles[];
 extern const char *const hs_variable_styles_refused[];
 
 typedef struct hs_variable {
-    char *name;                 /**< owned */
+    char *name; /**< owned */
     hs_variable_style style;
     char **value; /**< owned [n_values]: index: all values; string; format: variable and format; getenv: name */
     int n_values;
-    int64_t which;              /**< index: place of the present value; loop: the present number */
-    int64_t first, last;        /**< loop */
-    int width;                  /**< loop: digits to pad to, 0 without pad */
-    double number;              /**< internal */
-    hs_formula *formula;        /**< owned; equal, atom */
-    bool is_evaluating;         /**< guards against formulas that use themselves */
+    int64_t which;       /**< index: place of the present value; loop: the present number */
+    int64_t first, last; /**< loop */
+    int width;           /**< loop: digits to pad to, 0 without pad */
+    double number;       /**< internal */
+    hs_formula *formula; /**< owned; equal, atom */
+    bool is_evaluating;  /**< guards against formulas that use themselves */
 } hs_variable;
 
 typedef struct hs_variables {
-    hs_variable **variable;     /**< owned [n] */
+    hs_variable **variable; /**< owned [n] */
     int n, capacity;
-    hs_marsaglia generator;     /**< random() and normal() of equal-style formulas */
-    int64_t n_draws;            /**< evaluations of random functions per atom so far */
-    int depth;                  /**< formulas within formulas being evaluated */
+    hs_marsaglia generator; /**< random() and normal() of equal-style formulas */
+    int64_t n_draws;        /**< evaluations of random functions per atom so far */
+    int depth;              /**< formulas within formulas being evaluated */
 } hs_variables;
 
 HS_MUST_USE hs_status hs_variables_create(hs_variables **variables, hs_error *err);

@@ -4,14 +4,14 @@
 #include "deck/variables.h"
 
 const char *const hs_variable_styles_refused[] = {
-    "world", "Halfshell runs one simulation at a time; use index",
+    "world",    "Halfshell runs one simulation at a time; use index",
     "universe", "Halfshell runs one simulation at a time; use index and next",
-    "uloop", "Halfshell runs one simulation at a time; use loop and next",
-    "file", "values cannot be read from a file line by line; use index",
+    "uloop",    "Halfshell runs one simulation at a time; use loop and next",
+    "file",     "values cannot be read from a file line by line; use index",
     "atomfile", "values per atom cannot be read from a file",
-    "python", "decks cannot run Python",
-    "timer", "Halfshell times its phases itself; see the timing table of the log",
-    "vector", "only single numbers (equal) and numbers per atom (atom) are supported",
+    "python",   "decks cannot run Python",
+    "timer",    "Halfshell times its phases itself; see the timing table of the log",
+    "vector",   "only single numbers (equal) and numbers per atom (atom) are supported",
     NULL,
 };
 

@@ -43,7 +43,8 @@ double hs_velocity_temperature(const hs_velocity_group *group)
 hs_status hs_velocity_rescale(const hs_velocity_group *group, double present, double wanted, hs_error *err)
 {
     if (!(present > 0.0))
-        return hs_fail(err, HS_ERROR_INPUT, "velocity: the temperature is 0 (atoms at rest, or only one), and cannot "
+        return hs_fail(err, HS_ERROR_INPUT,
+                       "velocity: the temperature is 0 (atoms at rest, or only one), and cannot "
                        "be scaled to %g",
                        wanted);
     const double factor = sqrt(wanted / present);
@@ -113,7 +114,7 @@ static void rotation_sums(const hs_velocity_group *group, const double center[3]
                           double inertia[3][3])
 {
     const hs_atoms *atoms = &group->sim->atoms;
-    double sum[9] = {0.0};   /* Lx Ly Lz, Ixx Iyy Izz Ixy Iyz Ixz */
+    double sum[9] = {0.0}; /* Lx Ly Lz, Ixx Iyy Izz Ixy Iyz Ixz */
     for (int k = 0; k < group->n; ++k) {
         const int i = group->member[k];
         const double mass = atoms->mass[atoms->type[i]];

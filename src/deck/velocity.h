@@ -7,10 +7,10 @@
 
 /** Atoms a velocity command works on. */
 typedef struct hs_velocity_group {
-    hs_sim *sim;        /**< borrowed */
-    int32_t *member;    /**< owned [n]: local indices of the group's atoms by ascending ID */
+    hs_sim *sim;     /**< borrowed */
+    int32_t *member; /**< owned [n]: local indices of the group's atoms by ascending ID */
     int n;
-    int64_t n_all;      /**< on all ranks */
+    int64_t n_all; /**< on all ranks */
 } hs_velocity_group;
 
 /** Collective. The caller calls hs_velocity_group_fini. */

@@ -5,7 +5,7 @@
 #include "style/fix.h"
 
 typedef struct nve_state {
-    double *half_kick;   /**< owned [n_types + 1]: (dt/2) ftm2v / m, by type */
+    double *half_kick; /**< owned [n_types + 1]: (dt/2) ftm2v / m, by type */
     int n_types;
 } nve_state;
 
@@ -60,8 +60,7 @@ static hs_status final_integrate(hs_fix *fix, hs_error *err)
         const int32_t *restrict type = atoms->type;
         const uint32_t *restrict group = atoms->mask;
 #pragma omp for schedule(static) nowait
-        for (int i = 0; i < atoms->n_local; ++i)
-            v[i] = group[i] & mask ? v[i] + half_kick[type[i]] * f[i] : v[i];
+        for (int i = 0; i < atoms->n_local; ++i) v[i] = group[i] & mask ? v[i] + half_kick[type[i]] * f[i] : v[i];
     }
     return HS_OK;
 }

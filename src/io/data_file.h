@@ -10,15 +10,15 @@ enum { HS_DATA_TYPES_MAX = 10000 };
 
 /** Words of read_data, and what the reader needs of the pair style. */
 typedef struct hs_data_options {
-    bool is_added;             /**< add append|merge|N: to the box and atoms there are */
-    bool is_appended;          /**< ids go on after the largest one */
-    int64_t id_offset;         /**< add N */
-    int type_offset;           /**< offset */
-    double shift[3];           /**< distance */
+    bool is_added;     /**< add append|merge|N: to the box and atoms there are */
+    bool is_appended;  /**< ids go on after the largest one */
+    int64_t id_offset; /**< add N */
+    int type_offset;   /**< offset */
+    double shift[3];   /**< distance */
     int n_extra_types;
-    uint32_t mask;             /**< groups that new atoms join, besides all */
-    bool no_coeffs;            /**< pass over the coefficients */
-    const char *pair_style;    /**< name of the present pair style, NULL without one */
+    uint32_t mask;          /**< groups that new atoms join, besides all */
+    bool no_coeffs;         /**< pass over the coefficients */
+    const char *pair_style; /**< name of the present pair style, NULL without one */
     /** pair_coeff with the words "I J coefficients..." */
     HS_MUST_USE hs_status (*pair_coeff)(void *context, const hs_args *args, hs_error *err);
     void *context;
@@ -34,7 +34,7 @@ typedef enum { HS_DATA_PAIR_NONE, HS_DATA_PAIR_II, HS_DATA_PAIR_IJ } hs_data_pai
 
 typedef struct hs_data_write_options {
     hs_data_pair pair;
-    const char *pair_style;    /**< NULL: no coefficients */
+    const char *pair_style; /**< NULL: no coefficients */
     /** Append the coefficients of types i <= j, separated by spaces. */
     HS_MUST_USE hs_status (*write_coeff)(void *context, int i, int j, hs_text *words, hs_error *err);
     void *context;

@@ -8,7 +8,7 @@
 /** Place of an atom by its id. */
 typedef struct hs_data_id {
     int64_t id;
-    long line;        /**< of the file, 0 for atoms that were there before */
+    long line; /**< of the file, 0 for atoms that were there before */
     int32_t index;
     bool has_velocity;
 } hs_data_id;
@@ -19,16 +19,16 @@ typedef struct hs_data_reader {
     const hs_data_options *options;
     hs_lines lines;
 
-    int64_t n_atoms;              /**< header; -1: not given */
-    int64_t n_types;              /**< header; 0: not given */
+    int64_t n_atoms; /**< header; -1: not given */
+    int64_t n_types; /**< header; 0: not given */
     double lo[3], hi[3];
     bool has_bounds[3];
 
-    int n_before;                 /**< local atoms there were */
+    int n_before; /**< local atoms there were */
     int64_t id_offset;
-    hs_data_id *id;               /**< owned [n_ids], sorted once the section Atoms is read */
+    hs_data_id *id; /**< owned [n_ids], sorted once the section Atoms is read */
     int n_ids;
-    bool image_reset[3];          /**< image flags along an axis that is not periodic were met */
+    bool image_reset[3]; /**< image flags along an axis that is not periodic were met */
     bool has_atoms, has_velocities, has_masses;
 } hs_data_reader;
 

@@ -9,12 +9,35 @@
 
 /** Attributes of an atom, in the order of hs_dump_attributes. */
 typedef enum {
-    HS_ATTR_ID, HS_ATTR_TYPE, HS_ATTR_ELEMENT, HS_ATTR_MASS, HS_ATTR_PROC, HS_ATTR_PROCP1,
-    HS_ATTR_X, HS_ATTR_Y, HS_ATTR_Z, HS_ATTR_XS, HS_ATTR_YS, HS_ATTR_ZS,
-    HS_ATTR_XU, HS_ATTR_YU, HS_ATTR_ZU, HS_ATTR_XSU, HS_ATTR_YSU, HS_ATTR_ZSU,
-    HS_ATTR_IX, HS_ATTR_IY, HS_ATTR_IZ, HS_ATTR_VX, HS_ATTR_VY, HS_ATTR_VZ, HS_ATTR_FX, HS_ATTR_FY, HS_ATTR_FZ,
+    HS_ATTR_ID,
+    HS_ATTR_TYPE,
+    HS_ATTR_ELEMENT,
+    HS_ATTR_MASS,
+    HS_ATTR_PROC,
+    HS_ATTR_PROCP1,
+    HS_ATTR_X,
+    HS_ATTR_Y,
+    HS_ATTR_Z,
+    HS_ATTR_XS,
+    HS_ATTR_YS,
+    HS_ATTR_ZS,
+    HS_ATTR_XU,
+    HS_ATTR_YU,
+    HS_ATTR_ZU,
+    HS_ATTR_XSU,
+    HS_ATTR_YSU,
+    HS_ATTR_ZSU,
+    HS_ATTR_IX,
+    HS_ATTR_IY,
+    HS_ATTR_IZ,
+    HS_ATTR_VX,
+    HS_ATTR_VY,
+    HS_ATTR_VZ,
+    HS_ATTR_FX,
+    HS_ATTR_FY,
+    HS_ATTR_FZ,
     HS_N_ATTRIBUTES,
-    HS_ATTR_VARIABLE = HS_N_ATTRIBUTES   /**< v_name: an atom-style variable */
+    HS_ATTR_VARIABLE = HS_N_ATTRIBUTES /**< v_name: an atom-style variable */
 } hs_attribute;
 
 /** Names of the attributes, ended by NULL. */
@@ -23,52 +46,52 @@ extern const char *const hs_dump_attributes[];
 /** One value of an atom: a column of a row, or the left side of a condition. */
 typedef struct hs_dump_column {
     hs_attribute attribute;
-    char *name;          /**< owned; as in the deck */
-    double *values;      /**< owned [n_local]; of a variable, at the present step */
-    char *user_format;   /**< owned; dump_modify format N, or NULL */
-    char *format;        /**< owned; made by init */
+    char *name;        /**< owned; as in the deck */
+    double *values;    /**< owned [n_local]; of a variable, at the present step */
+    char *user_format; /**< owned; dump_modify format N, or NULL */
+    char *format;      /**< owned; made by init */
 } hs_dump_column;
 
 /** dump_modify thresh: atoms are written only when the comparison holds. */
 typedef struct hs_dump_condition {
     hs_dump_column column;
-    int comparison;      /**< index into hs_dump_comparisons */
+    int comparison; /**< index into hs_dump_comparisons */
     double value;
 } hs_dump_condition;
 
 /** How a style lays out its rows: what dump_modify may change. */
 typedef struct hs_dump_layout {
-    bool has_atom_header;     /**< ITEM: lines; false: the two lines of xyz */
-    bool is_element_first;    /**< xyz: the first column is a type's number or name, always text */
-    bool has_column_formats;  /**< dump_modify format int, float, N */
-    bool has_scale_image;     /**< dump_modify scale, image */
+    bool has_atom_header;    /**< ITEM: lines; false: the two lines of xyz */
+    bool is_element_first;   /**< xyz: the first column is a type's number or name, always text */
+    bool has_column_formats; /**< dump_modify format int, float, N */
+    bool has_scale_image;    /**< dump_modify scale, image */
 } hs_dump_layout;
 
 typedef struct hs_dump_table {
     const hs_dump_layout *layout;
-    hs_dump_column *column;   /**< owned [n_columns] */
+    hs_dump_column *column; /**< owned [n_columns] */
     int n_columns;
-    hs_text header;           /**< names above the columns */
+    hs_text header; /**< names above the columns */
 
     /* dump_modify */
-    char **element;           /**< owned [n_types + 1]; NULL: none given */
+    char **element; /**< owned [n_types + 1]; NULL: none given */
     int n_elements;
     char *format_line, *format_int, *format_float;
-    char *region_id;          /**< owned; NULL: everywhere */
+    char *region_id; /**< owned; NULL: everywhere */
     hs_dump_condition *condition;
     int n_conditions;
-    int64_t delay;            /**< nothing before this step; -1: no delay */
+    int64_t delay; /**< nothing before this step; -1: no delay */
     int pad;
-    int64_t max_files;        /**< -1: no limit */
-    char **recent;            /**< owned [max_files] names of the files kept, a ring */
+    int64_t max_files; /**< -1: no limit */
+    char **recent;     /**< owned [max_files] names of the files kept, a ring */
     int64_t n_recent;
     bool is_unsorted, is_descending, has_time, has_units, units_written, no_header;
-    int sort_column;          /**< 1 .. n_columns; 0: by id */
-    bool is_scaled, has_image;   /**< of style atom */
-    bool is_single;              /**< write_dump: one snapshot, a file that appears whole */
+    int sort_column;           /**< 1 .. n_columns; 0: by id */
+    bool is_scaled, has_image; /**< of style atom */
+    bool is_single;            /**< write_dump: one snapshot, a file that appears whole */
 
-    hs_writer *writer;        /**< owned; of a growing file, open from init on */
-    int32_t *order;           /**< owned; atoms of the snapshot being written */
+    hs_writer *writer; /**< owned; of a growing file, open from init on */
+    int32_t *order;    /**< owned; atoms of the snapshot being written */
     int n_rows, capacity_order;
 } hs_dump_table;
 
@@ -87,7 +110,7 @@ HS_MUST_USE hs_status hs_dump_modify(hs_dump *dump, const hs_args *args, hs_erro
 /** The same for one keyword and what follows it: hs_dump_style.modify of all styles. */
 HS_MUST_USE hs_status hs_dump_table_modify(hs_dump *dump, const hs_args *args, int *n_used, hs_error *err);
 extern const hs_keyword hs_dump_modify_keywords[];
-extern const char *const hs_dump_comparisons[];   /**< < <= > >= == != |^, ended by NULL */
+extern const char *const hs_dump_comparisons[]; /**< < <= > >= == != |^, ended by NULL */
 
 /* Shared by the files io/dump_*.c */
 HS_MUST_USE hs_status hs_dump_parse_column(const char *word, hs_dump_column *column, hs_error *err);

@@ -8,13 +8,13 @@ enum { HS_LINE_WORDS_MAX = 64, HS_LINE_BYTES_MAX = 65536 };
 
 /** A file being read line by line. Zero it before hs_lines_open. */
 typedef struct hs_lines {
-    const char *path;       /**< borrowed */
-    void *file;             /**< owned */
-    long number;            /**< of the present line, from 1 */
-    bool at_end;            /**< there was no further line */
-    bool is_held;           /**< hs_lines_next gives the present line once more */
-    hs_text text;           /**< the present line without its comment; the words point into it */
-    char comment[64];       /**< first word after #, "" when there is none; cut if longer */
+    const char *path; /**< borrowed */
+    void *file;       /**< owned */
+    long number;      /**< of the present line, from 1 */
+    bool at_end;      /**< there was no further line */
+    bool is_held;     /**< hs_lines_next gives the present line once more */
+    hs_text text;     /**< the present line without its comment; the words point into it */
+    char comment[64]; /**< first word after #, "" when there is none; cut if longer */
     int n_words;
     const char *word[HS_LINE_WORDS_MAX];
 } hs_lines;

@@ -5,9 +5,9 @@
 #include "base/error.h"
 
 typedef enum {
-    HS_FORMAT_INT,      /**< %d, %i: printed with a long long */
-    HS_FORMAT_FLOAT,    /**< %e, %f, %g, %a and their capitals: printed with a double */
-    HS_FORMAT_STRING    /**< %s: printed with a const char * */
+    HS_FORMAT_INT,   /**< %d, %i: printed with a long long */
+    HS_FORMAT_FLOAT, /**< %e, %f, %g, %a and their capitals: printed with a double */
+    HS_FORMAT_STRING /**< %s: printed with a const char * */
 } hs_format_kind;
 
 /** Make a safe format of @p format in *out (owned by the caller: HS_FREE): exactly one conversion, of the kind asked

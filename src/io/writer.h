@@ -8,9 +8,9 @@
 #include "base/error.h"
 
 typedef enum {
-    HS_WRITE_WHOLE,      /**< beside the target, renamed over it by hs_writer_close: there wholly or not at all */
-    HS_WRITE_REPLACE,    /**< a growing file, emptied at first */
-    HS_WRITE_APPEND      /**< a growing file, added to */
+    HS_WRITE_WHOLE,   /**< beside the target, renamed over it by hs_writer_close: there wholly or not at all */
+    HS_WRITE_REPLACE, /**< a growing file, emptied at first */
+    HS_WRITE_APPEND   /**< a growing file, added to */
 } hs_write_mode;
 
 typedef struct hs_writer hs_writer;

@@ -62,8 +62,8 @@ static inline void mark(hs_list_chunk *chunk, int first)
 }
 
 /** Find and refine the entries of one cluster in the thread's scratch list, and append what is left to the chunk's. */
-static hs_status list_cluster(hs_list_chunk *chunk, hs_force_buffer *buffer, const hs_force_job *job, int ci, int column,
-                              int group, hs_error *err)
+static hs_status list_cluster(hs_list_chunk *chunk, hs_force_buffer *buffer, const hs_force_job *job, int ci,
+                              int column, int group, hs_error *err)
 {
     hs_entry_list *found = &buffer->entries, *kept = &chunk->entries;
     const int first = job->clusters->local.entry[ci].first;
@@ -140,7 +140,7 @@ static void chunks_of_thread(const hs_cluster_list *list, int thread, int n_thre
     for (int k = 0; k < list->n_chunks; ++k) total += list->chunk[k].entries.n;
     *begin = *end = list->n_chunks;
     for (int k = 0; k < list->n_chunks; ++k) {
-        const int64_t middle = 2 * before + list->chunk[k].entries.n;   /* twice the chunk's middle */
+        const int64_t middle = 2 * before + list->chunk[k].entries.n; /* twice the chunk's middle */
         const int owner = total == 0 ? 0 : (int)(middle * n_threads / (2 * total + 1));
         if (owner >= thread && *begin == list->n_chunks) *begin = k;
         if (owner > thread) {
@@ -156,7 +156,8 @@ static hs_status work_cluster(hs_force_space *space, const hs_force_job *job, in
 {
     hs_force_buffer *buffer = &space->buffer[thread];
     const hs_cluster_list *list = job->list;
-    const hs_cluster_kernel kernel = job->evaluator->set[job->isa][job->precision]->cluster[job->with_energy][!job->input.table->is_uniform][0];
+    const hs_cluster_kernel kernel =
+        job->evaluator->set[job->isa][job->precision]->cluster[job->with_energy][!job->input.table->is_uniform][0];
     const int64_t n_room = (int64_t)job->atoms->n_local + job->atoms->n_halo + HS_ATOMS_PAD;
     hs_kernel_output out = {.f = {buffer->f[0], buffer->f[1], buffer->f[2]}};
     int begin, end;
@@ -166,16 +167,18 @@ static hs_status work_cluster(hs_force_space *space, const hs_force_job *job, in
         for (int64_t block = 0; block < (n_room >> HS_FORCE_BLOCK_BITS) + 1; ++block)
             if (chunk->touched[block]) hs_force_touch(buffer, block << HS_FORCE_BLOCK_BITS, n_room);
         for (int ci = chunk->begin; ci < chunk->end; ++ci) {
-            const int first_entry = chunk->start[ci - chunk->begin], n = chunk->start[ci - chunk->begin + 1] - first_entry;
-            if (n > 0) kernel(&job->input, &out, job->clusters->local.entry[ci].first, chunk->entries.entry + first_entry, n);
+            const int first_entry = chunk->start[ci - chunk->begin],
+                      n = chunk->start[ci - chunk->begin + 1] - first_entry;
+            if (n > 0)
+                kernel(&job->input, &out, job->clusters->local.entry[ci].first, chunk->entries.entry + first_entry, n);
         }
     }
     hs_force_add_output(buffer, &out);
     return HS_OK;
 }
 
-hs_status hs_force_cluster(hs_force_space *space, const hs_cluster_list *list, const hs_force_job *job, hs_force_result *result,
-                           hs_error *err)
+hs_status hs_force_cluster(hs_force_space *space, const hs_cluster_list *list, const hs_force_job *job,
+                           hs_force_result *result, hs_error *err)
 {
     hs_force_job listed = *job;
     listed.list = list;

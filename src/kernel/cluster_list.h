@@ -7,20 +7,20 @@
 /** Pairs of a contiguous range of i-clusters. Chunks are many more than threads, so that handing out whole chunks, in
  *  order, balances the threads by the length of their lists. */
 typedef struct hs_list_chunk {
-    int begin, end;            /**< local clusters */
-    int32_t *start;            /**< owned [end - begin + 1]: first entry of each cluster, from begin on */
+    int begin, end; /**< local clusters */
+    int32_t *start; /**< owned [end - begin + 1]: first entry of each cluster, from begin on */
     int64_t capacity_start;
     hs_entry_list entries;
-    unsigned char *touched;    /**< owned: blocks of atoms that the chunk's forces act on */
+    unsigned char *touched; /**< owned: blocks of atoms that the chunk's forces act on */
     int64_t capacity_touched;
-    int64_t n_pairs;           /**< pairs of atoms in the list */
+    int64_t n_pairs; /**< pairs of atoms in the list */
     hs_error error;
 } hs_list_chunk;
 
 typedef struct hs_cluster_list {
-    hs_list_chunk *chunk;      /**< owned [n_chunks] */
+    hs_list_chunk *chunk; /**< owned [n_chunks] */
     int n_chunks;
-    uint64_t generation;       /**< of the atoms the list was made for */
+    uint64_t generation; /**< of the atoms the list was made for */
 } hs_cluster_list;
 
 /** List the pairs of atoms within their listed distance at the present positions. job->cutoff_max is the largest listed

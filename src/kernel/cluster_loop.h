@@ -13,21 +13,22 @@ typedef struct cluster_sums {
 
 /** What stays the same over the list of one i-cluster. */
 typedef struct cluster_constants {
-    hs_vec params[HS_TABLE_PARAMS + N_PARAMS];   /**< of the only pair of types; unused by_type */
-    const double *row_table[HS_CLUSTER];         /**< rows of the pair table for the four i-atoms, by_type */
-    double origin[3], listed_origin[3];          /**< coordinates are relative to these in single precision */
-    hs_real x[3][HS_CLUSTER];                    /**< of the i-atoms */
-    hs_real x_listed[3][HS_CLUSTER];             /**< when the list was due; only with listed_only */
+    hs_vec params[HS_TABLE_PARAMS + N_PARAMS]; /**< of the only pair of types; unused by_type */
+    const double *row_table[HS_CLUSTER];       /**< rows of the pair table for the four i-atoms, by_type */
+    double origin[3], listed_origin[3];        /**< coordinates are relative to these in single precision */
+    hs_real x[3][HS_CLUSTER];                  /**< of the i-atoms */
+    hs_real x_listed[3][HS_CLUSTER];           /**< when the list was due; only with listed_only */
 } cluster_constants;
 
 /** One row of one vector: i-atom `row` against the j-atoms at x_j; adds to sums and to the j-atoms' reaction. */
 HS_INLINE void row_pairs(const hs_kernel_input *in, const cluster_constants *constants, int row, const hs_vec x_j[3],
-                         const hs_vec *params, hs_msk listed, const hs_cluster_entry *entry, int sub, cluster_sums *sums,
-                         hs_vec reaction[3], bool with_energy, bool listed_only)
+                         const hs_vec *params, hs_msk listed, const hs_cluster_entry *entry, int sub,
+                         cluster_sums *sums, hs_vec reaction[3], bool with_energy, bool listed_only)
 {
     /* from i to j, so that the i-atom's coordinate can be broadcast by the subtraction itself */
-    const hs_real (*x_i)[HS_CLUSTER] = constants->x;
-    const hs_vec dx = x_j[0] - hs_set1(x_i[0][row]), dy = x_j[1] - hs_set1(x_i[1][row]), dz = x_j[2] - hs_set1(x_i[2][row]);
+    const hs_real(*x_i)[HS_CLUSTER] = constants->x;
+    const hs_vec dx = x_j[0] - hs_set1(x_i[0][row]), dy = x_j[1] - hs_set1(x_i[1][row]),
+                 dz = x_j[2] - hs_set1(x_i[2][row]);
     const hs_vec r2 = hs_fma(dz, dz, hs_fma(dy, dy, dx * dx));
     hs_msk mask = hs_mask_and(listed, hs_less(r2, params[HS_TABLE_CUT_R2]));
     if (listed_only) {
@@ -59,7 +60,8 @@ HS_INLINE void row_pairs(const hs_kernel_input *in, const cluster_constants *con
     }
 }
 
-HS_INLINE cluster_constants make_constants(const hs_kernel_input *in, int first, const bool by_type, const bool listed_only)
+HS_INLINE cluster_constants make_constants(const hs_kernel_input *in, int first, const bool by_type,
+                                           const bool listed_only)
 {
     const hs_pair_table *table = in->table;
     const int stride = HS_TABLE_PARAMS + N_PARAMS;
@@ -74,7 +76,8 @@ HS_INLINE cluster_constants make_constants(const hs_kernel_input *in, int first,
         for (int row = 0; row < HS_CLUSTER; ++row) {
             constants.x[axis][row] = hs_local(in->x[axis][first + row], constants.origin[axis]);
             if (listed_only)
-                constants.x_listed[axis][row] = hs_local(in->x_listed[axis][first + row], constants.listed_origin[axis]);
+                constants.x_listed[axis][row] =
+                    hs_local(in->x_listed[axis][first + row], constants.listed_origin[axis]);
         }
     }
     return constants;
@@ -82,12 +85,13 @@ HS_INLINE cluster_constants make_constants(const hs_kernel_input *in, int first,
 
 /** One vector of j-atoms against the i-atoms whose bits are set in `rows`. */
 HS_INLINE void vector_rows(const hs_kernel_input *in, hs_kernel_output *out, const hs_cluster_entry *entry, int sub,
-                           const cluster_constants *constants, cluster_sums *sums, const uint32_t rows, const bool with_energy,
-                           const bool by_type, const bool listed_only)
+                           const cluster_constants *constants, cluster_sums *sums, const uint32_t rows,
+                           const bool with_energy, const bool by_type, const bool listed_only)
 {
     const int stride = HS_TABLE_PARAMS + N_PARAMS;
     const double *origin = constants->origin;
-    const hs_vec x_j[3] = {hs_load_clusters(in->x[0], origin[0], entry, sub), hs_load_clusters(in->x[1], origin[1], entry, sub),
+    const hs_vec x_j[3] = {hs_load_clusters(in->x[0], origin[0], entry, sub),
+                           hs_load_clusters(in->x[1], origin[1], entry, sub),
                            hs_load_clusters(in->x[2], origin[2], entry, sub)};
     const hs_masks masks = hs_masks_of(entry, sub);
     hs_vec reaction[3] = {hs_set1(0.0), hs_set1(0.0), hs_set1(0.0)};
@@ -96,9 +100,10 @@ HS_INLINE void vector_rows(const hs_kernel_input *in, hs_kernel_output *out, con
         if ((rows >> row & 1u) == 0) continue;
         hs_vec params[HS_TABLE_PARAMS + N_PARAMS];
         for (int k = 0; k < stride; ++k)
-            params[k] = by_type ? hs_lookup(constants->row_table[row] + k, in->type, stride, entry, sub) : constants->params[k];
-        row_pairs(in, constants, row, x_j, params, hs_masks_row(masks, row), entry, sub, sums, reaction,
-                  with_energy, listed_only);
+            params[k] =
+                by_type ? hs_lookup(constants->row_table[row] + k, in->type, stride, entry, sub) : constants->params[k];
+        row_pairs(in, constants, row, x_j, params, hs_masks_row(masks, row), entry, sub, sums, reaction, with_energy,
+                  listed_only);
     }
     for (int axis = 0; axis < 3; ++axis) hs_add_clusters(out->f[axis], entry, sub, reaction[axis]);
 }

@@ -68,8 +68,8 @@ static void reduce_block(hs_force_space *space, int64_t block, int64_t n_room)
     }
 }
 
-hs_status hs_force_run_threads(hs_force_space *space, const hs_force_job *job, hs_force_work work, hs_force_result *result,
-                               hs_error *err)
+hs_status hs_force_run_threads(hs_force_space *space, const hs_force_job *job, hs_force_work work,
+                               hs_force_result *result, hs_error *err)
 {
     const hs_atoms *atoms = job->atoms;
     HS_TRY(hs_force_space_reserve(space, atoms, err));
@@ -108,7 +108,8 @@ void hs_force_add_output(hs_force_buffer *buffer, const hs_kernel_output *out)
 
 /** Clusters [*begin, *end) of a thread: shares of equal weight, where a chunk of the clusters weighs as many entries as it
  *  had at the evaluation before (near upper faces, where halo atoms are searched too, there are more). */
-static void clusters_of_thread(const hs_force_space *space, int n_clusters, int thread, int n_threads, int *begin, int *end)
+static void clusters_of_thread(const hs_force_space *space, int n_clusters, int thread, int n_threads, int *begin,
+                               int *end)
 {
     int64_t total = 0, before = 0;
     for (int k = 0; k < HS_FORCE_CHUNKS; ++k) total += space->weight[k] + 1;
@@ -116,7 +117,8 @@ static void clusters_of_thread(const hs_force_space *space, int n_clusters, int 
     for (int side = 0; side < 2; ++side) {
         const int64_t wanted = total * (thread + side) / n_threads;
         int k = 0;
-        for (before = 0; k < HS_FORCE_CHUNKS && before + space->weight[k] + 1 <= wanted; ++k) before += space->weight[k] + 1;
+        for (before = 0; k < HS_FORCE_CHUNKS && before + space->weight[k] + 1 <= wanted; ++k)
+            before += space->weight[k] + 1;
         const double chunk = k < HS_FORCE_CHUNKS ? k + (double)(wanted - before) / (double)(space->weight[k] + 1) : k;
         *bound[side] = (int)(chunk * n_clusters / HS_FORCE_CHUNKS);
     }

@@ -9,29 +9,28 @@
 #include "neighbor/clusters.h"
 
 enum {
-    HS_FORCE_BLOCK_BITS = 8,   /**< forces are cleared and reduced in blocks of this many atoms */
+    HS_FORCE_BLOCK_BITS = 8, /**< forces are cleared and reduced in blocks of this many atoms */
     HS_FORCE_BLOCK = 1 << HS_FORCE_BLOCK_BITS,
-    HS_FORCE_CHUNKS = 64       /**< parts of the clusters that are weighed to balance the threads */
+    HS_FORCE_CHUNKS = 64 /**< parts of the clusters that are weighed to balance the threads */
 };
 
 /** Buffers of one thread. Thread 0 adds to the atoms' own force arrays. */
 typedef struct hs_force_buffer {
-    double *f[3];              /**< owned (borrowed from atoms for thread 0): [n_local + n_halo + pad] */
-    unsigned char *touched;    /**< owned: block b of HS_FORCE_BLOCK atoms was written to (and cleared before) */
-    hs_entry_list entries;     /**< owned: list of the i-cluster at hand (method cell), or all of the thread's (cluster) */
+    double *f[3];           /**< owned (borrowed from atoms for thread 0): [n_local + n_halo + pad] */
+    unsigned char *touched; /**< owned: block b of HS_FORCE_BLOCK atoms was written to (and cleared before) */
+    hs_entry_list entries;  /**< owned: list of the i-cluster at hand (method cell), or all of the thread's (cluster) */
     hs_search search;
-    hs_error error;            /**< what went wrong on this thread */
+    hs_error error; /**< what went wrong on this thread */
     double energy, virial[6];
-    int64_t weight[HS_FORCE_CHUNKS];   /**< method cell: entries met in each chunk of the clusters */
+    int64_t weight[HS_FORCE_CHUNKS]; /**< method cell: entries met in each chunk of the clusters */
 } hs_force_buffer;
-
 
 /** Work space of force evaluations; one per simulation. Zero it before use. */
 typedef struct hs_force_space {
-    hs_force_buffer *buffer;   /**< owned [n_threads] */
+    hs_force_buffer *buffer; /**< owned [n_threads] */
     int n_threads;
-    int64_t capacity_atoms;    /**< room of each buffer */
-    int64_t weight[HS_FORCE_CHUNKS];   /**< method cell: entries of each chunk at the evaluation before */
+    int64_t capacity_atoms;          /**< room of each buffer */
+    int64_t weight[HS_FORCE_CHUNKS]; /**< method cell: entries of each chunk at the evaluation before */
 } hs_force_space;
 
 struct hs_cluster_list;
@@ -45,15 +44,15 @@ typedef struct hs_force_job {
     const hs_evaluator *evaluator;
     hs_isa isa;
     hs_precision precision;
-    const struct hs_cluster_list *list;   /**< method cluster only */
-    const struct hs_verlet_list *verlet;  /**< method verlet only */
-    hs_kernel_input input;     /**< x, type and table must be set; see hs_kernel_input */
+    const struct hs_cluster_list *list;  /**< method cluster only */
+    const struct hs_verlet_list *verlet; /**< method verlet only */
+    hs_kernel_input input;               /**< x, type and table must be set; see hs_kernel_input */
     double cutoff_max;
     bool with_energy;
 } hs_force_job;
 
 typedef struct hs_force_result {
-    double energy;      /**< of this rank's pairs */
+    double energy; /**< of this rank's pairs */
     double virial[6];
 } hs_force_result;
 
@@ -80,9 +79,11 @@ void hs_force_add_output(hs_force_buffer *buffer, const hs_kernel_output *out);
 
 /** Method `nsq`: every local atom against every later local atom and every halo atom, with the scalar potential. The
  *  oracle: slow, and right at a glance. Overwrites forces of local and halo atoms; needs hs_halo_reverse after. */
-HS_MUST_USE hs_status hs_force_nsq(hs_force_space *space, const hs_force_job *job, hs_force_result *result, hs_error *err);
+HS_MUST_USE hs_status hs_force_nsq(hs_force_space *space, const hs_force_job *job, hs_force_result *result,
+                                   hs_error *err);
 /** Method `cell`: searches the cells around each cluster and applies the kernel at once; no list is kept. */
-HS_MUST_USE hs_status hs_force_cell(hs_force_space *space, const hs_force_job *job, hs_force_result *result, hs_error *err);
+HS_MUST_USE hs_status hs_force_cell(hs_force_space *space, const hs_force_job *job, hs_force_result *result,
+                                    hs_error *err);
 void hs_force_space_fini(hs_force_space *space);
 
 #endif

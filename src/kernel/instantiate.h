@@ -2,20 +2,20 @@
  *  hs_evaluator that collects them (plain compilation). See kernel/evaluator.h. */
 
 #define HS_PASTE3_(a, b, c) a##b##_##c
-#define HS_PASTE3(a, b, c) HS_PASTE3_(a, b, c)
-#define HS_PASTE2_(a, b) a##b
-#define HS_PASTE2(a, b) HS_PASTE2_(a, b)
+#define HS_PASTE3(a, b, c)  HS_PASTE3_(a, b, c)
+#define HS_PASTE2_(a, b)    a##b
+#define HS_PASTE2(a, b)     HS_PASTE2_(a, b)
 
 #ifdef HS_KERNEL_ISA
 
 #include "kernel/cluster_loop.h"
 #include "kernel/verlet_loop.h"
 
-#define HS_CLUSTER_KERNEL(name, with_energy, by_type, listed_only)                                                   \
-    static void name(const hs_kernel_input *in, hs_kernel_output *out, int first, const hs_cluster_entry *entry,     \
-                     int n_entries)                                                                                  \
-    {                                                                                                                \
-        cluster_loop(in, out, first, entry, n_entries, with_energy, by_type, listed_only);                           \
+#define HS_CLUSTER_KERNEL(name, with_energy, by_type, listed_only)                                                     \
+    static void name(const hs_kernel_input *in, hs_kernel_output *out, int first, const hs_cluster_entry *entry,       \
+                     int n_entries)                                                                                    \
+    {                                                                                                                  \
+        cluster_loop(in, out, first, entry, n_entries, with_energy, by_type, listed_only);                             \
     }
 HS_CLUSTER_KERNEL(force, false, false, false)
 HS_CLUSTER_KERNEL(force_listed, false, false, true)
@@ -26,11 +26,11 @@ HS_CLUSTER_KERNEL(energy_listed, true, false, true)
 HS_CLUSTER_KERNEL(energy_by_type, true, true, false)
 HS_CLUSTER_KERNEL(energy_by_type_listed, true, true, true)
 
-#define HS_VERLET_KERNEL(name, with_energy, by_type)                                                                 \
-    static void name(const hs_kernel_input *in, hs_kernel_output *out, int begin, int end, const int64_t *start,     \
-                     const int32_t *neighbor)                                                                        \
-    {                                                                                                                \
-        verlet_loop(in, out, begin, end, start, neighbor, with_energy, by_type);                                     \
+#define HS_VERLET_KERNEL(name, with_energy, by_type)                                                                   \
+    static void name(const hs_kernel_input *in, hs_kernel_output *out, int begin, int end, const int64_t *start,       \
+                     const int32_t *neighbor)                                                                          \
+    {                                                                                                                  \
+        verlet_loop(in, out, begin, end, start, neighbor, with_energy, by_type);                                       \
     }
 HS_VERLET_KERNEL(verlet_force, false, false)
 HS_VERLET_KERNEL(verlet_force_by_type, false, true)
@@ -63,13 +63,15 @@ extern const hs_evaluator HS_PASTE2(hs_evaluator_, HS_EVALUATOR);
 const hs_evaluator HS_PASTE2(hs_evaluator_, HS_EVALUATOR) = {
     .n_params = N_PARAMS,
     .single = single,
-    .set = {[HS_ISA_PORTABLE] = {&HS_KERNELS(portable), &HS_KERNELS(portable_mixed)},
+    .set =
+        {
+            [HS_ISA_PORTABLE] = {&HS_KERNELS(portable), &HS_KERNELS(portable_mixed)},
 #if defined(__x86_64__)
             [HS_ISA_SSE2] = {&HS_KERNELS(sse2), &HS_KERNELS(sse2_mixed)},
             [HS_ISA_AVX2] = {&HS_KERNELS(avx2), &HS_KERNELS(avx2_mixed)},
             [HS_ISA_AVX512] = {&HS_KERNELS(avx512), &HS_KERNELS(avx512_mixed)},
 #endif
-    },
+        },
 };
 
 #endif

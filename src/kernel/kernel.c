@@ -17,18 +17,21 @@ hs_status hs_precision_get(const char *name, hs_precision *precision, hs_error *
             return HS_OK;
         }
     const char *nearest = hs_text_nearest(name, hs_precision_names, HS_N_PRECISIONS);
-    return hs_fail(err, HS_ERROR_INPUT, "there is no precision '%s'; %s'%s'", name, nearest != NULL ? "did you mean " : "expected double or ",
-                   nearest != NULL ? nearest : "mixed");
+    return hs_fail(err, HS_ERROR_INPUT, "there is no precision '%s'; %s'%s'", name,
+                   nearest != NULL ? "did you mean " : "expected double or ", nearest != NULL ? nearest : "mixed");
 }
 
 static bool has_isa(hs_isa isa)
 {
 #if defined(__x86_64__)
     switch (isa) {
-    case HS_ISA_AVX512: return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("bmi2") && __builtin_cpu_supports("avx512dq") &&
-                               __builtin_cpu_supports("avx512vl");
-    case HS_ISA_AVX2: return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
-    default: return true;
+    case HS_ISA_AVX512:
+        return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("bmi2") &&
+               __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl");
+    case HS_ISA_AVX2:
+        return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+    default:
+        return true;
     }
 #else
     return isa == HS_ISA_PORTABLE;
@@ -46,15 +49,16 @@ hs_status hs_isa_get(const char *name, hs_isa *isa, hs_error *err)
 {
     *isa = hs_isa_best();
     if (name[0] == '\0' || strcmp(name, "auto") == 0) {
-        name = getenv("HALFSHELL_ISA");   /* so that all tests can be run with each set */
+        name = getenv("HALFSHELL_ISA"); /* so that all tests can be run with each set */
         if (name == NULL || name[0] == '\0' || strcmp(name, "auto") == 0) return HS_OK;
     }
     for (int i = 0; i < HS_N_ISAS; ++i) {
         if (strcmp(name, hs_isa_names[i]) != 0) continue;
         *isa = (hs_isa)i;
         if (has_isa(*isa)) return HS_OK;
-        return hs_fail(err, HS_ERROR_INPUT, "the instruction set '%s' is not one of this machine; the best it has is '%s'",
-                       name, hs_isa_names[hs_isa_best()]);
+        return hs_fail(err, HS_ERROR_INPUT,
+                       "the instruction set '%s' is not one of this machine; the best it has is '%s'", name,
+                       hs_isa_names[hs_isa_best()]);
     }
     const char *nearest = hs_text_nearest(name, hs_isa_names, HS_N_ISAS);
     return hs_fail(err, HS_ERROR_INPUT, "there is no instruction set '%s'; %s'%s'%s", name,
@@ -63,8 +67,11 @@ hs_status hs_isa_get(const char *name, hs_isa *isa, hs_error *err)
 }
 
 #if defined(__x86_64__)
-#define FOR_ISA(isa, name)                                                                                   \
-    ((isa) == HS_ISA_AVX512 ? name##avx512 : (isa) == HS_ISA_AVX2 ? name##avx2 : (isa) == HS_ISA_SSE2 ? name##sse2 : name##portable)
+#define FOR_ISA(isa, name)                                                                                             \
+    ((isa) == HS_ISA_AVX512 ? name##avx512                                                                             \
+     : (isa) == HS_ISA_AVX2 ? name##avx2                                                                               \
+     : (isa) == HS_ISA_SSE2 ? name##sse2                                                                               \
+                            : name##portable)
 #else
 #define FOR_ISA(isa, name) ((void)(isa), name##portable)
 #endif

@@ -8,16 +8,16 @@
 /** Instruction sets kernels are compiled for, from plain to wide. */
 typedef enum { HS_ISA_PORTABLE, HS_ISA_SSE2, HS_ISA_AVX2, HS_ISA_AVX512, HS_N_ISAS } hs_isa;
 
-extern const char *const hs_isa_names[];   /**< ended by NULL */
+extern const char *const hs_isa_names[]; /**< ended by NULL */
 
 /** Precision of pair forces. Positions, velocities and all sums are double in both. */
 typedef enum {
     HS_PRECISION_DOUBLE,
-    HS_PRECISION_MIXED,   /**< pairs in float, relative to the i-cluster; sums of forces and energies in double */
+    HS_PRECISION_MIXED, /**< pairs in float, relative to the i-cluster; sums of forces and energies in double */
     HS_N_PRECISIONS
 } hs_precision;
 
-extern const char *const hs_precision_names[];   /**< ended by NULL */
+extern const char *const hs_precision_names[]; /**< ended by NULL */
 /** By name; an error naming the nearest when there is none of that name. */
 HS_MUST_USE hs_status hs_precision_get(const char *name, hs_precision *precision, hs_error *err);
 /** Widest instruction set of this machine that kernels exist for. */
@@ -31,44 +31,44 @@ hs_cluster_find hs_isa_find(hs_isa isa);
 /** Parameters of all type pairs as kernels read them. Row (i, j), both from 0 (0 is unused by types from 1 on), starts
  *  at values[(i * n_types + j) * stride]: two squared distances (0: the pair does not interact), then the evaluator's. */
 enum {
-    HS_TABLE_CUT_R2,      /**< cutoff^2 */
-    HS_TABLE_LISTED_R2,   /**< (cutoff + skin)^2, the next larger number: listed pairs are closer than this */
-    HS_TABLE_PARAMS       /**< first of the evaluator's parameters */
+    HS_TABLE_CUT_R2,    /**< cutoff^2 */
+    HS_TABLE_LISTED_R2, /**< (cutoff + skin)^2, the next larger number: listed pairs are closer than this */
+    HS_TABLE_PARAMS     /**< first of the evaluator's parameters */
 };
 typedef struct hs_pair_table {
-    int n_types;      /**< kernel types: atom types times exclusion classes, plus 1 */
-    int stride;       /**< HS_TABLE_PARAMS + n_params */
-    double *values;   /**< owned */
-    bool is_uniform;  /**< all rows that can occur are the same, namely row (1, 1) */
+    int n_types;     /**< kernel types: atom types times exclusion classes, plus 1 */
+    int stride;      /**< HS_TABLE_PARAMS + n_params */
+    double *values;  /**< owned */
+    bool is_uniform; /**< all rows that can occur are the same, namely row (1, 1) */
 } hs_pair_table;
 
 /** What all kernels of one force evaluation read. Everything is borrowed and const. */
 typedef struct hs_kernel_input {
-    const double *x[3];          /**< positions, local and halo, in cluster order */
-    const double *x_listed[3];   /**< positions when LAMMPS would have built its list; NULL unless `listed_only` */
-    bool listed_only;            /**< count only pairs that were within their listed distance then */
-    const int32_t *type;         /**< kernel types, local and halo */
+    const double *x[3];        /**< positions, local and halo, in cluster order */
+    const double *x_listed[3]; /**< positions when LAMMPS would have built its list; NULL unless `listed_only` */
+    bool listed_only;          /**< count only pairs that were within their listed distance then */
+    const int32_t *type;       /**< kernel types, local and halo */
     const hs_pair_table *table;
 } hs_kernel_input;
 
 /** What a kernel adds to; private to one thread. */
 typedef struct hs_kernel_output {
-    double *f[3];      /**< forces on local and halo atoms */
+    double *f[3]; /**< forces on local and halo atoms */
     double energy;
-    double virial[6];  /**< sum of r_a F_b over pairs: xx yy zz xy xz yz */
+    double virial[6]; /**< sum of r_a F_b over pairs: xx yy zz xy xz yz */
 } hs_kernel_output;
 
 /** Forces (and energy and virial) between the atoms of one i-cluster and the entries of its list. */
-typedef void (*hs_cluster_kernel)(const hs_kernel_input *in, hs_kernel_output *out, int first, const hs_cluster_entry *entry,
-                                  int n_entries);
+typedef void (*hs_cluster_kernel)(const hs_kernel_input *in, hs_kernel_output *out, int first,
+                                  const hs_cluster_entry *entry, int n_entries);
 
 /** Elements behind the last of a list of neighbors that vector code may read: the widest vector has so many lanes. */
 enum { HS_VERLET_PAD = 16 };
 /** The same between the atoms begin to end - 1 and the neighbors of each: those of atom i stand from neighbor[start[i - begin]]
  *  up to, without, neighbor[start[i - begin + 1]]. Up to HS_VERLET_PAD neighbors beyond the last are read, and zero is added to
  *  their forces: they must be atoms that the thread may write to. */
-typedef void (*hs_verlet_kernel)(const hs_kernel_input *in, hs_kernel_output *out, int begin, int end, const int64_t *start,
-                                 const int32_t *neighbor);
+typedef void (*hs_verlet_kernel)(const hs_kernel_input *in, hs_kernel_output *out, int begin, int end,
+                                 const int64_t *start, const int32_t *neighbor);
 
 /** Keep, of n candidate entries of the i-cluster at `first`, the pairs within their listed distance at in->x; drop
  *  entries without any, order the rest so that consecutive ones use the same rows, and pad to a multiple of the kernel's group. Room for a
@@ -83,15 +83,15 @@ hs_list_refine hs_isa_refine(hs_isa isa);
 typedef struct hs_kernel_set {
     int group;
     hs_cluster_kernel cluster[2][2][2];
-    hs_verlet_kernel verlet[2][2];   /**< lists hold the listed pairs only: no third index */
+    hs_verlet_kernel verlet[2][2]; /**< lists hold the listed pairs only: no third index */
 } hs_kernel_set;
 
 /** A potential compiled for every instruction set; made by kernel/instantiate.h from the file of a pair style. */
 typedef struct hs_evaluator {
-    int n_params;   /**< doubles per type pair */
+    int n_params; /**< doubles per type pair */
     /** The potential of one pair: force/r and energy from r^2 and the pair's parameters. The oracle of all kernels. */
     void (*single)(const double *params, double r2, double *force_over_r, double *energy);
-    const hs_kernel_set *set[HS_N_ISAS][HS_N_PRECISIONS];   /**< NULL where not compiled */
+    const hs_kernel_set *set[HS_N_ISAS][HS_N_PRECISIONS]; /**< NULL where not compiled */
 } hs_evaluator;
 
 /** Fill hs_pair_table.is_uniform: whether every pair of the given kernel types (1 ..) has the same row. */

@@ -16,14 +16,15 @@ static inline void refine_vector(const hs_kernel_input *in, int first, hs_cluste
             const hs_vec dx = hs_set1(in->x[0][i]) - x_j[0], dy = hs_set1(in->x[1][i]) - x_j[1],
                          dz = hs_set1(in->x[2][i]) - x_j[2];
             const double *row_table = table->values + (size_t)in->type[i] * (size_t)(table->n_types * table->stride);
-            const hs_vec limit = table->is_uniform ? hs_set1(only)
-                                                   : hs_lookup(row_table + HS_TABLE_LISTED_R2, in->type, table->stride, entry, sub);
+            const hs_vec limit = table->is_uniform
+                                     ? hs_set1(only)
+                                     : hs_lookup(row_table + HS_TABLE_LISTED_R2, in->type, table->stride, entry, sub);
             const uint32_t near = hs_mask_to_bits(hs_less(dx * dx + dy * dy + dz * dz, limit));
             for (int k = 0; k < HS_GROUP; ++k)
                 refined[k] |= (near >> HS_CLUSTER * k & 0xfu) << (4 * row + (HS_SUBS > 1 ? HS_LANES * sub : 0));
         }
     }
-    for (int k = 0; k < HS_GROUP; ++k) entry[k].mask &= refined[k];   /* clears the bits of rows, too */
+    for (int k = 0; k < HS_GROUP; ++k) entry[k].mask &= refined[k]; /* clears the bits of rows, too */
 }
 
 /** Rows (i-atoms) that have any pair in a mask: each group of four bits folded into one. */
@@ -62,12 +63,13 @@ static int note_rows(hs_cluster_entry *entry, int n, int group)
     return n;
 }
 
-static int refine(const hs_kernel_input *in, int first, hs_cluster_entry *entry, int n, int group, hs_cluster_entry *scratch)
+static int refine(const hs_kernel_input *in, int first, hs_cluster_entry *entry, int n, int group,
+                  hs_cluster_entry *scratch)
 {
     for (int e = 0; e < n; e += HS_GROUP) refine_vector(in, first, entry + e);
     return note_rows(entry, order_by_rows(entry, n, scratch), group);
 }
 
 #define PASTE_(a, b) a##b
-#define PASTE(a, b) PASTE_(a, b)
+#define PASTE(a, b)  PASTE_(a, b)
 const hs_list_refine PASTE(hs_list_refine_, HS_KERNEL_ISA) = refine;

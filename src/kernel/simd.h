@@ -67,7 +67,7 @@
 #endif
 
 #define HS_GROUP (HS_LANES >= HS_CLUSTER ? HS_LANES / HS_CLUSTER : 1)
-#define HS_SUBS (HS_LANES >= HS_CLUSTER ? 1 : HS_CLUSTER / HS_LANES)
+#define HS_SUBS  (HS_LANES >= HS_CLUSTER ? 1 : HS_CLUSTER / HS_LANES)
 
 /* Compilers make loads and inserts of this. The machine's gather instructions measured slower: 4.6 instead of 5.5 (AVX-512)
    and 6.3 (AVX2) million atom-steps/s on a Zen 4. */

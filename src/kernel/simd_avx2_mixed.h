@@ -21,7 +21,8 @@ static inline hs_masks hs_masks_of(const hs_cluster_entry *entry, int sub)
 static inline hs_msk hs_masks_row(hs_masks masks, int row)
 {
     const __m256i lane = _mm256_set_epi32(8, 4, 2, 1, 8, 4, 2, 1);
-    const __m128i low = _mm_set1_epi32((int)((uint32_t)masks >> 4 * row)), high = _mm_set1_epi32((int)((uint32_t)(masks >> 32) >> 4 * row));
+    const __m128i low = _mm_set1_epi32((int)((uint32_t)masks >> 4 * row)),
+                  high = _mm_set1_epi32((int)((uint32_t)(masks >> 32) >> 4 * row));
     const __m256i bits = _mm256_inserti128_si256(_mm256_castsi128_si256(low), high, 1);
     return _mm256_castsi256_ps(_mm256_cmpeq_epi32(_mm256_and_si256(bits, lane), lane));
 }
@@ -54,7 +55,8 @@ static inline void hs_add_clusters(double *f, const hs_cluster_entry *entry, int
     _mm256_storeu_pd(f1, _mm256_add_pd(_mm256_loadu_pd(f1), _mm256_cvtps_pd(_mm256_extractf128_ps(a, 1))));
 }
 
-static inline hs_vec hs_lookup(const double *table, const int32_t *type, int stride, const hs_cluster_entry *entry, int sub)
+static inline hs_vec hs_lookup(const double *table, const int32_t *type, int stride, const hs_cluster_entry *entry,
+                               int sub)
 {
     (void)sub;
     __m128 half[2];

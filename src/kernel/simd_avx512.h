@@ -45,7 +45,8 @@ static inline void hs_add_clusters(double *f, const hs_cluster_entry *entry, int
     _mm256_storeu_pd(f1, _mm256_add_pd(_mm256_loadu_pd(f1), _mm512_extractf64x4_pd(a, 1)));
 }
 
-static inline hs_vec hs_lookup(const double *table, const int32_t *type, int stride, const hs_cluster_entry *entry, int sub)
+static inline hs_vec hs_lookup(const double *table, const int32_t *type, int stride, const hs_cluster_entry *entry,
+                               int sub)
 {
     (void)sub;
     const __m128i low = _mm_loadu_si128((const __m128i *)(type + entry[0].first));

@@ -37,7 +37,8 @@ static inline hs_vec hs_load_clusters(const double *x, double origin, const hs_c
 {
     (void)sub;
     const __m512d low = _mm512_castpd256_pd512(_mm256_loadu_pd(x + entry[0].first));
-    return _mm512_cvtpd_ps(_mm512_sub_pd(_mm512_insertf64x4(low, _mm256_loadu_pd(x + entry[1].first), 1), _mm512_set1_pd(origin)));
+    return _mm512_cvtpd_ps(
+        _mm512_sub_pd(_mm512_insertf64x4(low, _mm256_loadu_pd(x + entry[1].first), 1), _mm512_set1_pd(origin)));
 }
 
 static inline void hs_add_clusters(double *f, const hs_cluster_entry *entry, int sub, hs_vec a)
@@ -49,7 +50,8 @@ static inline void hs_add_clusters(double *f, const hs_cluster_entry *entry, int
     _mm256_storeu_pd(f1, _mm256_add_pd(_mm256_loadu_pd(f1), _mm512_extractf64x4_pd(both, 1)));
 }
 
-static inline hs_vec hs_lookup(const double *table, const int32_t *type, int stride, const hs_cluster_entry *entry, int sub)
+static inline hs_vec hs_lookup(const double *table, const int32_t *type, int stride, const hs_cluster_entry *entry,
+                               int sub)
 {
     (void)sub;
     const __m128i low = _mm_loadu_si128((const __m128i *)(type + entry[0].first));

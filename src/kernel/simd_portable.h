@@ -32,7 +32,8 @@ static inline void hs_add_clusters(double *f, const hs_cluster_entry *entry, int
     f[entry->first + sub] += a;
 }
 
-static inline hs_vec hs_lookup(const double *table, const int32_t *type, int stride, const hs_cluster_entry *entry, int sub)
+static inline hs_vec hs_lookup(const double *table, const int32_t *type, int stride, const hs_cluster_entry *entry,
+                               int sub)
 {
     return table[stride * type[entry->first + sub]];
 }

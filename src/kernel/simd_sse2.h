@@ -28,7 +28,6 @@ static inline hs_msk hs_masks_row(hs_masks masks, int row)
     return _mm_castsi128_pd(_mm_cmpeq_epi32(_mm_and_si128(masks, lane), lane));
 }
 
-
 static inline uint32_t hs_mask_to_bits(hs_msk m) { return (uint32_t)_mm_movemask_pd(m); }
 static inline hs_msk hs_mask_and(hs_msk m, hs_msk n) { return _mm_and_pd(m, n); }
 static inline hs_msk hs_less(hs_vec a, hs_vec b) { return _mm_cmplt_pd(a, b); }
@@ -47,7 +46,8 @@ static inline void hs_add_clusters(double *f, const hs_cluster_entry *entry, int
     _mm_storeu_pd(at, _mm_add_pd(_mm_loadu_pd(at), a));
 }
 
-static inline hs_vec hs_lookup(const double *table, const int32_t *type, int stride, const hs_cluster_entry *entry, int sub)
+static inline hs_vec hs_lookup(const double *table, const int32_t *type, int stride, const hs_cluster_entry *entry,
+                               int sub)
 {
     const int32_t *at = type + entry->first + 2 * sub;
     return _mm_set_pd(table[stride * at[1]], table[stride * at[0]]);

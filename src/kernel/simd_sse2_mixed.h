@@ -38,7 +38,8 @@ static inline hs_vec hs_load_clusters(const double *x, double origin, const hs_c
     (void)sub;
     const double *at = x + entry->first;
     const __m128d from = _mm_set1_pd(origin);
-    return _mm_movelh_ps(_mm_cvtpd_ps(_mm_sub_pd(_mm_loadu_pd(at), from)), _mm_cvtpd_ps(_mm_sub_pd(_mm_loadu_pd(at + 2), from)));
+    return _mm_movelh_ps(_mm_cvtpd_ps(_mm_sub_pd(_mm_loadu_pd(at), from)),
+                         _mm_cvtpd_ps(_mm_sub_pd(_mm_loadu_pd(at + 2), from)));
 }
 
 static inline void hs_add_clusters(double *f, const hs_cluster_entry *entry, int sub, hs_vec a)
@@ -49,7 +50,8 @@ static inline void hs_add_clusters(double *f, const hs_cluster_entry *entry, int
     _mm_storeu_pd(at + 2, _mm_add_pd(_mm_loadu_pd(at + 2), _mm_cvtps_pd(_mm_movehl_ps(a, a))));
 }
 
-static inline hs_vec hs_lookup(const double *table, const int32_t *type, int stride, const hs_cluster_entry *entry, int sub)
+static inline hs_vec hs_lookup(const double *table, const int32_t *type, int stride, const hs_cluster_entry *entry,
+                               int sub)
 {
     (void)sub;
     const int32_t *at = type + entry->first;

@@ -63,7 +63,8 @@ static int64_t count_cells(const double extent[3], const double pitch[3], int n[
     return total < 1e15 ? (int64_t)total : INT64_MAX;
 }
 
-hs_status hs_cells_set_grid(hs_cells *cells, const hs_box *box, double reach, double width, int64_t n_atoms, hs_error *err)
+hs_status hs_cells_set_grid(hs_cells *cells, const hs_box *box, double reach, double width, int64_t n_atoms,
+                            hs_error *err)
 {
     static const int axes[2][3] = {{0, 2, 1}, {0, 1, 2}};
     const bool is_3d = box->dimension == 3;
@@ -107,8 +108,8 @@ hs_status hs_cells_set_grid(hs_cells *cells, const hs_box *box, double reach, do
 
 /** Where the sorted atoms come from: local or halo part of the arrays. */
 typedef struct sort_input {
-    const double *x[3];     /**< coordinates along the grid axes, of atom 0 of this part */
-    const int64_t *id;      /**< breaks ties; NULL for halo atoms, which keep their order */
+    const double *x[3]; /**< coordinates along the grid axes, of atom 0 of this part */
+    const int64_t *id;  /**< breaks ties; NULL for halo atoms, which keep their order */
     int n;
     int32_t *start;
 } sort_input;
@@ -225,7 +226,8 @@ static hs_status sort(hs_cells *cells, const sort_input *in, hs_error *err)
         for (int64_t i = begin; i < end; ++i) cells->order[histogram[cells->key[i]]++] = (int32_t)i;
 #pragma omp barrier
         hs_thread_range(n_cells, 16, thread, n_threads, &begin, &end);
-        for (int64_t c = begin; c < end; ++c) order_cell(in, cells->order + in->start[c], in->start[c + 1] - in->start[c]);
+        for (int64_t c = begin; c < end; ++c)
+            order_cell(in, cells->order + in->start[c], in->start[c + 1] - in->start[c]);
     }
     HS_FREE(share_sum);
     return HS_OK;
@@ -234,15 +236,20 @@ static hs_status sort(hs_cells *cells, const sort_input *in, hs_error *err)
 hs_status hs_cells_sort_local(hs_cells *cells, const hs_atoms *atoms, hs_error *err)
 {
     const sort_input in = {.x = {atoms->x[cells->axis[0]], atoms->x[cells->axis[1]], atoms->x[cells->axis[2]]},
-                           .id = atoms->id, .n = atoms->n_local, .start = cells->start_local};
+                           .id = atoms->id,
+                           .n = atoms->n_local,
+                           .start = cells->start_local};
     return sort(cells, &in, err);
 }
 
 hs_status hs_cells_sort_halo(hs_cells *cells, const hs_atoms *atoms, hs_error *err)
 {
     const int at = atoms->n_local;
-    const sort_input in = {.x = {atoms->x[cells->axis[0]] + at, atoms->x[cells->axis[1]] + at, atoms->x[cells->axis[2]] + at},
-                           .id = NULL, .n = atoms->n_halo, .start = cells->start_halo};
+    const sort_input in = {
+        .x = {atoms->x[cells->axis[0]] + at, atoms->x[cells->axis[1]] + at, atoms->x[cells->axis[2]] + at},
+        .id = NULL,
+        .n = atoms->n_halo,
+        .start = cells->start_halo};
     return sort(cells, &in, err);
 }
 

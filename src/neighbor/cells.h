@@ -12,18 +12,18 @@
 /** Grid over the box and a margin of `reach` around it. Index 0, 1: column axes; 2: run axis (`axis` maps to x, y, z). */
 typedef struct hs_cells {
     int axis[3];
-    double lo[3];            /**< lower corner of cell 0 */
+    double lo[3]; /**< lower corner of cell 0 */
     double pitch[3], inv_pitch[3];
-    int n[3];                /**< cells per axis */
-    double box_hi[3];        /**< upper faces of the box, relative to lo: halo atoms lie beyond one of them at least */
+    int n[3];         /**< cells per axis */
+    double box_hi[3]; /**< upper faces of the box, relative to lo: halo atoms lie beyond one of them at least */
     int n_columns;
-    int32_t *column_rank;    /**< owned [n[0] * n[1]]: place of column (c0, c1) along the Morton curve */
-    int32_t *start_local;    /**< owned [n_columns * n[2] + 1]: first local atom of each cell */
-    int32_t *start_halo;     /**< the same for halo atoms, counted from 0 at the first halo atom */
+    int32_t *column_rank; /**< owned [n[0] * n[1]]: place of column (c0, c1) along the Morton curve */
+    int32_t *start_local; /**< owned [n_columns * n[2] + 1]: first local atom of each cell */
+    int32_t *start_halo;  /**< the same for halo atoms, counted from 0 at the first halo atom */
     int64_t capacity_cells, capacity_columns;
-    int32_t *order;          /**< owned scratch [capacity_atoms]: new place -> old index */
-    int32_t *key;            /**< owned scratch [capacity_atoms]: cell of each atom */
-    int32_t *histogram;      /**< owned scratch [threads][cells] */
+    int32_t *order;     /**< owned scratch [capacity_atoms]: new place -> old index */
+    int32_t *key;       /**< owned scratch [capacity_atoms]: cell of each atom */
+    int32_t *histogram; /**< owned scratch [threads][cells] */
     int64_t capacity_atoms, capacity_histogram;
 } hs_cells;
 

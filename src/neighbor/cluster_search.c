@@ -12,7 +12,7 @@
 typedef struct probe {
     float lo[3], hi[3];
     float reach, reach2;
-    uint32_t rows;   /**< mask of the rows that are atoms */
+    uint32_t rows; /**< mask of the rows that are atoms */
 } probe;
 
 /* Pairs within one cluster: j > i only. */
@@ -85,7 +85,8 @@ static inline uint32_t near_lanes(const hs_cluster_part *part, const probe *p, i
 static inline int append(hs_cluster_entry *to, const hs_cluster_entry *from, uint32_t near, uint32_t rows)
 {
     /* compress in the register and store all of it: compressing into memory is slow on some processors */
-    const __m512i all = _mm512_and_epi64(_mm512_loadu_si512(from), _mm512_set1_epi64((int64_t)((uint64_t)rows << 32 | 0xffffffffu)));
+    const __m512i all =
+        _mm512_and_epi64(_mm512_loadu_si512(from), _mm512_set1_epi64((int64_t)((uint64_t)rows << 32 | 0xffffffffu)));
     _mm512_storeu_si512(to, _mm512_maskz_compress_epi64((__mmask8)near, all));
     return __builtin_popcount(near);
 }
@@ -171,7 +172,8 @@ static hs_status find(hs_search *search, int ci, int column, hs_entry_list *entr
     const hs_cells *cells = search->cells;
     const hs_cluster_part *local = &clusters->local;
     if (column != search->column) HS_TRY(hs_cluster_search_column(search, column, err));
-    probe p = {.reach = search->reach, .reach2 = search->reach * search->reach, .rows = hs_cluster_rows(local->size[ci])};
+    probe p = {
+        .reach = search->reach, .reach2 = search->reach * search->reach, .rows = hs_cluster_rows(local->size[ci])};
     for (int a = 0; a < 3; ++a) {
         p.lo[a] = local->box[a][ci];
         p.hi[a] = local->box[a + 3][ci];
@@ -188,5 +190,5 @@ static hs_status find(hs_search *search, int ci, int column, hs_entry_list *entr
 }
 
 #define PASTE_(a, b) a##b
-#define PASTE(a, b) PASTE_(a, b)
+#define PASTE(a, b)  PASTE_(a, b)
 const hs_cluster_find PASTE(hs_cluster_find_, HS_KERNEL_ISA) = find;

@@ -6,19 +6,19 @@
 
 /** Columns of one part around the column whose clusters are searched for: arrays of n, padded to whole vectors. */
 typedef struct hs_column_list {
-    float *bound[4];          /**< owned: lower, upper bound along grid axis 0, then 1; relative to the grid */
-    int32_t *cell_lo, *cell_hi;   /**< owned scratch: cells of the column that the cluster at hand can reach */
-    int32_t *column;          /**< owned: rank */
+    float *bound[4];            /**< owned: lower, upper bound along grid axis 0, then 1; relative to the grid */
+    int32_t *cell_lo, *cell_hi; /**< owned scratch: cells of the column that the cluster at hand can reach */
+    int32_t *column;            /**< owned: rank */
     int n, capacity;
 } hs_column_list;
 
 /** A search in progress on one thread. Zero it before first use; free with hs_cluster_search_fini. */
 typedef struct hs_search {
-    const hs_clusters *clusters;   /**< borrowed, as all inputs, until the next begin */
+    const hs_clusters *clusters; /**< borrowed, as all inputs, until the next begin */
     const hs_cells *cells;
-    float reach;                   /**< with a margin for float rounding */
-    int column;                    /**< rank of the column at hand, -1 for none */
-    hs_column_list local, halo;    /**< upper half of the local columns; all halo columns around */
+    float reach;                /**< with a margin for float rounding */
+    int column;                 /**< rank of the column at hand, -1 for none */
+    hs_column_list local, halo; /**< upper half of the local columns; all halo columns around */
 } hs_search;
 
 /** Start searching pairs of clusters with atoms closer than `reach`. */
@@ -34,6 +34,7 @@ HS_MUST_USE hs_status hs_cluster_search_column(hs_search *search, int column, hs
  *  ragged end. Appends to *entries, growing it. Clusters should come column by column. Not collective. */
 typedef hs_status (*hs_cluster_find)(hs_search *search, int ci, int column, hs_entry_list *entries, hs_error *err);
 
-extern const hs_cluster_find hs_cluster_find_portable, hs_cluster_find_sse2, hs_cluster_find_avx2, hs_cluster_find_avx512;
+extern const hs_cluster_find hs_cluster_find_portable, hs_cluster_find_sse2, hs_cluster_find_avx2,
+    hs_cluster_find_avx512;
 
 #endif

@@ -28,8 +28,7 @@ static hs_status reserve(hs_cluster_part *part, int64_t n_clusters, int n_column
         part->capacity = n_clusters + n_clusters / 8 + 16;
         HS_TRY(HS_GROW(part->entry, 0, (size_t)part->capacity + BOX_PAD, err));
         HS_TRY(HS_GROW(part->size, 0, (size_t)part->capacity, err));
-        for (int side = 0; side < 6; ++side)
-            HS_TRY(HS_GROW(part->box[side], 0, (size_t)part->capacity + BOX_PAD, err));
+        for (int side = 0; side < 6; ++side) HS_TRY(HS_GROW(part->box[side], 0, (size_t)part->capacity + BOX_PAD, err));
     }
     return HS_OK;
 }
@@ -102,7 +101,8 @@ hs_status hs_entry_list_reserve(hs_entry_list *entries, int n_more, hs_error *er
     if (entries->n + n_more <= entries->capacity) return HS_OK;
     const int64_t capacity = ((int64_t)entries->n + n_more) * 5 / 4 + 256;
     if (capacity > INT32_MAX)
-        return hs_fail(err, HS_ERROR_RUN, "a neighbor list of more than 2^31 cluster pairs on one thread: use more ranks");
+        return hs_fail(err, HS_ERROR_RUN,
+                       "a neighbor list of more than 2^31 cluster pairs on one thread: use more ranks");
     HS_TRY(HS_GROW(entries->entry, (size_t)entries->n, (size_t)capacity, err));
     entries->capacity = (int)capacity;
     return HS_OK;

@@ -13,13 +13,13 @@ enum { HS_CLUSTER = 4, HS_ENTRY_ROWS_SHIFT = 16 };
 /** One entry of an i-cluster's list: a j-cluster and which of the 16 pairs count, bit 4 * i + j. Bits 16 to 19 say which
  *  rows (i-atoms) a kernel must visit for the vector that begins with this entry: those with a pair in any of its entries. */
 typedef struct hs_cluster_entry {
-    int32_t first;   /**< index of the j-cluster's first atom */
+    int32_t first; /**< index of the j-cluster's first atom */
     uint32_t mask;
 } hs_cluster_entry;
 
 /** A list of entries that grows. Zero it before use; free entry with HS_FREE. */
 typedef struct hs_entry_list {
-    hs_cluster_entry *entry;   /**< owned */
+    hs_cluster_entry *entry; /**< owned */
     int n, capacity;
 } hs_entry_list;
 
@@ -36,18 +36,22 @@ typedef struct hs_cluster_part {
 
 typedef struct hs_clusters {
     hs_cluster_part local, halo;
-    int32_t *column_at;         /**< owned [n_columns]: grid column c0 * n[1] + c1 at each rank */
+    int32_t *column_at; /**< owned [n_columns]: grid column c0 * n[1] + c1 at each rank */
     int64_t capacity_columns;
-    uint64_t generation;        /**< of the atoms these clusters belong to */
+    uint64_t generation; /**< of the atoms these clusters belong to */
 } hs_clusters;
 
 /** Mask with the lanes (j-atoms) below `size` set, in all four rows; all rows are visited. */
-static inline uint32_t hs_cluster_lanes(int size) { return ((1u << size) - 1u) * 0x1111u | 0xfu << HS_ENTRY_ROWS_SHIFT; }
+static inline uint32_t hs_cluster_lanes(int size)
+{
+    return ((1u << size) - 1u) * 0x1111u | 0xfu << HS_ENTRY_ROWS_SHIFT;
+}
 /** Mask with all lanes of the rows (i-atoms) below `size` set; all rows are visited. */
 static inline uint32_t hs_cluster_rows(int size) { return ((1u << 4 * size) - 1u) | 0xfu << HS_ENTRY_ROWS_SHIFT; }
 
 /** Cut sorted atoms into clusters and bound them. */
-HS_MUST_USE hs_status hs_clusters_build(hs_clusters *clusters, const hs_cells *cells, const hs_atoms *atoms, hs_error *err);
+HS_MUST_USE hs_status hs_clusters_build(hs_clusters *clusters, const hs_cells *cells, const hs_atoms *atoms,
+                                        hs_error *err);
 void hs_clusters_fini(hs_clusters *clusters);
 
 /** Width of columns that makes clusters of atoms at this number density roughly cubic, at most `reach`. */

@@ -20,7 +20,8 @@ hs_status hs_neighbor_init(hs_neighbor *neighbor, hs_atoms *atoms, double skin, 
 {
     static const char *const names[3] = {"x listed", "y listed", "z listed"};
     memset(neighbor, 0, sizeof *neighbor);
-    neighbor->settings = (hs_neighbor_settings){.skin = skin, .every = 1, .delay = 10, .check = true, .method = HS_METHOD_CLUSTER};
+    neighbor->settings =
+        (hs_neighbor_settings){.skin = skin, .every = 1, .delay = 10, .check = true, .method = HS_METHOD_CLUSTER};
     for (int axis = 0; axis < 3; ++axis)
         HS_TRY(hs_atoms_add_field(atoms, names[axis], (void **)&neighbor->x_listed[axis], sizeof(double), true, err));
     hs_neighbor_start(neighbor);
@@ -83,12 +84,13 @@ static hs_status report_bad_position(const hs_atoms *atoms, int64_t step, hs_err
 {
     for (int i = 0; i < atoms->n_local; ++i)
         if (!isfinite(atoms->x[0][i] + atoms->x[1][i] + atoms->x[2][i]))
-            return hs_fail(err, HS_ERROR_RUN,
-                           "at step %lld atom %lld has the position (%g %g %g) and the velocity (%g %g %g): the forces on it "
-                           "were too large. Usually atoms overlap at the start or the timestep is too long: check "
-                           "pair_coeff, the density, and 'timestep'",
-                           (long long)step, (long long)atoms->id[i], atoms->x[0][i], atoms->x[1][i], atoms->x[2][i],
-                           atoms->v[0][i], atoms->v[1][i], atoms->v[2][i]);
+            return hs_fail(
+                err, HS_ERROR_RUN,
+                "at step %lld atom %lld has the position (%g %g %g) and the velocity (%g %g %g): the forces on it "
+                "were too large. Usually atoms overlap at the start or the timestep is too long: check "
+                "pair_coeff, the density, and 'timestep'",
+                (long long)step, (long long)atoms->id[i], atoms->x[0][i], atoms->x[1][i], atoms->x[2][i],
+                atoms->v[0][i], atoms->v[1][i], atoms->v[2][i]);
     return hs_fail(err, HS_ERROR_RUN, "at step %lld an atom has moved out of the range of numbers", (long long)step);
 }
 

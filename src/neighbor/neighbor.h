@@ -17,7 +17,7 @@
 /** `neigh_modify exclude`: pairs that do not interact. */
 typedef struct hs_exclusion {
     enum { HS_EXCLUDE_TYPE, HS_EXCLUDE_GROUP } kind;
-    int a, b;   /**< two types, or two group bits */
+    int a, b; /**< two types, or two group bits */
 } hs_exclusion;
 
 /** How pairs are found. */
@@ -29,20 +29,21 @@ extern const char *const hs_neighbor_method_help[];
 
 /** Settings of `neighbor`, `neigh_modify` and `neighbor_method`. */
 typedef struct hs_neighbor_settings {
-    double skin;              /**< distance */
-    int64_t every, delay;     /**< steps */
-    bool check;               /**< build only when an atom has moved half the skin */
-    bool once;                /**< build at the start of a run only */
-    bool exact;               /**< count every pair within the cutoff, whatever the schedule says */
-    hs_exclusion *exclusion;  /**< owned [n_exclusions] */
+    double skin;             /**< distance */
+    int64_t every, delay;    /**< steps */
+    bool check;              /**< build only when an atom has moved half the skin */
+    bool once;               /**< build at the start of a run only */
+    bool exact;              /**< count every pair within the cutoff, whatever the schedule says */
+    hs_exclusion *exclusion; /**< owned [n_exclusions] */
     int n_exclusions;
     hs_neighbor_method method;
 } hs_neighbor_settings;
 
 /** Counters of the present run, for the log. */
 typedef struct hs_neighbor_counters {
-    int64_t n_builds;        /**< scheduled list builds, without the one of the set-up (as LAMMPS counts them) */
-    int64_t n_dangerous;     /**< builds with check yes at which an atom had moved half the skin as soon as one was allowed */
+    int64_t n_builds; /**< scheduled list builds, without the one of the set-up (as LAMMPS counts them) */
+    int64_t
+        n_dangerous; /**< builds with check yes at which an atom had moved half the skin as soon as one was allowed */
     int64_t n_late_steps;    /**< steps on which an atom was more than half the skin from its listed place */
     int64_t first_late_step; /**< the first of them, -1 for none */
     int64_t n_pairs;         /**< pairs in the lists of the last build, all ranks; 0 for methods without lists */
@@ -51,9 +52,9 @@ typedef struct hs_neighbor_counters {
 typedef struct hs_neighbor {
     hs_neighbor_settings settings;
     hs_neighbor_counters counters;
-    int64_t ago;              /**< steps since the last scheduled build */
-    double *x_listed[3];      /**< atom field: positions at the last scheduled build, in the images of x; with halo */
-    bool is_late;             /**< an atom is more than half the skin from x_listed: pairs may be missing from the list */
+    int64_t ago;         /**< steps since the last scheduled build */
+    double *x_listed[3]; /**< atom field: positions at the last scheduled build, in the images of x; with halo */
+    bool is_late;        /**< an atom is more than half the skin from x_listed: pairs may be missing from the list */
     hs_cells cells;
     hs_clusters clusters;
 } hs_neighbor;

@@ -69,7 +69,8 @@ hs_status hs_cluster_search_column(hs_search *search, int column, hs_error *err)
     const float pitch0 = (float)cells->pitch[0], pitch1 = (float)cells->pitch[1];
     const int n0 = cells->n[0], n1 = cells->n[1];
     const int own0 = clusters->column_at[column] / n1, own1 = clusters->column_at[column] % n1;
-    const int far0 = (int)fminf(search->reach / pitch0 + 2.0f, 1e6f), far1 = (int)fminf(search->reach / pitch1 + 2.0f, 1e6f);
+    const int far0 = (int)fminf(search->reach / pitch0 + 2.0f, 1e6f),
+              far1 = (int)fminf(search->reach / pitch1 + 2.0f, 1e6f);
     search->column = column;
     search->local.n = search->halo.n = 0;
     for (int c0 = clamp(own0 - far0, n0 - 1); c0 <= clamp(own0 + far0, n0 - 1); ++c0)

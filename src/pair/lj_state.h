@@ -8,14 +8,14 @@
 #include "style/pair.h"
 
 typedef struct lj_coeff {
-    double epsilon;   /**< energy */
-    double sigma;     /**< distance */
-    double cutoff;    /**< distance */
+    double epsilon; /**< energy */
+    double sigma;   /**< distance */
+    double cutoff;  /**< distance */
 } lj_coeff;
 
 typedef struct lj_state {
     double cutoff_global;
-    lj_coeff *coeff;   /**< owned [n_coeffs], by hs_pair_index */
+    lj_coeff *coeff; /**< owned [n_coeffs], by hs_pair_index */
     int n_coeffs;
 } lj_state;
 

@@ -20,11 +20,13 @@ static void params(const hs_pair *pair, int i, int j, double *cutoff, double *p)
 }
 
 const hs_pair_style hs_pair_style_none = {
-    .about = {.name = "none",
-              .syntax = {.usage = "", .n_min = 0, .n_max = 0},
-              .summary = "no pair interaction",
-              .details = "Atoms do not interact; no neighbors are searched. An ideal gas, or a system in which only fixes act.",
-              .example = "pair_style none"},
+    .about =
+        {.name = "none",
+         .syntax = {.usage = "", .n_min = 0, .n_max = 0},
+         .summary = "no pair interaction",
+         .details =
+             "Atoms do not interact; no neighbors are searched. An ideal gas, or a system in which only fixes act.",
+         .example = "pair_style none"},
     .coeff_syntax = {.usage = "", .n_min = 0, .n_max = 0},
     .settings = settings,
     .coeff = coeff,

@@ -4,7 +4,7 @@
 
 extern const hs_evaluator hs_evaluator_lj_cut;
 
-static const double minimum = 1.122462048309373;   /* 2^(1/6), in units of sigma */
+static const double minimum = 1.122462048309373; /* 2^(1/6), in units of sigma */
 
 static hs_status settings(hs_pair *pair, const hs_args *args, hs_error *err)
 {
@@ -48,10 +48,12 @@ const hs_pair_style hs_pair_style_wca = {
     .about = {.name = "wca",
               .syntax = {.usage = "", .n_min = 0, .n_max = 0},
               .summary = "Weeks-Chandler-Andersen potential: purely repulsive Lennard-Jones",
-              .details = "U(r) = 4 epsilon [(sigma/r)^12 - (sigma/r)^6] + epsilon for r < 2^(1/6) sigma, 0 beyond.\n\n"
-                         "`pair_coeff I J <epsilon> <sigma>`. In LAMMPS the same is written `pair_style lj/cut 1.122462` with "
-                         "`pair_modify shift yes`.",
-              .reference = "J. D. Weeks, D. Chandler, H. C. Andersen, J. Chem. Phys. 54, 5237 (1971), doi:10.1063/1.1674820",
+              .details =
+                  "U(r) = 4 epsilon [(sigma/r)^12 - (sigma/r)^6] + epsilon for r < 2^(1/6) sigma, 0 beyond.\n\n"
+                  "`pair_coeff I J <epsilon> <sigma>`. In LAMMPS the same is written `pair_style lj/cut 1.122462` with "
+                  "`pair_modify shift yes`.",
+              .reference =
+                  "J. D. Weeks, D. Chandler, H. C. Andersen, J. Chem. Phys. 54, 5237 (1971), doi:10.1063/1.1674820",
               .example = "pair_style wca\npair_coeff * * 1.0 1.0"},
     .coeff_syntax = {.usage = "<epsilon> <sigma>", .n_min = 2, .n_max = 2},
     .state_size = sizeof(lj_state),

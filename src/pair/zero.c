@@ -4,7 +4,7 @@
 
 typedef struct zero_state {
     double cutoff_global;
-    double *cutoff;   /**< owned, by hs_pair_index */
+    double *cutoff; /**< owned, by hs_pair_index */
 } zero_state;
 
 static hs_status settings(hs_pair *pair, const hs_args *args, hs_error *err)
@@ -28,8 +28,8 @@ static hs_status mix(hs_pair *pair, int i, int j, hs_error *err)
 {
     zero_state *zero = pair->state;
     (void)err;
-    zero->cutoff[hs_pair_index(pair, i, j)] = hs_pair_mix_distance(
-        pair->mix, zero->cutoff[hs_pair_index(pair, i, i)], zero->cutoff[hs_pair_index(pair, j, j)]);
+    zero->cutoff[hs_pair_index(pair, i, j)] = hs_pair_mix_distance(pair->mix, zero->cutoff[hs_pair_index(pair, i, i)],
+                                                                   zero->cutoff[hs_pair_index(pair, j, j)]);
     return HS_OK;
 }
 

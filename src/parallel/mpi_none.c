@@ -6,9 +6,11 @@
 hs_status hs_parallel_init(hs_parallel *parallel, hs_error *err)
 {
     *parallel = (hs_parallel){.rank = 0, .n_ranks = 1};
-    for (const char *const *name = (const char *const[]){"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", NULL}; *name != NULL; ++name)
+    for (const char *const *name = (const char *const[]){"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", NULL}; *name != NULL;
+         ++name)
         if (getenv(*name) != NULL && atoi(getenv(*name)) > 1)
-            return hs_fail(err, HS_ERROR_INPUT, "this halfshell was built without MPI and cannot run on several ranks; "
+            return hs_fail(err, HS_ERROR_INPUT,
+                           "this halfshell was built without MPI and cannot run on several ranks; "
                            "build it with the preset 'release', or start it without mpirun");
     return HS_OK;
 }

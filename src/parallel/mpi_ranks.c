@@ -68,8 +68,23 @@ static void allreduce(const hs_parallel *parallel, void *values, int n, MPI_Data
     if (parallel->n_ranks > 1) MPI_Allreduce(MPI_IN_PLACE, values, n, type, operation, MPI_COMM_WORLD);
 }
 
-void hs_parallel_sum_double(const hs_parallel *p, double *values, int n) { allreduce(p, values, n, MPI_DOUBLE, MPI_SUM); }
-void hs_parallel_sum_int64(const hs_parallel *p, int64_t *values, int n) { allreduce(p, values, n, MPI_INT64_T, MPI_SUM); }
-void hs_parallel_max_double(const hs_parallel *p, double *values, int n) { allreduce(p, values, n, MPI_DOUBLE, MPI_MAX); }
-void hs_parallel_min_double(const hs_parallel *p, double *values, int n) { allreduce(p, values, n, MPI_DOUBLE, MPI_MIN); }
-void hs_parallel_max_int64(const hs_parallel *p, int64_t *values, int n) { allreduce(p, values, n, MPI_INT64_T, MPI_MAX); }
+void hs_parallel_sum_double(const hs_parallel *p, double *values, int n)
+{
+    allreduce(p, values, n, MPI_DOUBLE, MPI_SUM);
+}
+void hs_parallel_sum_int64(const hs_parallel *p, int64_t *values, int n)
+{
+    allreduce(p, values, n, MPI_INT64_T, MPI_SUM);
+}
+void hs_parallel_max_double(const hs_parallel *p, double *values, int n)
+{
+    allreduce(p, values, n, MPI_DOUBLE, MPI_MAX);
+}
+void hs_parallel_min_double(const hs_parallel *p, double *values, int n)
+{
+    allreduce(p, values, n, MPI_DOUBLE, MPI_MIN);
+}
+void hs_parallel_max_int64(const hs_parallel *p, int64_t *values, int n)
+{
+    allreduce(p, values, n, MPI_INT64_T, MPI_MAX);
+}

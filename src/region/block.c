@@ -8,8 +8,7 @@ static hs_status create(hs_region *region, const hs_args *args, hs_error *err)
             HS_TRY(hs_region_bound(region, args, 2 * axis + end, axis, end, &region->extent[axis][end], err));
         if (region->extent[axis][0] > region->extent[axis][1])
             return hs_fail(err, HS_ERROR_INPUT, "%s: the lower bound of %c, %s, is above the upper one, %s",
-                           args->command,
-                           "xyz"[axis], args->word[2 * axis], args->word[2 * axis + 1]);
+                           args->command, "xyz"[axis], args -> word[2 * axis], args -> word[2 * axis + 1]);
     }
     region->has_extent = true;
     return HS_OK;
@@ -23,18 +22,20 @@ static bool inside(const hs_region *region, const double x[3])
 }
 
 const hs_region_style hs_region_style_block = {
-    .about = {
-        .name = "block",
-        .syntax = {"<xlo> <xhi> <ylo> <yhi> <zlo> <zhi> [side in|out] [units lattice|box]", 6, 6, NULL},
-        .summary = "Box with faces across x, y and z",
-        .details =
-            "`xlo xhi ylo yhi zlo zhi` are the bounds, each a length, `INF` (1e20, beyond any atom) or `EDGE` (the "
-            "face of the\n"
-            "simulation box at the time of the command). `INF` and `EDGE` need a box. Lengths are in lattice spacings "
-            "of their\n"
-            "axis, or in distance units after `units box`. The faces belong to the block.\n",
-        .example = "region box block 0 20 0 20 0 20\nregion left block INF 5.0 INF INF INF INF units box",
-    },
+    .about =
+        {
+            .name = "block",
+            .syntax = {"<xlo> <xhi> <ylo> <yhi> <zlo> <zhi> [side in|out] [units lattice|box]", 6, 6, NULL},
+            .summary = "Box with faces across x, y and z",
+            .details =
+                "`xlo xhi ylo yhi zlo zhi` are the bounds, each a length, `INF` (1e20, beyond any atom) or `EDGE` (the "
+                "face of the\n"
+                "simulation box at the time of the command). `INF` and `EDGE` need a box. Lengths are in lattice "
+                "spacings "
+                "of their\n"
+                "axis, or in distance units after `units box`. The faces belong to the block.\n",
+            .example = "region box block 0 20 0 20 0 20\nregion left block INF 5.0 INF INF INF INF units box",
+        },
     .create = create,
     .inside = inside,
 };

@@ -3,10 +3,10 @@
 #include "style/region.h"
 
 typedef struct cylinder {
-    int axis, across[2];   /**< along, and the two axes across in the order of their names */
-    double center[2];      /**< distance, along across[] */
-    double radius;         /**< distance */
-    double lo, hi;         /**< distance, along the axis */
+    int axis, across[2]; /**< along, and the two axes across in the order of their names */
+    double center[2];    /**< distance, along across[] */
+    double radius;       /**< distance */
+    double lo, hi;       /**< distance, along the axis */
 } cylinder;
 
 static hs_status create(hs_region *region, const hs_args *args, hs_error *err)
@@ -25,8 +25,7 @@ static hs_status create(hs_region *region, const hs_args *args, hs_error *err)
     HS_TRY(hs_region_bound(region, args, 5, c->axis, 1, &c->hi, err));
     if (c->lo > c->hi)
         return hs_fail(err, HS_ERROR_INPUT, "%s: the lower end %s is above the upper end %s", args->command,
-                       args->word[4],
-                       args->word[5]);
+                       args->word[4], args->word[5]);
     region->extent[c->axis][0] = c->lo;
     region->extent[c->axis][1] = c->hi;
     for (int k = 0; k < 2; ++k) {
@@ -45,21 +44,24 @@ static bool inside(const hs_region *region, const double x[3])
 }
 
 const hs_region_style hs_region_style_cylinder = {
-    .about = {
-        .name = "cylinder",
-        .syntax = {"x|y|z <c1> <c2> <radius> <lo> <hi> [side in|out] [units lattice|box]", 6, 6, NULL},
-        .summary = "Circular cylinder along x, y or z, with flat ends",
-        .details =
-            "`x|y|z` is the axis; `c1 c2` its place in the other two coordinates (y z, x z or x y); `radius` is "
-            "greater than 0;\n"
-            "`lo hi` are the ends: lengths, `INF` (1e20) or `EDGE` (the face of the simulation box at the time of the "
-            "command).\n"
-            "Lengths are in lattice spacings of their axis (the radius: of y for an axis along x, else of x), or in "
-            "distance\n"
-            "units after `units box`. The surface belongs to the cylinder. A radius that follows a variable is "
-            "refused.\n",
-        .example = "region pore cylinder z 10 10 4 INF INF\nregion rod cylinder x 0 0 2.5 -5 5 units box",
-    },
+    .about =
+        {
+            .name = "cylinder",
+            .syntax = {"x|y|z <c1> <c2> <radius> <lo> <hi> [side in|out] [units lattice|box]", 6, 6, NULL},
+            .summary = "Circular cylinder along x, y or z, with flat ends",
+            .details =
+                "`x|y|z` is the axis; `c1 c2` its place in the other two coordinates (y z, x z or x y); `radius` is "
+                "greater than 0;\n"
+                "`lo hi` are the ends: lengths, `INF` (1e20) or `EDGE` (the face of the simulation box at the time of "
+                "the "
+                "command).\n"
+                "Lengths are in lattice spacings of their axis (the radius: of y for an axis along x, else of x), or "
+                "in "
+                "distance\n"
+                "units after `units box`. The surface belongs to the cylinder. A radius that follows a variable is "
+                "refused.\n",
+            .example = "region pore cylinder z 10 10 4 INF INF\nregion rod cylinder x 0 0 2.5 -5 5 units box",
+        },
     .state_size = sizeof(cylinder),
     .create = create,
     .inside = inside,

@@ -5,7 +5,7 @@
 
 /** The members, borrowed: hs_sim keeps a region for as long as another one refers to it. */
 typedef struct members {
-    hs_region **region;   /**< owned array [n] */
+    hs_region **region; /**< owned array [n] */
     int n;
 } members;
 
@@ -40,16 +40,14 @@ static hs_status create(hs_region *region, const hs_args *args, hs_error *err)
     HS_TRY(hs_arg_int(args, 0, 2, 1000000, &n, err));
     if (args->n != n + 1)
         return hs_fail(err, HS_ERROR_INPUT, "%s: %lld region IDs must follow the number %s, there are %d",
-                       args->command,
-                       (long long)n, args->word[0], args->n - 1);
+                       args->command, (long long)n, args->word[0], args->n - 1);
     HS_TRY(HS_ALLOC(m->region, (size_t)n, err));
     m->n = (int)n;
     for (int k = 0; k < m->n; ++k) {
         m->region[k] = region->env->find_region(region->env, args->word[k + 1]);
         if (m->region[k] == NULL)
             return hs_fail(err, HS_ERROR_INPUT, "%s: there is no region '%s'; define it before this line",
-                           args->command,
-                           args->word[k + 1]);
+                           args->command, args->word[k + 1]);
     }
     set_extent(region, m);
     return HS_OK;
@@ -72,18 +70,20 @@ static bool uses(const hs_region *region, const hs_region *other)
 }
 
 const hs_region_style hs_region_style_intersect = {
-    .about = {
-        .name = "intersect",
-        .syntax = {"<N> <region-ID> <region-ID> ... [side in|out] [units lattice|box]", 3, -1, NULL},
-        .summary = "What lies in all of several regions",
-        .details =
-            "`N` is the number of regions, 2 or more, and is followed by their IDs. Their own `side` counts: a member "
-            "with `side out`\n"
-            "cuts its shape away. A region that is part of an intersection cannot be deleted before the intersection. "
-            "`units`\n"
-            "changes nothing, since an intersection has no lengths of its own.\n",
-        .example = "region shell intersect 2 outer_ball not_inner_ball",
-    },
+    .about =
+        {
+            .name = "intersect",
+            .syntax = {"<N> <region-ID> <region-ID> ... [side in|out] [units lattice|box]", 3, -1, NULL},
+            .summary = "What lies in all of several regions",
+            .details = "`N` is the number of regions, 2 or more, and is followed by their IDs. Their own `side` "
+                       "counts: a member "
+                       "with `side out`\n"
+                       "cuts its shape away. A region that is part of an intersection cannot be deleted before the "
+                       "intersection. "
+                       "`units`\n"
+                       "changes nothing, since an intersection has no lengths of its own.\n",
+            .example = "region shell intersect 2 outer_ball not_inner_ball",
+        },
     .state_size = sizeof(members),
     .create = create,
     .destroy = destroy,

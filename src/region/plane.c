@@ -3,8 +3,8 @@
 #include "style/region.h"
 
 typedef struct plane {
-    double point[3];    /**< distance */
-    double normal[3];   /**< unit vector into the region */
+    double point[3];  /**< distance */
+    double normal[3]; /**< unit vector into the region */
 } plane;
 
 static hs_status create(hs_region *region, const hs_args *args, hs_error *err)
@@ -28,24 +28,25 @@ static hs_status create(hs_region *region, const hs_args *args, hs_error *err)
 static bool inside(const hs_region *region, const double x[3])
 {
     const plane *p = region->state;
-    const double height = (x[0] - p->point[0]) * p->normal[0] + (x[1] - p->point[1]) * p->normal[1] +
-                          (x[2] - p->point[2]) * p->normal[2];
+    const double height =
+        (x[0] - p->point[0]) * p->normal[0] + (x[1] - p->point[1]) * p->normal[1] + (x[2] - p->point[2]) * p->normal[2];
     return height >= 0.0;
 }
 
 const hs_region_style hs_region_style_plane = {
-    .about = {
-        .name = "plane",
-        .syntax = {"<px> <py> <pz> <nx> <ny> <nz> [side in|out] [units lattice|box]", 6, 6, NULL},
-        .summary = "Half space on one side of a plane",
-        .details =
-            "`px py pz` is a point of the plane and `nx ny nz` a normal, of any length but 0, that points into the "
-            "region. Both are\n"
-            "in lattice spacings, axis by axis, or in distance units after `units box`. The plane belongs to the "
-            "region, which\n"
-            "has no bounds: it cannot make a box.\n",
-        .example = "region upper plane 0 0 5 0 0 1",
-    },
+    .about =
+        {
+            .name = "plane",
+            .syntax = {"<px> <py> <pz> <nx> <ny> <nz> [side in|out] [units lattice|box]", 6, 6, NULL},
+            .summary = "Half space on one side of a plane",
+            .details =
+                "`px py pz` is a point of the plane and `nx ny nz` a normal, of any length but 0, that points into the "
+                "region. Both are\n"
+                "in lattice spacings, axis by axis, or in distance units after `units box`. The plane belongs to the "
+                "region, which\n"
+                "has no bounds: it cannot make a box.\n",
+            .example = "region upper plane 0 0 5 0 0 1",
+        },
     .state_size = sizeof(plane),
     .create = create,
     .inside = inside,

@@ -3,9 +3,9 @@
 #include "style/region.h"
 
 typedef struct prism {
-    double lo[3], hi[3];    /**< distance; of the untilted box */
-    double xy, xz, yz;      /**< tilts, distance */
-    double inverse[3][3];   /**< upper triangle: distance from lo to fractions of the edges */
+    double lo[3], hi[3];  /**< distance; of the untilted box */
+    double xy, xz, yz;    /**< tilts, distance */
+    double inverse[3][3]; /**< upper triangle: distance from lo to fractions of the edges */
 } prism;
 
 /** An unbounded axis must not be tilted. */
@@ -51,7 +51,7 @@ static hs_status create(hs_region *region, const hs_args *args, hs_error *err)
         HS_TRY(hs_region_bound(region, args, 2 * axis + 1, axis, 1, &p->hi[axis], err));
         if (p->lo[axis] >= p->hi[axis])
             return hs_fail(err, HS_ERROR_INPUT, "%s: the lower bound of %c, %s, must be below the upper one, %s",
-                           args->command, "xyz"[axis], args->word[2 * axis], args->word[2 * axis + 1]);
+                           args->command, "xyz"[axis], args -> word[2 * axis], args -> word[2 * axis + 1]);
     }
     HS_TRY(hs_region_length(region, args, 6, 0, &p->xy, err));
     HS_TRY(hs_region_length(region, args, 7, 0, &p->xz, err));
@@ -72,20 +72,23 @@ static bool inside(const hs_region *region, const double x[3])
 }
 
 const hs_region_style hs_region_style_prism = {
-    .about = {
-        .name = "prism",
-        .syntax = {"<xlo> <xhi> <ylo> <yhi> <zlo> <zhi> <xy> <xz> <yz> [side in|out] [units lattice|box]", 9, 9, NULL},
-        .summary = "Parallelepiped: a block with tilted edges",
-        .details =
-            "A block with the bounds `xlo ... zhi` (lengths, `INF` or `EDGE`), whose second edge is tilted by `xy` "
-            "along x, and\n"
-            "whose third edge is tilted by `xz` along x and `yz` along y. Bounds are in lattice spacings of their "
-            "axis, `xy`\n"
-            "and `xz` in that of x, `yz` in that of y; all in distance units after `units box`. An axis that takes "
-            "part in a\n"
-            "tilt cannot be bounded by `INF`. A prism selects atoms; a box made of one (triclinic) is not supported.\n",
-        .example = "region slab prism 0 10 0 10 0 10 2 0 0",
-    },
+    .about =
+        {
+            .name = "prism",
+            .syntax = {"<xlo> <xhi> <ylo> <yhi> <zlo> <zhi> <xy> <xz> <yz> [side in|out] [units lattice|box]", 9, 9,
+                       NULL},
+            .summary = "Parallelepiped: a block with tilted edges",
+            .details =
+                "A block with the bounds `xlo ... zhi` (lengths, `INF` or `EDGE`), whose second edge is tilted by `xy` "
+                "along x, and\n"
+                "whose third edge is tilted by `xz` along x and `yz` along y. Bounds are in lattice spacings of their "
+                "axis, `xy`\n"
+                "and `xz` in that of x, `yz` in that of y; all in distance units after `units box`. An axis that takes "
+                "part in a\n"
+                "tilt cannot be bounded by `INF`. A prism selects atoms; a box made of one (triclinic) is not "
+                "supported.\n",
+            .example = "region slab prism 0 10 0 10 0 10 2 0 0",
+        },
     .state_size = sizeof(prism),
     .create = create,
     .inside = inside,

@@ -3,7 +3,7 @@
 #include "style/region.h"
 
 typedef struct sphere {
-    double center[3], radius;   /**< distance */
+    double center[3], radius; /**< distance */
 } sphere;
 
 static hs_status create(hs_region *region, const hs_args *args, hs_error *err)
@@ -28,18 +28,20 @@ static bool inside(const hs_region *region, const double x[3])
 }
 
 const hs_region_style hs_region_style_sphere = {
-    .about = {
-        .name = "sphere",
-        .syntax = {"<x> <y> <z> <radius> [side in|out] [units lattice|box]", 4, 4, NULL},
-        .summary = "Ball",
-        .details =
-            "`x y z` is the center and `radius` the radius, 0 or more. Lengths are in lattice spacings (the radius in "
-            "that of\n"
-            "x), or in distance units after `units box`. The surface belongs to the ball. A radius that follows a "
-            "variable\n"
-            "(`v_name`) is refused.\n",
-        .example = "region drop sphere 10 10 10 4.5\nregion hole sphere 0 0 0 2 side out units box",
-    },
+    .about =
+        {
+            .name = "sphere",
+            .syntax = {"<x> <y> <z> <radius> [side in|out] [units lattice|box]", 4, 4, NULL},
+            .summary = "Ball",
+            .details =
+                "`x y z` is the center and `radius` the radius, 0 or more. Lengths are in lattice spacings (the radius "
+                "in "
+                "that of\n"
+                "x), or in distance units after `units box`. The surface belongs to the ball. A radius that follows a "
+                "variable\n"
+                "(`v_name`) is refused.\n",
+            .example = "region drop sphere 10 10 10 4.5\nregion hole sphere 0 0 0 2 side out units box",
+        },
     .state_size = sizeof(sphere),
     .create = create,
     .inside = inside,

@@ -57,14 +57,14 @@ void hs_sim_shrink_box(hs_sim *sim)
     hs_box *box = &sim->box;
     for (int axis = 0; axis < 3; ++axis) {
         if (box->periodic[axis]) continue;
-        double extent[2] = {-DBL_MAX, -DBL_MAX};   /* -min, max */
+        double extent[2] = {-DBL_MAX, -DBL_MAX}; /* -min, max */
         for (int i = 0; i < sim->atoms.n_local; ++i) {
             const double x = sim->atoms.x[axis][i];
             if (-x > extent[0]) extent[0] = -x;
             if (x > extent[1]) extent[1] = x;
         }
         hs_parallel_max_double(&sim->parallel, extent, 2);
-        if (extent[0] == -DBL_MAX) continue;   /* no atoms: nothing to follow */
+        if (extent[0] == -DBL_MAX) continue; /* no atoms: nothing to follow */
         const double lo = -extent[0] - box->shrink_margin[axis], hi = extent[1] + box->shrink_margin[axis];
         const hs_boundary *kind = box->boundary[axis];
         if (kind[0] == HS_BOUNDARY_SHRINK) box->lo[axis] = lo;
@@ -96,13 +96,14 @@ static inline bool is_outside(const hs_sim *sim, int i)
 static hs_status report_lost(const hs_sim *sim, int i, hs_error *err)
 {
     const hs_atoms *atoms = &sim->atoms;
-    return hs_fail(err, HS_ERROR_RUN,
-                   "at step %lld atom %lld at (%g %g %g), velocity (%g %g %g), has left the box (%g %g) x (%g %g) x (%g %g). "
-                   "Usually the timestep is too long, atoms overlap, or a fixed boundary needs a wall "
-                   "('thermo_modify lost ignore' lets atoms go)",
-                   (long long)sim->env.step, (long long)atoms->id[i], atoms->x[0][i], atoms->x[1][i], atoms->x[2][i],
-                   atoms->v[0][i], atoms->v[1][i], atoms->v[2][i], sim->box.lo[0], sim->box.hi[0], sim->box.lo[1],
-                   sim->box.hi[1], sim->box.lo[2], sim->box.hi[2]);
+    return hs_fail(
+        err, HS_ERROR_RUN,
+        "at step %lld atom %lld at (%g %g %g), velocity (%g %g %g), has left the box (%g %g) x (%g %g) x (%g %g). "
+        "Usually the timestep is too long, atoms overlap, or a fixed boundary needs a wall "
+        "('thermo_modify lost ignore' lets atoms go)",
+        (long long)sim->env.step, (long long)atoms->id[i], atoms->x[0][i], atoms->x[1][i], atoms->x[2][i],
+        atoms->v[0][i], atoms->v[1][i], atoms->v[2][i], sim->box.lo[0], sim->box.hi[0], sim->box.lo[1], sim->box.hi[1],
+        sim->box.lo[2], sim->box.hi[2]);
 }
 
 /** Atoms beyond a fixed face, or too far away to be wrapped, are lost: an error, or (thermo_modify lost warn|ignore) they

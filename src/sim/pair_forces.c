@@ -7,8 +7,13 @@ static hs_force_job make_job(hs_sim *sim, bool with_energy)
 {
     hs_atoms *atoms = &sim->atoms;
     hs_neighbor *neighbor = &sim->neighbor;
-    hs_force_job job = {.atoms = atoms, .cells = &neighbor->cells, .clusters = &neighbor->clusters,
-                        .evaluator = sim->pair->style->evaluator, .isa = sim->isa, .precision = sim->precision, .cutoff_max = sim->pair->cutoff_max,
+    hs_force_job job = {.atoms = atoms,
+                        .cells = &neighbor->cells,
+                        .clusters = &neighbor->clusters,
+                        .evaluator = sim->pair->style->evaluator,
+                        .isa = sim->isa,
+                        .precision = sim->precision,
+                        .cutoff_max = sim->pair->cutoff_max,
                         .with_energy = with_energy};
     job.input = (hs_kernel_input){.x = {atoms->x[0], atoms->x[1], atoms->x[2]},
                                   .x_listed = {neighbor->x_listed[0], neighbor->x_listed[1], neighbor->x_listed[2]},
@@ -38,10 +43,14 @@ static void add_tail(hs_sim *sim)
 static hs_status run_method(hs_sim *sim, const hs_force_job *job, hs_force_result *result, hs_error *err)
 {
     switch (sim->neighbor.settings.method) {
-    case HS_METHOD_NSQ: return hs_force_nsq(&sim->forces, job, result, err);
-    case HS_METHOD_VERLET: return hs_force_verlet(&sim->forces, &sim->verlet, job, result, err);
-    case HS_METHOD_CLUSTER: return hs_force_cluster(&sim->forces, &sim->list, job, result, err);
-    default: return hs_force_cell(&sim->forces, job, result, err);
+    case HS_METHOD_NSQ:
+        return hs_force_nsq(&sim->forces, job, result, err);
+    case HS_METHOD_VERLET:
+        return hs_force_verlet(&sim->forces, &sim->verlet, job, result, err);
+    case HS_METHOD_CLUSTER:
+        return hs_force_cluster(&sim->forces, &sim->list, job, result, err);
+    default:
+        return hs_force_cell(&sim->forces, job, result, err);
     }
 }
 

@@ -49,8 +49,10 @@ static bool is_excluded(const hs_neighbor_settings *settings, int type_i, int cl
         if (e->kind == HS_EXCLUDE_TYPE) {
             if ((type_i == e->a && type_j == e->b) || (type_i == e->b && type_j == e->a)) return true;
         } else {
-            const bool i_a = class_has_group(class_i, e->a, groups, n_groups), i_b = class_has_group(class_i, e->b, groups, n_groups);
-            const bool j_a = class_has_group(class_j, e->a, groups, n_groups), j_b = class_has_group(class_j, e->b, groups, n_groups);
+            const bool i_a = class_has_group(class_i, e->a, groups, n_groups),
+                       i_b = class_has_group(class_i, e->b, groups, n_groups);
+            const bool j_a = class_has_group(class_j, e->a, groups, n_groups),
+                       j_b = class_has_group(class_j, e->b, groups, n_groups);
             if ((i_a && j_b) || (i_b && j_a)) return true;
         }
     }
@@ -71,8 +73,9 @@ static hs_status complete_coefficients(hs_sim *sim, hs_error *err)
                 const bool can_mix = pair->style->mix != NULL && i != j && pair->is_set[hs_pair_index(pair, i, i)] &&
                                      pair->is_set[hs_pair_index(pair, j, j)];
                 if (!can_mix)
-                    return hs_fail(err, HS_ERROR_INPUT, "run: no pair_coeff was given for the types %d %d of pair_style %s", i,
-                                   j, pair->style->about.name);
+                    return hs_fail(err, HS_ERROR_INPUT,
+                                   "run: no pair_coeff was given for the types %d %d of pair_style %s", i, j,
+                                   pair->style->about.name);
                 HS_TRY(pair->style->mix(pair, i, j, err));
             }
             pair->style->params(pair, i, j, &pair->cutoff[ij], unused);
@@ -93,14 +96,15 @@ static hs_status fill_table(hs_sim *sim, int n_classes, const int *groups, int n
     for (int a = 0; a < table->n_types; ++a)
         for (int b = 0; b < table->n_types; ++b) {
             const int i = a % n, j = b % n;
-            if (i == 0 || j == 0) continue;   /* no atom has type 0: the row stays zero, no interaction */
+            if (i == 0 || j == 0) continue; /* no atom has type 0: the row stays zero, no interaction */
             double *row = table->values + ((size_t)a * (size_t)table->n_types + (size_t)b) * (size_t)table->stride;
             double cutoff;
             pair->style->params(pair, i < j ? i : j, i < j ? j : i, &cutoff, row + HS_TABLE_PARAMS);
             if (cutoff <= 0.0 || is_excluded(&sim->neighbor.settings, i, a / n, j, b / n, groups, n_groups)) continue;
             const double listed = cutoff + sim->neighbor.settings.skin;
             row[HS_TABLE_CUT_R2] = cutoff * cutoff;
-            row[HS_TABLE_LISTED_R2] = nextafter(listed * listed, INFINITY);   /* LAMMPS lists pairs up to and at the limit */
+            row[HS_TABLE_LISTED_R2] =
+                nextafter(listed * listed, INFINITY); /* LAMMPS lists pairs up to and at the limit */
         }
     table->is_uniform = n_classes == 1 && hs_pair_table_is_uniform(table);
     return HS_OK;
@@ -123,8 +127,10 @@ hs_status hs_sim_setup_pair(hs_sim *sim, hs_error *err)
     int groups[HS_GROUPS_MAX];
     const int n_groups = excluded_groups(&sim->neighbor.settings, groups);
     if (n_groups > 10 || (sim->atoms.n_types + 1) << n_groups > KERNEL_TYPES_MAX)
-        return hs_fail(err, HS_ERROR_INPUT, "neigh_modify exclude: %d groups and %d atom types are too many together; give the "
-                       "atoms types of their own and exclude those", n_groups, sim->atoms.n_types);
+        return hs_fail(err, HS_ERROR_INPUT,
+                       "neigh_modify exclude: %d groups and %d atom types are too many together; give the "
+                       "atoms types of their own and exclude those",
+                       n_groups, sim->atoms.n_types);
     if (n_groups > 0 && sim->kernel_type == NULL)
         HS_TRY(hs_atoms_add_field(&sim->atoms, "kernel type", (void **)&sim->kernel_type, sizeof(int32_t), true, err));
     if (n_groups == 0 && sim->kernel_type != NULL) hs_atoms_remove_field(&sim->atoms, (void **)&sim->kernel_type);

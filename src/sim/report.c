@@ -24,7 +24,8 @@ static spread spread_of(const hs_parallel *parallel, double value)
 
 static hs_status describe_cells(const hs_cells *cells, hs_text *text, hs_error *err)
 {
-    return hs_text_printf(text, err, "  cells = %d x %d x %d of %.4g x %.4g x %.4g, in %d columns along %c in Morton order\n",
+    return hs_text_printf(text, err,
+                          "  cells = %d x %d x %d of %.4g x %.4g x %.4g, in %d columns along %c in Morton order\n",
                           cells->n[0], cells->n[1], cells->n[2], cells->pitch[0], cells->pitch[1], cells->pitch[2],
                           cells->n_columns, "xyz"[cells->axis[2]]);
 }
@@ -39,7 +40,8 @@ static hs_status describe_neighbors(const hs_sim *sim, hs_text *text, hs_error *
                           settings->once ? ", once" : ""));
     HS_TRY(
         hs_text_printf(text, err, "  master list distance cutoff = %.8g\n  ghost atom cutoff = %.8g\n", reach, reach));
-    if (sim->neighbor.cells.n_columns > 0 && settings->method != HS_METHOD_NSQ) HS_TRY(describe_cells(&sim->neighbor.cells, text, err));
+    if (sim->neighbor.cells.n_columns > 0 && settings->method != HS_METHOD_NSQ)
+        HS_TRY(describe_cells(&sim->neighbor.cells, text, err));
     return hs_text_printf(text, err, "  neighbor method %s: %s\n  pair kernels: %s, %s precision\n  pairs: %s\n",
                           hs_neighbor_methods[settings->method], hs_neighbor_method_help[settings->method],
                           hs_isa_names[sim->isa], hs_precision_names[sim->precision],

@@ -9,8 +9,10 @@
 static hs_status check_system(hs_sim *sim, hs_error *err)
 {
     if (sim->parallel.n_ranks > 1)
-        return hs_fail(err, HS_ERROR_INPUT, "run: the box is not split over several ranks in this version (%d were started); start "
-                       "one rank and use its cores with '-threads N'", sim->parallel.n_ranks);
+        return hs_fail(err, HS_ERROR_INPUT,
+                       "run: the box is not split over several ranks in this version (%d were started); start "
+                       "one rank and use its cores with '-threads N'",
+                       sim->parallel.n_ranks);
     HS_TRY(hs_sim_need_box(sim, "run", err));
     HS_TRY(hs_sim_need_pair(sim, "run", err));
     HS_TRY(hs_sim_need_masses(sim, "run", err));
@@ -26,7 +28,8 @@ static hs_status init_styles(hs_sim *sim, hs_error *err)
         if (sim->fix[k]->style->init != NULL) HS_TRY(sim->fix[k]->style->init(sim->fix[k], err));
         n_integrators += sim->fix[k]->style->is_integrator;
     }
-    if (n_integrators == 0) hs_warn(&*sim->env.out, "no fix moves the atoms: a time integrator such as 'fix nve' is missing");
+    if (n_integrators == 0)
+        hs_warn(&*sim->env.out, "no fix moves the atoms: a time integrator such as 'fix nve' is missing");
     for (int k = 0; k < sim->n_computes; ++k) {
         hs_compute_invalidate(sim->compute[k]);
         if (sim->compute[k]->style->init != NULL) HS_TRY(sim->compute[k]->style->init(sim->compute[k], err));
@@ -39,7 +42,8 @@ static hs_status init_styles(hs_sim *sim, hs_error *err)
 hs_status hs_sim_setup(hs_sim *sim, hs_error *err)
 {
     HS_TRY(check_system(sim, err));
-    sim->is_initialized = false;   /* until the end of this: the exchange below may find atoms that were placed far away */
+    sim->is_initialized =
+        false; /* until the end of this: the exchange below may find atoms that were placed far away */
     hs_timer_reset(&sim->timer);
     HS_TRY(hs_sim_setup_pair(sim, err));
     HS_TRY(init_styles(sim, err));
@@ -140,12 +144,14 @@ static void warn_of_late_lists(hs_sim *sim)
 {
     const hs_neighbor *neighbor = &sim->neighbor;
     if (neighbor->counters.n_late_steps == 0 || neighbor->settings.exact || sim->pair->cutoff_max <= 0.0) return;
-    hs_warn(sim->env.out,
-            "on %lld steps (the first is %lld) atoms had moved more than half the skin before neigh_modify's schedule allowed "
-            "new lists. As in LAMMPS, pairs that came within the cutoff meanwhile were not counted, and energy may drift. "
-            "'neigh_modify every 1 delay 0 check yes' or 'neighbor_method %s pairs exact' counts every pair",
-            (long long)neighbor->counters.n_late_steps, (long long)neighbor->counters.first_late_step,
-            hs_neighbor_methods[neighbor->settings.method]);
+    hs_warn(
+        sim->env.out,
+        "on %lld steps (the first is %lld) atoms had moved more than half the skin before neigh_modify's schedule "
+        "allowed "
+        "new lists. As in LAMMPS, pairs that came within the cutoff meanwhile were not counted, and energy may drift. "
+        "'neigh_modify every 1 delay 0 check yes' or 'neighbor_method %s pairs exact' counts every pair",
+        (long long)neighbor->counters.n_late_steps, (long long)neighbor->counters.first_late_step,
+        hs_neighbor_methods[neighbor->settings.method]);
 }
 
 hs_status hs_sim_run(hs_sim *sim, const hs_run_plan *plan, hs_error *err)
@@ -155,8 +161,7 @@ hs_status hs_sim_run(hs_sim *sim, const hs_run_plan *plan, hs_error *err)
     const hs_status status = run_steps(sim, plan, err);
     hs_progress_wipe(sim->env.out);
     if (status != HS_OK) return status;
-    if (plan->post)
-        hs_report_finish(sim, plan->n_steps, hs_time_now_s() - start_s, hs_time_cpu_s() - start_cpu_s);
+    if (plan->post) hs_report_finish(sim, plan->n_steps, hs_time_now_s() - start_s, hs_time_cpu_s() - start_cpu_s);
     warn_of_late_lists(sim);
     return HS_OK;
 }

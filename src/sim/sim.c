@@ -36,10 +36,21 @@ static hs_status create(hs_sim *sim, const hs_options *options, hs_sink *out, hs
     const hs_units *units = hs_units_find("lj");
     HS_TRY(hs_neighbor_init(&sim->neighbor, &sim->atoms, units->skin, err));
     if (options->precision[0] != '\0') HS_TRY(hs_precision_get(options->precision, &sim->precision, err));
-    if (options->neighbor_method[0] != '\0') HS_TRY(hs_neighbor_set_method(&sim->neighbor, options->neighbor_method, err));
-    sim->env = (hs_env){.parallel = &sim->parallel, .out = out, .units = units, .box = &sim->box, .atoms = &sim->atoms,
-                        .groups = &sim->groups, .lattice = &sim->lattice, .dry_run = options->dry_run, .dt = units->dt, .energy_step = -1,
-                        .find_compute = find_compute, .find_fix = find_fix, .find_region = find_region};
+    if (options->neighbor_method[0] != '\0')
+        HS_TRY(hs_neighbor_set_method(&sim->neighbor, options->neighbor_method, err));
+    sim->env = (hs_env){.parallel = &sim->parallel,
+                        .out = out,
+                        .units = units,
+                        .box = &sim->box,
+                        .atoms = &sim->atoms,
+                        .groups = &sim->groups,
+                        .lattice = &sim->lattice,
+                        .dry_run = options->dry_run,
+                        .dt = units->dt,
+                        .energy_step = -1,
+                        .find_compute = find_compute,
+                        .find_fix = find_fix,
+                        .find_region = find_region};
     hs_parallel_world(&sim->parallel);
     HS_TRY(add_thermo_computes(sim, err));
     return hs_thermo_create(&sim->thermo, sim, err);
@@ -72,11 +83,11 @@ void hs_sim_destroy(hs_sim **sim_pointer)
     HS_FREE(*sim_pointer);
 }
 
-#define FIND(list, n, wanted)                                                      \
-    do {                                                                           \
-        for (int k_ = 0; k_ < (n); ++k_)                                           \
-            if (strcmp((list)[k_]->id, (wanted)) == 0) return (list)[k_];          \
-        return NULL;                                                               \
+#define FIND(list, n, wanted)                                                                                          \
+    do {                                                                                                               \
+        for (int k_ = 0; k_ < (n); ++k_)                                                                               \
+            if (strcmp((list)[k_]->id, (wanted)) == 0) return (list)[k_];                                              \
+        return NULL;                                                                                                   \
     } while (0)
 
 hs_fix *hs_sim_find_fix(hs_sim *sim, const char *id) { FIND(sim->fix, sim->n_fixes, id); }
@@ -91,21 +102,23 @@ static hs_region *find_region(hs_env *env, const char *id) { return hs_sim_find_
 hs_status hs_sim_need_box(const hs_sim *sim, const char *command, hs_error *err)
 {
     if (sim->box.exists) return HS_OK;
-    return hs_fail(err, HS_ERROR_INPUT, "%s: there is no simulation box yet; create_box or read_data makes one", command);
+    return hs_fail(err, HS_ERROR_INPUT, "%s: there is no simulation box yet; create_box or read_data makes one",
+                   command);
 }
 
 hs_status hs_sim_need_pair(const hs_sim *sim, const char *command, hs_error *err)
 {
     if (sim->pair != NULL) return HS_OK;
-    return hs_fail(err, HS_ERROR_INPUT, "%s: there is no pair style yet; pair_style sets one ('pair_style none' for no forces)",
-                   command);
+    return hs_fail(err, HS_ERROR_INPUT,
+                   "%s: there is no pair style yet; pair_style sets one ('pair_style none' for no forces)", command);
 }
 
 hs_status hs_sim_need_masses(const hs_sim *sim, const char *command, hs_error *err)
 {
     for (int type = 1; type <= sim->atoms.n_types; ++type)
         if (!(sim->atoms.mass[type] > 0.0))
-            return hs_fail(err, HS_ERROR_INPUT, "%s: atom type %d has no mass; 'mass %d <value>' sets it", command, type, type);
+            return hs_fail(err, HS_ERROR_INPUT, "%s: atom type %d has no mass; 'mass %d <value>' sets it", command,
+                           type, type);
     return HS_OK;
 }
 

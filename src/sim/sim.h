@@ -29,7 +29,7 @@ typedef struct hs_options {
 } hs_options;
 
 typedef struct hs_sim {
-    hs_env env;               /**< what styles see; env.atoms etc. point to the members below */
+    hs_env env; /**< what styles see; env.atoms etc. point to the members below */
     hs_options options;
     hs_parallel parallel;
     hs_box box;
@@ -37,19 +37,19 @@ typedef struct hs_sim {
     hs_groups groups;
     hs_lattice lattice;
 
-    hs_pair *pair;            /**< owned; NULL until pair_style */
-    hs_text pair_words;       /**< the words after pair_style, each with its zero, to make the style anew; owned */
-    hs_region **region;       /**< owned [n_regions] */
+    hs_pair *pair;      /**< owned; NULL until pair_style */
+    hs_text pair_words; /**< the words after pair_style, each with its zero, to make the style anew; owned */
+    hs_region **region; /**< owned [n_regions] */
     int n_regions;
-    hs_fix **fix;             /**< owned [n_fixes], in the deck's order */
+    hs_fix **fix; /**< owned [n_fixes], in the deck's order */
     int n_fixes;
-    hs_compute **compute;     /**< owned [n_computes]; the first three are thermo_temp, thermo_press, thermo_pe */
+    hs_compute **compute; /**< owned [n_computes]; the first three are thermo_temp, thermo_press, thermo_pe */
     int n_computes;
-    hs_dump **dump;           /**< owned [n_dumps] */
+    hs_dump **dump; /**< owned [n_dumps] */
     int n_dumps;
     struct hs_thermo *thermo; /**< owned; sim/thermo.h */
 
-    hs_neighbor neighbor;     /**< settings, cells, lists */
+    hs_neighbor neighbor; /**< settings, cells, lists */
     hs_halo halo;
     hs_pair_table pair_table; /**< parameters of all pairs of kernel types; made by hs_sim_setup */
     int32_t *kernel_type;     /**< atom field: type and exclusion class; NULL while no groups are excluded */
@@ -60,9 +60,9 @@ typedef struct hs_sim {
     hs_precision precision;
     hs_timer timer;
 
-    bool is_initialized;      /**< a run has been set up since the last change of the system (run pre no is allowed) */
-    int64_t *n_of_type;       /**< owned [n_types + 1]: atoms of each type on all ranks, counted at set-up */
-    volatile sig_atomic_t *stop_requested;   /**< borrowed: set by a signal handler; NULL without one */
+    bool is_initialized; /**< a run has been set up since the last change of the system (run pre no is allowed) */
+    int64_t *n_of_type;  /**< owned [n_types + 1]: atoms of each type on all ranks, counted at set-up */
+    volatile sig_atomic_t *stop_requested; /**< borrowed: set by a signal handler; NULL without one */
 } hs_sim;
 
 /** New, empty simulation. @p out is borrowed for its life. The caller destroys it. */
@@ -76,14 +76,18 @@ void hs_sim_destroy_styles(hs_sim *sim);
 /* Making and removing styles (sim/styles.c). `args` are the words after the style's name. IDs must be unique (a fix of the same ID and
  * style is replaced in place, as in LAMMPS). */
 HS_MUST_USE hs_status hs_sim_set_pair(hs_sim *sim, const char *style, const hs_args *args, hs_error *err);
-HS_MUST_USE hs_status hs_sim_pair_coeff(hs_sim *sim, const hs_args *args, hs_error *err);   /**< I J words... */
-HS_MUST_USE hs_status hs_sim_add_fix(hs_sim *sim, const char *id, const char *group, const char *style, const hs_args *args, hs_error *err);
+HS_MUST_USE hs_status hs_sim_pair_coeff(hs_sim *sim, const hs_args *args, hs_error *err); /**< I J words... */
+HS_MUST_USE hs_status hs_sim_add_fix(hs_sim *sim, const char *id, const char *group, const char *style,
+                                     const hs_args *args, hs_error *err);
 HS_MUST_USE hs_status hs_sim_remove_fix(hs_sim *sim, const char *id, hs_error *err);
-HS_MUST_USE hs_status hs_sim_add_compute(hs_sim *sim, const char *id, const char *group, const char *style, const hs_args *args, hs_error *err);
+HS_MUST_USE hs_status hs_sim_add_compute(hs_sim *sim, const char *id, const char *group, const char *style,
+                                         const hs_args *args, hs_error *err);
 HS_MUST_USE hs_status hs_sim_remove_compute(hs_sim *sim, const char *id, hs_error *err);
-HS_MUST_USE hs_status hs_sim_add_region(hs_sim *sim, const char *id, const char *style, const hs_args *args, hs_error *err);
+HS_MUST_USE hs_status hs_sim_add_region(hs_sim *sim, const char *id, const char *style, const hs_args *args,
+                                        hs_error *err);
 HS_MUST_USE hs_status hs_sim_remove_region(hs_sim *sim, const char *id, hs_error *err);
-HS_MUST_USE hs_status hs_sim_add_dump(hs_sim *sim, const char *id, const char *group, const char *style, int64_t every, const char *file, const hs_args *args, hs_error *err);
+HS_MUST_USE hs_status hs_sim_add_dump(hs_sim *sim, const char *id, const char *group, const char *style, int64_t every,
+                                      const char *file, const hs_args *args, hs_error *err);
 HS_MUST_USE hs_status hs_sim_remove_dump(hs_sim *sim, const char *id, hs_error *err);
 /** Look-ups; NULL when there is none. */
 hs_fix *hs_sim_find_fix(hs_sim *sim, const char *id);
@@ -109,10 +113,10 @@ void hs_sim_atoms_changed(hs_sim *sim);
 /** Words of the command `run`. */
 typedef struct hs_run_plan {
     int64_t n_steps;
-    bool pre, post;             /**< full set-up before; timing table after */
-    int64_t start, stop;        /**< steps that ramps in fixes and thermo's time left refer to */
-    bool is_quiet;              /**< used by nested runs: no thermo header */
-    int64_t every;              /**< > 0: call at_every after each so many steps */
+    bool pre, post;      /**< full set-up before; timing table after */
+    int64_t start, stop; /**< steps that ramps in fixes and thermo's time left refer to */
+    bool is_quiet;       /**< used by nested runs: no thermo header */
+    int64_t every;       /**< > 0: call at_every after each so many steps */
     hs_status (*at_every)(void *context, hs_error *err);
     void *context;
 } hs_run_plan;

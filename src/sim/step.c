@@ -2,11 +2,10 @@
 #include "sim/sim.h"
 
 /** One hook of all fixes, in the deck's order. */
-#define CALL_FIXES(sim, hook, err)                                                                     \
-    do {                                                                                               \
-        for (int k_ = 0; k_ < (sim)->n_fixes; ++k_)                                                    \
-            if ((sim)->fix[k_]->style->hook != NULL)                                                   \
-                HS_TRY((sim)->fix[k_]->style->hook((sim)->fix[k_], (err)));                            \
+#define CALL_FIXES(sim, hook, err)                                                                                     \
+    do {                                                                                                               \
+        for (int k_ = 0; k_ < (sim)->n_fixes; ++k_)                                                                    \
+            if ((sim)->fix[k_]->style->hook != NULL) HS_TRY((sim)->fix[k_]->style->hook((sim)->fix[k_], (err)));       \
     } while (0)
 
 /** New cells, halo and lists when they are due; else only new positions of halo atoms. */

@@ -6,12 +6,12 @@
 #include "sim/sim.h"
 
 /* The kinds of named styles are kept in arrays of pointers alike; one set of macros serves their lists. */
-#define DESTROY_STYLE(item)                                                   \
-    do {                                                                      \
-        if ((item)->style->destroy != NULL) (item)->style->destroy(item);     \
-        HS_FREE((item)->state);                                               \
-        HS_FREE((item)->id);                                                  \
-        HS_FREE(item);                                                        \
+#define DESTROY_STYLE(item)                                                                                            \
+    do {                                                                                                               \
+        if ((item)->style->destroy != NULL) (item)->style->destroy(item);                                              \
+        HS_FREE((item)->state);                                                                                        \
+        HS_FREE((item)->id);                                                                                           \
+        HS_FREE(item);                                                                                                 \
     } while (0)
 
 static void destroy_dump(hs_dump *dump)
@@ -53,21 +53,21 @@ static hs_status unknown_style(const char *kind, const char *name, const char *c
     return hs_fail(err, HS_ERROR_INPUT, "%s: unknown style '%s'; 'halfshell help' lists those there are", kind, name);
 }
 
-#define LOOK_UP(table, kind, name, found, err)                                                   \
-    do {                                                                                         \
-        const char *names_[256] = {NULL};                                                        \
-        size_t n_ = 0;                                                                           \
-        (found) = NULL;                                                                          \
-        for (size_t k_ = 0; (table)[k_] != NULL; ++k_) {                                         \
-            if (n_ < 256) names_[n_++] = (table)[k_]->about.name;                                \
-            if (strcmp((table)[k_]->about.name, (name)) == 0) (found) = (table)[k_];             \
-        }                                                                                        \
-        if ((found) == NULL) return unknown_style((kind), (name), names_, n_, (err));            \
+#define LOOK_UP(table, kind, name, found, err)                                                                         \
+    do {                                                                                                               \
+        const char *names_[256] = {NULL};                                                                              \
+        size_t n_ = 0;                                                                                                 \
+        (found) = NULL;                                                                                                \
+        for (size_t k_ = 0; (table)[k_] != NULL; ++k_) {                                                               \
+            if (n_ < 256) names_[n_++] = (table)[k_]->about.name;                                                      \
+            if (strcmp((table)[k_]->about.name, (name)) == 0) (found) = (table)[k_];                                   \
+        }                                                                                                              \
+        if ((found) == NULL) return unknown_style((kind), (name), names_, n_, (err));                                  \
     } while (0)
 
 /** Syntax check of a style's own words, with "fix nve" as the command's name in messages. */
-static hs_status check_words(const char *kind, const hs_description *about, const hs_args *args, char *command, size_t size,
-                             hs_args *named, hs_error *err)
+static hs_status check_words(const char *kind, const hs_description *about, const hs_args *args, char *command,
+                             size_t size, hs_args *named, hs_error *err)
 {
     snprintf(command, size, "%s %s", kind, about->name);
     *named = hs_args_from(args, 0, command);
@@ -120,7 +120,8 @@ hs_status hs_sim_fit_pair(hs_sim *sim, hs_error *err)
     if (pair == NULL || pair->n_types == sim->atoms.n_types) return HS_OK;
     hs_args args = {.command = "pair_style", .n = 0, .word = words};
     const char *const end = sim->pair_words.data + sim->pair_words.length;
-    for (const char *at = sim->pair_words.data; at < end && args.n < WORDS_MAX; at += strlen(at) + 1) words[args.n++] = at;
+    for (const char *at = sim->pair_words.data; at < end && args.n < WORDS_MAX; at += strlen(at) + 1)
+        words[args.n++] = at;
     const hs_pair before = *pair;
     HS_TRY(create_pair(sim, before.style, err));
     sim->pair->shift = before.shift;
@@ -147,8 +148,10 @@ hs_status hs_sim_pair_coeff(hs_sim *sim, const hs_args *args, hs_error *err)
             ++n_set;
         }
     if (n_set == 0)
-        return hs_fail(err, HS_ERROR_INPUT, "pair_coeff: '%s %s' names no pair with the first type not above the second; write "
-                       "the smaller type first", args->word[0], args->word[1]);
+        return hs_fail(err, HS_ERROR_INPUT,
+                       "pair_coeff: '%s %s' names no pair with the first type not above the second; write "
+                       "the smaller type first",
+                       args->word[0], args->word[1]);
     sim->is_initialized = false;
     return HS_OK;
 }
@@ -159,11 +162,13 @@ static hs_status check_id(const char *kind, const char *id, hs_error *err)
 {
     for (const char *c = id; *c != '\0' || c == id; ++c)
         if (!((*c >= 'a' && *c <= 'z') || (*c >= 'A' && *c <= 'Z') || (*c >= '0' && *c <= '9') || *c == '_'))
-            return hs_fail(err, HS_ERROR_INPUT, "%s: the ID '%s' may have only letters, digits and underscores", kind, id);
+            return hs_fail(err, HS_ERROR_INPUT, "%s: the ID '%s' may have only letters, digits and underscores", kind,
+                           id);
     return HS_OK;
 }
 
-hs_status hs_sim_add_fix(hs_sim *sim, const char *id, const char *group, const char *name, const hs_args *args, hs_error *err)
+hs_status hs_sim_add_fix(hs_sim *sim, const char *id, const char *group, const char *name, const hs_args *args,
+                         hs_error *err)
 {
     const hs_fix_style *style;
     char command[128];
@@ -238,8 +243,8 @@ hs_status hs_sim_add_region(hs_sim *sim, const char *id, const char *name, const
     return HS_OK;
 }
 
-hs_status hs_sim_add_dump(hs_sim *sim, const char *id, const char *group, const char *name, int64_t every, const char *file,
-                          const hs_args *args, hs_error *err)
+hs_status hs_sim_add_dump(hs_sim *sim, const char *id, const char *group, const char *name, int64_t every,
+                          const char *file, const hs_args *args, hs_error *err)
 {
     const hs_dump_style *style;
     char command[128];
@@ -253,7 +258,8 @@ hs_status hs_sim_add_dump(hs_sim *sim, const char *id, const char *group, const 
         return hs_fail(err, HS_ERROR_INPUT, "dump: the ID '%s' is taken; undump it first or use another", id);
     hs_dump *dump;
     HS_TRY(HS_ALLOC(dump, 1, err));
-    *dump = (hs_dump){.style = style, .group = bit, .mask = hs_group_mask(bit), .env = &sim->env, .every = every, .last_written = -1};
+    *dump = (hs_dump){
+        .style = style, .group = bit, .mask = hs_group_mask(bit), .env = &sim->env, .every = every, .last_written = -1};
     hs_status status = hs_memory_strdup(&dump->id, id, err);
     if (status == HS_OK) status = hs_memory_strdup(&dump->file, file, err);
     if (status == HS_OK) status = hs_memory_alloc(&dump->state, 1, style->state_size + 1, err);
@@ -268,13 +274,15 @@ hs_status hs_sim_add_dump(hs_sim *sim, const char *id, const char *group, const 
 }
 
 /** Place of an ID in a list of styles; an error naming the kind when it is not there. */
-#define PLACE_OF(list, n, kind, wanted, place, err)                                                             \
-    do {                                                                                                        \
-        for ((place) = 0; (place) < (n) && strcmp((list)[place]->id, (wanted)) != 0;) ++(place);               \
-        if ((place) == (n)) return hs_fail((err), HS_ERROR_INPUT, "there is no %s with the ID '%s'", (kind), (wanted)); \
+#define PLACE_OF(list, n, kind, wanted, place, err)                                                                    \
+    do {                                                                                                               \
+        for ((place) = 0; (place) < (n) && strcmp((list)[place]->id, (wanted)) != 0;) ++(place);                       \
+        if ((place) == (n))                                                                                            \
+            return hs_fail((err), HS_ERROR_INPUT, "there is no %s with the ID '%s'", (kind), (wanted));                \
     } while (0)
 
-#define CLOSE_GAP(list, n, place) memmove(&(list)[place], &(list)[(place) + 1], sizeof *(list) * (size_t)(--(n) - (place)))
+#define CLOSE_GAP(list, n, place)                                                                                      \
+    memmove(&(list)[place], &(list)[(place) + 1], sizeof *(list) * (size_t)(--(n) - (place)))
 
 hs_status hs_sim_remove_fix(hs_sim *sim, const char *id, hs_error *err)
 {

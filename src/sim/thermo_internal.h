@@ -6,58 +6,58 @@
 
 /** One keyword of the table of keywords (thermo_keywords.c). */
 typedef struct hs_thermo_entry {
-    const char *name;       /**< in decks: "etotal" */
-    const char *header;     /**< above its column: "TotEng" */
-    const char *quantity;   /**< for plots: "energy", ...; NULL for plain numbers */
+    const char *name;     /**< in decks: "etotal" */
+    const char *header;   /**< above its column: "TotEng" */
+    const char *quantity; /**< for plots: "energy", ...; NULL for plain numbers */
     bool is_int;
-    bool needs_energy;      /**< the step must have computed pair energy and virial */
+    bool needs_energy; /**< the step must have computed pair energy and virial */
     HS_MUST_USE hs_status (*eval)(hs_thermo *thermo, double *value, hs_error *err);
 } hs_thermo_entry;
 
 /** One column of the table. */
 typedef struct hs_thermo_column {
-    const hs_thermo_entry *entry;   /**< NULL: a compute, fix or variable */
-    char *header;                   /**< owned */
-    char kind;                      /**< 'c', 'f', 'v' for those; 0 for keywords */
-    char *id;                       /**< owned; ID or name */
-    int index;                      /**< element from 1; 0: the scalar */
-    hs_compute *compute;            /**< borrowed until the next init */
-    hs_fix *fix;                    /**< borrowed until the next init */
-    char *user_format;              /**< owned; thermo_modify format N, or NULL */
-    char *format;                   /**< owned; made by init, with one conversion for a long long or a double */
+    const hs_thermo_entry *entry; /**< NULL: a compute, fix or variable */
+    char *header;                 /**< owned */
+    char kind;                    /**< 'c', 'f', 'v' for those; 0 for keywords */
+    char *id;                     /**< owned; ID or name */
+    int index;                    /**< element from 1; 0: the scalar */
+    hs_compute *compute;          /**< borrowed until the next init */
+    hs_fix *fix;                  /**< borrowed until the next init */
+    char *user_format;            /**< owned; thermo_modify format N, or NULL */
+    char *format;                 /**< owned; made by init, with one conversion for a long long or a double */
 } hs_thermo_column;
 
 typedef enum { HS_THERMO_STYLE_ONE, HS_THERMO_STYLE_MULTI, HS_THERMO_STYLE_CUSTOM } hs_thermo_style;
 
 struct hs_thermo {
-    hs_sim *sim;                    /**< borrowed: the owner */
+    hs_sim *sim; /**< borrowed: the owner */
     int64_t every;
-    char *every_variable;           /**< owned; thermo v_name, or NULL */
-    int64_t next_due;               /**< by that variable */
+    char *every_variable; /**< owned; thermo v_name, or NULL */
+    int64_t next_due;     /**< by that variable */
 
     hs_thermo_style style;
-    hs_thermo_column *column;       /**< owned [n_columns] */
+    hs_thermo_column *column; /**< owned [n_columns] */
     int n_columns, capacity_columns;
 
     /* thermo_modify; reset by thermo_style */
     bool is_modified;
     hs_thermo_lost_mode lost;
     bool lost_warned;
-    int norm;                       /**< -1: by the units */
+    int norm; /**< -1: by the units */
     bool flush;
     bool is_multi_line;
-    char *format_line, *format_int, *format_float;   /**< owned; NULL: default */
-    char *temp_id, *press_id;       /**< owned; NULL: thermo_temp, thermo_press */
+    char *format_line, *format_int, *format_float; /**< owned; NULL: default */
+    char *temp_id, *press_id;                      /**< owned; NULL: thermo_temp, thermo_press */
 
     /* of the present run */
-    bool is_norm;                   /**< energies are divided by n_atoms */
+    bool is_norm; /**< energies are divided by n_atoms */
     int64_t n_atoms;
-    hs_compute *temp, *press, *pe;  /**< borrowed until the next init */
-    double last_tpcpu_s, last_tpcpu_time, last_spcpu_s;   /**< of the row before: cpu seconds, simulated time */
+    hs_compute *temp, *press, *pe;                      /**< borrowed until the next init */
+    double last_tpcpu_s, last_tpcpu_time, last_spcpu_s; /**< of the row before: cpu seconds, simulated time */
     int64_t last_spcpu_step;
 
-    double last_progress_s;         /**< sim/report.c: when the progress line was shown last */
-    char *neighbor_info;            /**< owned; sim/report.c: the neighbor block printed last */
+    double last_progress_s; /**< sim/report.c: when the progress line was shown last */
+    char *neighbor_info;    /**< owned; sim/report.c: the neighbor block printed last */
 };
 
 const hs_thermo_entry *hs_thermo_find_entry(const char *name);

@@ -8,7 +8,8 @@
 hs_args hs_args_from(const hs_args *args, int first, const char *command)
 {
     if (first > args->n) first = args->n;
-    return (hs_args){.command = command != NULL ? command : args->command, .n = args->n - first, .word = args->word + first};
+    return (hs_args){
+        .command = command != NULL ? command : args->command, .n = args->n - first, .word = args->word + first};
 }
 
 static bool has_variable(const char *word) { return strchr(word, '$') != NULL; }
@@ -42,8 +43,8 @@ static hs_status refuse_keyword(const hs_syntax *syntax, const hs_args *args, in
         return hs_fail(err, HS_ERROR_INPUT, "%s: unexpected word '%s'; expected: %s%s%s", args->command, args->word[i],
                        args->command, syntax->usage[0] != '\0' ? " " : "", syntax->usage);
     if (nearest != NULL)
-        return hs_fail(err, HS_ERROR_INPUT, "%s: unknown keyword '%s'; did you mean '%s'?", args->command, args->word[i],
-                       nearest);
+        return hs_fail(err, HS_ERROR_INPUT, "%s: unknown keyword '%s'; did you mean '%s'?", args->command,
+                       args->word[i], nearest);
     return hs_fail(err, HS_ERROR_INPUT, "%s: unknown keyword '%s'; expected: %s %s", args->command, args->word[i],
                    args->command, syntax->usage);
 }
@@ -69,7 +70,8 @@ static hs_status check_keyword(const hs_syntax *syntax, const hs_args *args, int
         return hs_fail(err, HS_ERROR_INPUT, "%s: the keyword '%s' needs %s after it: %s", args->command, keyword->name,
                        keyword->n_values == 1 ? "a word" : "more words", keyword->values);
     const char *value = keyword->n_values == 1 ? args->word[*i + 1] : NULL;
-    if (value != NULL && strchr(keyword->values, '<') == NULL && !has_variable(value) && !is_listed(keyword->values, value))
+    if (value != NULL && strchr(keyword->values, '<') == NULL && !has_variable(value) &&
+        !is_listed(keyword->values, value))
         return hs_fail(err, HS_ERROR_INPUT, "%s: '%s' after '%s' must be %s", args->command, value, keyword->name,
                        keyword->values);
     *i += keyword->n_values + 1;
@@ -83,9 +85,11 @@ hs_status hs_syntax_check(const hs_syntax *syntax, const hs_args *args, bool has
         for (int i = 0; i < args->n; ++i)
             if (has_variable(args->word[i])) return HS_OK;
     if (args->n < syntax->n_min)
-        return hs_fail(err, HS_ERROR_INPUT, "%s: too few words (%d); expected: %s %s", args->command, args->n, args->command,
-                       syntax->usage);
-    int i = syntax->keywords != NULL ? hs_syntax_first_keyword(syntax, args) : syntax->n_max < 0 ? args->n : syntax->n_max;
+        return hs_fail(err, HS_ERROR_INPUT, "%s: too few words (%d); expected: %s %s", args->command, args->n,
+                       args->command, syntax->usage);
+    int i = syntax->keywords != NULL ? hs_syntax_first_keyword(syntax, args)
+            : syntax->n_max < 0      ? args->n
+                                     : syntax->n_max;
     if (i > args->n) i = args->n;
     while (i < args->n)
         if (syntax->keywords == NULL)
@@ -107,8 +111,8 @@ hs_status hs_arg_refuse(const hs_args *args, int i, const char *expected, const 
     while (choices != NULL && choices[n] != NULL) ++n;
     const char *nearest = hs_text_nearest(args->word[i], choices, n);
     if (nearest != NULL)
-        return hs_fail(err, HS_ERROR_INPUT, "%s: '%s' is not %s; did you mean '%s'?", args->command, args->word[i], expected,
-                       nearest);
+        return hs_fail(err, HS_ERROR_INPUT, "%s: '%s' is not %s; did you mean '%s'?", args->command, args->word[i],
+                       expected, nearest);
     return hs_fail(err, HS_ERROR_INPUT, "%s: '%s' is not %s", args->command, args->word[i], expected);
 }
 

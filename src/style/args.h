@@ -12,24 +12,24 @@
 /** A keyword of a command and what follows it. */
 typedef struct hs_keyword {
     const char *name;
-    int n_values;          /**< words after the keyword; -1: one (whatever it is) and any more up to the next keyword */
-    const char *values;    /**< what they are: "yes|no" lists the only words allowed (for n_values = 1);
+    int n_values;       /**< words after the keyword; -1: one (whatever it is) and any more up to the next keyword */
+    const char *values; /**< what they are: "yes|no" lists the only words allowed (for n_values = 1);
                                 otherwise names for people, "<steps>" or "<lo> <hi>" */
-    const char *help;      /**< one line for the manual */
+    const char *help;   /**< one line for the manual */
 } hs_keyword;
 
 /** Shape of the words after a command's (or a style's) name. */
 typedef struct hs_syntax {
-    const char *usage;            /**< e.g. "<group-ID> create <T> <seed> [keyword value ...]" */
-    int n_min, n_max;             /**< positional words before the first keyword; n_max = -1: any number */
-    const hs_keyword *keywords;   /**< ended by a NULL name; NULL when there are none */
+    const char *usage;          /**< e.g. "<group-ID> create <T> <seed> [keyword value ...]" */
+    int n_min, n_max;           /**< positional words before the first keyword; n_max = -1: any number */
+    const hs_keyword *keywords; /**< ended by a NULL name; NULL when there are none */
 } hs_syntax;
 
 /** Words of one command, without its name. Borrowed for the call only: copy what is kept. */
 typedef struct hs_args {
-    const char *command;       /**< for messages: "pair_style lj/cut", "fix nve", "velocity" */
+    const char *command; /**< for messages: "pair_style lj/cut", "fix nve", "velocity" */
     int n;
-    const char *const *word;   /**< [n] */
+    const char *const *word; /**< [n] */
 } hs_args;
 
 /** The words from index @p first on. */
@@ -44,10 +44,11 @@ int hs_syntax_first_keyword(const hs_syntax *syntax, const hs_args *args);
 
 /* Strict parsing; every message names the command, the word, what was expected, and the nearest word where it helps. */
 HS_MUST_USE hs_status hs_arg_double(const hs_args *args, int i, double *value, hs_error *err);
-HS_MUST_USE hs_status hs_arg_positive(const hs_args *args, int i, double *value, hs_error *err);       /**< > 0 */
-HS_MUST_USE hs_status hs_arg_not_negative(const hs_args *args, int i, double *value, hs_error *err);   /**< >= 0 */
+HS_MUST_USE hs_status hs_arg_positive(const hs_args *args, int i, double *value, hs_error *err);     /**< > 0 */
+HS_MUST_USE hs_status hs_arg_not_negative(const hs_args *args, int i, double *value, hs_error *err); /**< >= 0 */
 HS_MUST_USE hs_status hs_arg_int(const hs_args *args, int i, int64_t min, int64_t max, int64_t *value, hs_error *err);
-HS_MUST_USE hs_status hs_arg_bool(const hs_args *args, int i, bool *value, hs_error *err);   /**< yes|no (on|off, true|false too) */
+HS_MUST_USE hs_status hs_arg_bool(const hs_args *args, int i, bool *value,
+                                  hs_error *err); /**< yes|no (on|off, true|false too) */
 /** Index of the word in a NULL-ended list of allowed words. */
 HS_MUST_USE hs_status hs_arg_choice(const hs_args *args, int i, const char *const *choices, int *choice, hs_error *err);
 /** A type range as in `pair_coeff * 2*4 ...`: n, *, n*, *n, m*n; within [1, n_types]. */
@@ -55,17 +56,18 @@ HS_MUST_USE hs_status hs_arg_range(const hs_args *args, int i, int n_types, int 
 /** Fail unless word i exists. */
 HS_MUST_USE hs_status hs_arg_need(const hs_args *args, int i, const char *what, hs_error *err);
 /** Refuse word i: "<command>: '<word>' is not <expected>; did you mean '<nearest>'?" (choices may be NULL). */
-HS_MUST_USE hs_status hs_arg_refuse(const hs_args *args, int i, const char *expected, const char *const *choices, hs_error *err);
+HS_MUST_USE hs_status hs_arg_refuse(const hs_args *args, int i, const char *expected, const char *const *choices,
+                                    hs_error *err);
 
 /** What every style and command tells about itself; read by the deck parser, `halfshell help`, the manual, the man
  *  page, shell completion and the tests. */
 typedef struct hs_description {
-    const char *name;         /**< as written in a deck: "lj/cut" */
-    hs_syntax syntax;         /**< words after the style's name */
-    const char *summary;      /**< one line */
-    const char *details;      /**< paragraphs in Markdown: meaning of every word, units, defaults, restrictions */
-    const char *reference;    /**< source of the formula with DOI, or NULL */
-    const char *example;      /**< one or more deck lines */
+    const char *name;      /**< as written in a deck: "lj/cut" */
+    hs_syntax syntax;      /**< words after the style's name */
+    const char *summary;   /**< one line */
+    const char *details;   /**< paragraphs in Markdown: meaning of every word, units, defaults, restrictions */
+    const char *reference; /**< source of the formula with DOI, or NULL */
+    const char *example;   /**< one or more deck lines */
 } hs_description;
 
 #endif

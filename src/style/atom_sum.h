@@ -5,7 +5,7 @@
 #include "core/atoms.h"
 #include "parallel/parallel.h"
 
-enum { HS_ATOM_SUM_MAX = 8 };   /**< sums that one call can make */
+enum { HS_ATOM_SUM_MAX = 8 }; /**< sums that one call can make */
 
 /** Add the terms of local atoms [begin, end) to sums[]; called for ranges of atoms by several threads at once. */
 typedef void (*hs_atom_terms)(const hs_atoms *atoms, const void *context, int begin, int end, double *sums);

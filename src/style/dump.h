@@ -14,8 +14,9 @@ typedef struct hs_dump_style {
     /** dump_modify keywords of this style alone; *n_used = words taken, 0 when the keyword is not the style's. */
     HS_MUST_USE hs_status (*modify)(struct hs_dump *dump, const hs_args *args, int *n_used, hs_error *err);
     void (*destroy)(struct hs_dump *dump);
-    HS_MUST_USE hs_status (*init)(struct hs_dump *dump, hs_error *err);    /**< before each run */
-    HS_MUST_USE hs_status (*write)(struct hs_dump *dump, hs_error *err);   /**< one snapshot of the present step (collective) */
+    HS_MUST_USE hs_status (*init)(struct hs_dump *dump, hs_error *err); /**< before each run */
+    HS_MUST_USE hs_status (*write)(struct hs_dump *dump,
+                                   hs_error *err); /**< one snapshot of the present step (collective) */
 } hs_dump_style;
 
 typedef struct hs_dump {
@@ -25,10 +26,10 @@ typedef struct hs_dump {
     uint32_t mask;
     hs_env *env;
     void *state;
-    char *file;            /**< as in the deck; `*` stands for the step, a name ending in .gz is compressed */
-    int64_t every;         /**< steps between snapshots */
-    int64_t last_written;  /**< step, -1 for never: a step is written once */
-    bool sort_by_id, write_first, append, flush, wrap;   /**< dump_modify sort id, first, append, flush, pbc */
+    char *file;           /**< as in the deck; `*` stands for the step, a name ending in .gz is compressed */
+    int64_t every;        /**< steps between snapshots */
+    int64_t last_written; /**< step, -1 for never: a step is written once */
+    bool sort_by_id, write_first, append, flush, wrap; /**< dump_modify sort id, first, append, flush, pbc */
 } hs_dump;
 
 extern const hs_dump_style *const hs_dump_styles[];

@@ -22,25 +22,25 @@ typedef struct hs_env {
     hs_box *box;
     hs_atoms *atoms;
     hs_groups *groups;
-    struct hs_lattice *lattice;   /**< never NULL; `none` until the deck sets one */
+    struct hs_lattice *lattice; /**< never NULL; `none` until the deck sets one */
 
-    bool dry_run;          /**< halfshell check: nothing may open, write or remove a file */
+    bool dry_run; /**< halfshell check: nothing may open, write or remove a file */
 
-    int64_t step;          /**< number of the present timestep */
-    int64_t first_step;    /**< step at which the present (or next) run began */
-    int64_t last_step;     /**< step at which it ends */
-    int64_t ramp_start;    /**< step at which a series of runs began (run start); else first_step */
-    int64_t ramp_stop;     /**< step at which the series ends (run stop); else last_step */
-    double dt;             /**< timestep, time */
-    double time_origin;    /**< simulated time at step time_origin_step: set when dt changes, so that time goes on */
+    int64_t step;       /**< number of the present timestep */
+    int64_t first_step; /**< step at which the present (or next) run began */
+    int64_t last_step;  /**< step at which it ends */
+    int64_t ramp_start; /**< step at which a series of runs began (run start); else first_step */
+    int64_t ramp_stop;  /**< step at which the series ends (run stop); else last_step */
+    double dt;          /**< timestep, time */
+    double time_origin; /**< simulated time at step time_origin_step: set when dt changes, so that time goes on */
     int64_t time_origin_step;
 
     /* Results of the latest force evaluation, summed over threads and ranks */
-    double pair_energy;      /**< energy of all pairs, valid when energy_step == step */
-    double pair_virial[6];   /**< sum over pairs of r_a F_b: xx yy zz xy xz yz; energy */
-    int64_t energy_step;     /**< step for which energy and virial were last computed, -1 for never */
-    double tail_energy;      /**< long-range corrections of pair_modify tail: energy, to be divided by nothing */
-    double tail_pressure;    /**< and pressure (already in pressure units); both 0 without tail */
+    double pair_energy;    /**< energy of all pairs, valid when energy_step == step */
+    double pair_virial[6]; /**< sum over pairs of r_a F_b: xx yy zz xy xz yz; energy */
+    int64_t energy_step;   /**< step for which energy and virial were last computed, -1 for never */
+    double tail_energy;    /**< long-range corrections of pair_modify tail: energy, to be divided by nothing */
+    double tail_pressure;  /**< and pressure (already in pressure units); both 0 without tail */
 
     /* Look-ups; NULL when there is none of that ID */
     struct hs_compute *(*find_compute)(struct hs_env *env, const char *id);

@@ -12,8 +12,8 @@
 struct hs_pair;
 
 typedef struct hs_pair_style {
-    hs_description about;    /**< words after pair_style */
-    hs_syntax coeff_syntax;  /**< words of pair_coeff after the two types */
+    hs_description about;   /**< words after pair_style */
+    hs_syntax coeff_syntax; /**< words of pair_coeff after the two types */
     size_t state_size;
     HS_MUST_USE hs_status (*settings)(struct hs_pair *pair, const hs_args *args, hs_error *err);
     void (*destroy)(struct hs_pair *pair);
@@ -27,8 +27,8 @@ typedef struct hs_pair_style {
     void (*tail)(const struct hs_pair *pair, int i, int j, double *energy, double *virial);
     /** Words for a data file's "PairIJ Coeffs" line of (i, j), appended to @p words. NULL: not written. */
     HS_MUST_USE hs_status (*write_coeff)(const struct hs_pair *pair, int i, int j, hs_text *words, hs_error *err);
-    const hs_evaluator *evaluator;   /**< NULL: no forces (none, zero) */
-    bool allows_none;                /**< works without any coefficients */
+    const hs_evaluator *evaluator; /**< NULL: no forces (none, zero) */
+    bool allows_none;              /**< works without any coefficients */
 } hs_pair_style;
 
 typedef enum { HS_MIX_GEOMETRIC, HS_MIX_ARITHMETIC, HS_MIX_SIXTHPOWER } hs_mix_rule;
@@ -37,12 +37,12 @@ typedef enum { HS_MIX_GEOMETRIC, HS_MIX_ARITHMETIC, HS_MIX_SIXTHPOWER } hs_mix_r
 typedef struct hs_pair {
     const hs_pair_style *style;
     hs_env *env;
-    void *state;                  /**< style's own, sized state_size */
+    void *state; /**< style's own, sized state_size */
     int n_types;
-    unsigned char *is_set;        /**< by pair_coeff; owned */
-    double *cutoff;               /**< distance; filled by hs_pair_init; owned */
+    unsigned char *is_set; /**< by pair_coeff; owned */
+    double *cutoff;        /**< distance; filled by hs_pair_init; owned */
     double cutoff_max;
-    bool shift, tail;             /**< pair_modify */
+    bool shift, tail; /**< pair_modify */
     hs_mix_rule mix;
 } hs_pair;
 

@@ -8,7 +8,7 @@
 struct hs_region;
 
 typedef struct hs_region_style {
-    hs_description about;   /**< syntax of the style's own words; side, units, ... are common to all (style/region.c) */
+    hs_description about; /**< syntax of the style's own words; side, units, ... are common to all (style/region.c) */
     size_t state_size;
     /** args: the style's own words (common keywords taken off), lengths still in the deck's units: multiply them with
      *  region->scale. Sets region->extent and has_extent of the shape itself. */
@@ -22,13 +22,13 @@ typedef struct hs_region_style {
 
 typedef struct hs_region {
     const hs_region_style *style;
-    char *id;             /**< owned by hs_sim */
+    char *id; /**< owned by hs_sim */
     hs_env *env;
     void *state;
-    bool is_outside;      /**< side out: the complement */
-    double scale[3];      /**< units lattice: spacings; units box: 1 */
-    bool has_extent;      /**< bounded (never with side out): extent holds it */
-    double extent[3][2];  /**< bounding box [axis][lo, hi], distance */
+    bool is_outside;     /**< side out: the complement */
+    double scale[3];     /**< units lattice: spacings; units box: 1 */
+    bool has_extent;     /**< bounded (never with side out): extent holds it */
+    double extent[3][2]; /**< bounding box [axis][lo, hi], distance */
 } hs_region;
 
 /** Whether the region holds x, with side in or out. */

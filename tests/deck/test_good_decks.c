@@ -203,7 +203,7 @@ END_TEST
 START_TEST(accelerator_words_are_said_to_have_no_effect)
 {
     check("suffix omp\npackage omp 4\n", "The command suffix has no effect: Halfshell chooses its own kernels\n"
-          "The command package has no effect: Halfshell chooses its own kernels\n");
+                                         "The command package has no effect: Halfshell chooses its own kernels\n");
 }
 END_TEST
 

@@ -159,7 +159,11 @@ static hs_error try_deck(const char *bytes, size_t n)
     return err;
 }
 
-static size_t cut(char *bytes, size_t n) { (void)bytes; return draw(n + 1); }
+static size_t cut(char *bytes, size_t n)
+{
+    (void)bytes;
+    return draw(n + 1);
+}
 
 static size_t change(char *bytes, size_t n)
 {

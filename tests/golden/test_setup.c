@@ -28,9 +28,10 @@ static void check_box(const char *name, const hs_box *box, FILE *file)
     for (int axis = 0; axis < 3; ++axis) {
         double lo, hi;
         ck_assert_int_eq(fscanf(file, "%lf %lf", &lo, &hi), 2);
-        ck_assert_msg(box->lo[axis] == lo && box->hi[axis] == hi, "%s: box along %c is %.17g %.17g, LAMMPS has %.17g "
+        ck_assert_msg(box->lo[axis] == lo && box->hi[axis] == hi,
+                      "%s: box along %c is %.17g %.17g, LAMMPS has %.17g "
                       "%.17g",
-                      name, "xyz"[axis], box->lo[axis], box->hi[axis], lo, hi);
+                      name, "xyz"[axis], box -> lo[axis], box -> hi[axis], lo, hi);
     }
 }
 
@@ -44,26 +45,22 @@ static int find_atom(const hs_atoms *atoms, int64_t id)
 static bool read_row(FILE *file, row *r)
 {
     return fscanf(file, "%" SCNd64 " %d %lf %lf %lf %lf %lf %lf %d %d %d", &r->id, &r->type, &r->x[0], &r->x[1],
-                  &r->x[2],
-                  &r->v[0], &r->v[1], &r->v[2], &r->image[0], &r->image[1], &r->image[2]) == 11;
+                  &r->x[2], &r->v[0], &r->v[1], &r->v[2], &r->image[0], &r->image[1], &r->image[2]) == 11;
 }
 
 static void check_atom(const char *name, const hs_atoms *atoms, const row *r)
 {
     const int i = find_atom(atoms, r->id);
     ck_assert_msg(i >= 0, "%s: atom %" PRId64 " is missing", name, r->id);
-    ck_assert_msg(atoms->type[i] == r->type, "%s: atom %" PRId64 " has type %d, LAMMPS %d", name, r->id,
-                  atoms->type[i], r->type);
+    ck_assert_msg(atoms->type[i] == r->type, "%s: atom %" PRId64 " has type %d, LAMMPS %d", name, r->id, atoms->type[i],
+                  r->type);
     for (int axis = 0; axis < 3; ++axis) {
         ck_assert_msg(atoms->x[axis][i] == r->x[axis], "%s: atom %" PRId64 ": %c is %.17g, LAMMPS has %.17g", name,
-                      r->id,
-                      "xyz"[axis], atoms->x[axis][i], r->x[axis]);
+                      r->id, "xyz"[axis], atoms -> x[axis][i], r -> x[axis]);
         ck_assert_msg(atoms->v[axis][i] == r->v[axis], "%s: atom %" PRId64 ": v%c is %.17g, LAMMPS has %.17g", name,
-                      r->id,
-                      "xyz"[axis], atoms->v[axis][i], r->v[axis]);
+                      r->id, "xyz"[axis], atoms -> v[axis][i], r -> v[axis]);
         ck_assert_msg(atoms->image[axis][i] == r->image[axis], "%s: atom %" PRId64 ": i%c is %d, LAMMPS has %d", name,
-                      r->id,
-                      "xyz"[axis], atoms->image[axis][i], r->image[axis]);
+                      r->id, "xyz"[axis], atoms -> image[axis][i], r -> image[axis]);
     }
 }
 
@@ -90,8 +87,8 @@ static void compare(const char *name)
 }
 
 static const char *const names[] = {
-    "fcc_geom", "bcc_two_masses", "hex_2d", "diamond_orient", "fcc_111", "custom", "sq2_ramp", "hcp_real",
-    "random_3d", "random_2d", "shrink", "regions", "random_types", "variables",
+    "fcc_geom", "bcc_two_masses", "hex_2d",    "diamond_orient", "fcc_111", "custom",       "sq2_ramp",
+    "hcp_real", "random_3d",      "random_2d", "shrink",         "regions", "random_types", "variables",
 };
 
 START_TEST(test_same_bits)

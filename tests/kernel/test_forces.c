@@ -59,9 +59,11 @@ static void begin_system(system_t *s, int dimension, const double length[3], con
     ck_assert_hs_ok(hs_atoms_set_types(&s->atoms, n_types, &err), err);
     s->table.n_types = n_types + 1;
     s->table.stride = HS_TABLE_PARAMS + hs_evaluator_lj_cut.n_params;
-    ck_assert_hs_ok(HS_ALLOC(s->table.values, (size_t)(s->table.n_types * s->table.n_types * s->table.stride), &err), err);
+    ck_assert_hs_ok(HS_ALLOC(s->table.values, (size_t)(s->table.n_types * s->table.n_types * s->table.stride), &err),
+                    err);
     for (int i = 1; i <= n_types; ++i)
-        for (int j = i; j <= n_types; ++j) set_pair(s, i, j, 1.0 / i + 0.1 * j, 1.0 + 0.05 * (i + j - 2), 2.5 - 0.2 * (j - i));
+        for (int j = i; j <= n_types; ++j)
+            set_pair(s, i, j, 1.0 / i + 0.1 * j, 1.0 + 0.05 * (i + j - 2), 2.5 - 0.2 * (j - i));
     s->table.is_uniform = hs_pair_table_is_uniform(&s->table);
 }
 
@@ -107,8 +109,11 @@ static void add_lattice(system_t *s, const int n[3])
                 const int k[3] = {a, b, c};
                 double x[3];
                 for (int axis = 0; axis < 3; ++axis)
-                    x[axis] = s->box.dimension == 2 && axis == 2 ? 0.0 : s->box.lo[axis] + hs_box_length(&s->box, axis) * k[axis] / n[axis];
-                ck_assert_hs_ok(hs_atoms_add(&s->atoms, s->atoms.n_local + 1, 1 + (a + b + c) % s->atoms.n_types, x, &err), err);
+                    x[axis] = s->box.dimension == 2 && axis == 2
+                                  ? 0.0
+                                  : s->box.lo[axis] + hs_box_length(&s->box, axis) * k[axis] / n[axis];
+                ck_assert_hs_ok(
+                    hs_atoms_add(&s->atoms, s->atoms.n_local + 1, 1 + (a + b + c) % s->atoms.n_types, x, &err), err);
             }
 }
 
@@ -116,7 +121,7 @@ static void add_lattice(system_t *s, const int n[3])
 typedef struct forces {
     double *f[3];
     double energy, virial[6];
-    double largest_pair;   /**< largest force of one pair: the scale of rounding errors; only from sum_all_images */
+    double largest_pair; /**< largest force of one pair: the scale of rounding errors; only from sum_all_images */
 } forces_t;
 
 static forces_t make_forces(int n)
@@ -144,7 +149,7 @@ static void add_image_pair(const system_t *s, forces_t *out, int i, int j, const
     static const int first[6] = {0, 1, 2, 0, 0, 1}, second[6] = {0, 1, 2, 1, 2, 2};
     for (int axis = 0; axis < 3; ++axis) out->f[axis][s->atoms.id[i] - 1] += over_r * d[axis];
     out->largest_pair = fmax(out->largest_pair, fabs(over_r) * sqrt(r2));
-    out->energy += 0.5 * energy;   /* ordered pairs: each is met from both sides */
+    out->energy += 0.5 * energy; /* ordered pairs: each is met from both sides */
     for (int k = 0; k < 6; ++k) out->virial[k] += 0.5 * d[first[k]] * over_r * d[second[k]];
 }
 
@@ -154,7 +159,9 @@ static forces_t sum_all_images(const system_t *s)
     forces_t out = make_forces(s->atoms.n_local);
     int m[3];
     for (int axis = 0; axis < 3; ++axis)
-        m[axis] = s->box.periodic[axis] && axis < s->box.dimension ? (int)ceil(s->cutoff_max / hs_box_length(&s->box, axis)) : 0;
+        m[axis] = s->box.periodic[axis] && axis < s->box.dimension
+                      ? (int)ceil(s->cutoff_max / hs_box_length(&s->box, axis))
+                      : 0;
     for (int i = 0; i < s->atoms.n_local; ++i)
         for (int j = 0; j < s->atoms.n_local; ++j)
             for (int a = -m[0]; a <= m[0]; ++a)
@@ -185,7 +192,8 @@ static forces_t evaluate_with(system_t *s, method_t method, hs_isa isa, hs_preci
     if (!is_nsq) {
         const double density = atoms->n_local / hs_box_volume(&s->box);
         ck_assert_hs_ok(hs_cells_set_grid(&cells, &s->box, reach, hs_clusters_width(s->box.dimension, density, reach),
-                                          atoms->n_local, &err), err);
+                                          atoms->n_local, &err),
+                        err);
         ck_assert_hs_ok(hs_cells_sort_local(&cells, atoms, &err), err);
         ck_assert_hs_ok(hs_atoms_permute(atoms, cells.order, &err), err);
     }
@@ -195,9 +203,16 @@ static forces_t evaluate_with(system_t *s, method_t method, hs_isa isa, hs_preci
         hs_halo_reorder(&halo, atoms, cells.order);
         ck_assert_hs_ok(hs_clusters_build(&clusters, &cells, atoms, &err), err);
     }
-    hs_force_job job = {.atoms = atoms, .cells = &cells, .clusters = &clusters, .evaluator = &hs_evaluator_lj_cut,
-                              .isa = isa, .precision = precision, .cutoff_max = reach, .with_energy = with_energy,
-                              .input = {.x = {atoms->x[0], atoms->x[1], atoms->x[2]}, .type = atoms->type, .table = &s->table}};
+    hs_force_job job = {
+        .atoms = atoms,
+        .cells = &cells,
+        .clusters = &clusters,
+        .evaluator = &hs_evaluator_lj_cut,
+        .isa = isa,
+        .precision = precision,
+        .cutoff_max = reach,
+        .with_energy = with_energy,
+        .input = {.x = {atoms->x[0], atoms->x[1], atoms->x[2]}, .type = atoms->type, .table = &s->table}};
     if (method == CLUSTER) {
         ck_assert_hs_ok(hs_cluster_list_build(&list, &space, &job, &err), err);
         ck_assert_hs_ok(hs_force_cluster(&space, &list, &job, &result, &err), err);
@@ -228,7 +243,8 @@ static forces_t evaluate_with(system_t *s, method_t method, hs_isa isa, hs_preci
  *  near pairs, and as much again from float arithmetic. */
 static const double tolerances[HS_N_PRECISIONS] = {1e-12, 4e-5};
 
-static void assert_same(const forces_t *a, const forces_t *b, int n, bool with_energy, hs_precision precision, const char *what)
+static void assert_same(const forces_t *a, const forces_t *b, int n, bool with_energy, hs_precision precision,
+                        const char *what)
 {
     const double tolerance = tolerances[precision];
     const double scale = fmax(b->largest_pair, 1e-300);
@@ -237,16 +253,19 @@ static void assert_same(const forces_t *a, const forces_t *b, int n, bool with_e
         for (int axis = 0; axis < 3; ++axis) sum[axis] += a->f[axis][i];
     for (int i = 0; i < n; ++i)
         for (int axis = 0; axis < 3; ++axis)
-            ck_assert_msg(fabs(a->f[axis][i] - b->f[axis][i]) <= tolerance * scale, "%s: force %c of atom %d: %.17g, not %.17g",
-                          what, "xyz"[axis], i + 1, a->f[axis][i], b->f[axis][i]);
+            ck_assert_msg(fabs(a->f[axis][i] - b->f[axis][i]) <= tolerance * scale,
+                          "%s: force %c of atom %d: %.17g, not %.17g", what, "xyz"[axis], i + 1, a->f[axis][i],
+                          b->f[axis][i]);
     for (int axis = 0; axis < 3; ++axis)
-        ck_assert_msg(fabs(sum[axis]) <= 0.1 * tolerance * scale * (n + 1), "%s: forces sum to %g along %c", what, sum[axis], "xyz"[axis]);
+        ck_assert_msg(fabs(sum[axis]) <= 0.1 * tolerance * scale * (n + 1), "%s: forces sum to %g along %c", what,
+                      sum[axis], "xyz"[axis]);
     if (!with_energy) return;
     for (int k = 0; k < 6; ++k) virial_scale = fmax(virial_scale, fabs(b->virial[k]));
-    ck_assert_msg(fabs(a->energy - b->energy) <= tolerance * (fabs(b->energy) + n), "%s: energy %.17g, not %.17g", what, a->energy, b->energy);
+    ck_assert_msg(fabs(a->energy - b->energy) <= tolerance * (fabs(b->energy) + n), "%s: energy %.17g, not %.17g", what,
+                  a->energy, b->energy);
     for (int k = 0; k < 6; ++k)
-        ck_assert_msg(fabs(a->virial[k] - b->virial[k]) <= tolerance * (virial_scale + n * scale), "%s: virial %d %.17g, not %.17g", what, k,
-                      a->virial[k], b->virial[k]);
+        ck_assert_msg(fabs(a->virial[k] - b->virial[k]) <= tolerance * (virial_scale + n * scale),
+                      "%s: virial %d %.17g, not %.17g", what, k, a->virial[k], b->virial[k]);
 }
 
 static void check_all_methods(system_t *s, const char *what)
@@ -266,8 +285,8 @@ static void check_all_methods(system_t *s, const char *what)
             const hs_precision precision = kind / 6 % 2 ? HS_PRECISION_MIXED : HS_PRECISION_DOUBLE;
             const hs_isa isa = (hs_isa)(kind / 12);
             forces_t fast = evaluate_with(s, method, isa, precision, with_energy);
-            snprintf(name, sizeof name, "%s, %s, %s, %s, %d threads, energy %d", what, method_names[method], hs_isa_names[isa],
-                     hs_precision_names[precision], threads, with_energy);
+            snprintf(name, sizeof name, "%s, %s, %s, %s, %d threads, energy %d", what, method_names[method],
+                     hs_isa_names[isa], hs_precision_names[precision], threads, with_energy);
             assert_same(&fast, &right, n, with_energy, precision, name);
             free_forces(&fast);
         }
@@ -293,7 +312,8 @@ static void check_family(const char *kind, const double length_3d[3], int n, dou
                     add_lattice(&s, (const int[3]){side, side, dimension == 2 ? 1 : side});
                 else
                     add_random(&s, n, least, 12345 + (uint64_t)b);
-                snprintf(what, sizeof what, "%s, %dD, %s, %d types, %d atoms", kind, dimension, boundary, n_types, s.atoms.n_local);
+                snprintf(what, sizeof what, "%s, %dD, %s, %d types, %d atoms", kind, dimension, boundary, n_types,
+                         s.atoms.n_local);
                 check_all_methods(&s, what);
                 end_system(&s);
             }
@@ -307,7 +327,10 @@ START_TEST(crystal) { check_family("lattice", (const double[]){7.6, 7.7, 7.8}, 3
 END_TEST
 START_TEST(fewer_than_three_cells) { check_family("tiny", (const double[]){3.1, 4.0, 5.2}, 30, 0.8, false); }
 END_TEST
-START_TEST(smaller_than_the_cutoff) { check_family("smaller than the cutoff", (const double[]){1.3, 1.9, 2.3}, 3, 0.8, false); }
+START_TEST(smaller_than_the_cutoff)
+{
+    check_family("smaller than the cutoff", (const double[]){1.3, 1.9, 2.3}, 3, 0.8, false);
+}
 END_TEST
 START_TEST(one_and_no_atom)
 {
@@ -350,7 +373,7 @@ END_TEST
 START_TEST(mixed_precision_is_within_1e_5_rms)
 {
     system_t s;
-    begin_system(&s, 3, (const double[]){40.0, 9.0, 9.0}, "ppp", 1);   /* long: coordinates are large in x */
+    begin_system(&s, 3, (const double[]){40.0, 9.0, 9.0}, "ppp", 1); /* long: coordinates are large in x */
     add_random(&s, 2300, 0.88, 7);
     forces_t right = evaluate_with(&s, CLUSTER, hs_isa_best(), HS_PRECISION_DOUBLE, false);
     for (int isa = 0; isa <= (int)hs_isa_best(); ++isa) {
@@ -383,5 +406,6 @@ START_TEST(lj_values)
 }
 END_TEST
 
-HS_TEST_MAIN("forces", random_liquid, random_gas, crystal, fewer_than_three_cells, smaller_than_the_cutoff, one_and_no_atom,
-             long_and_flat, force_is_minus_gradient_of_energy, mixed_precision_is_within_1e_5_rms, lj_values)
+HS_TEST_MAIN("forces", random_liquid, random_gas, crystal, fewer_than_three_cells, smaller_than_the_cutoff,
+             one_and_no_atom, long_and_flat, force_is_minus_gradient_of_energy, mixed_precision_is_within_1e_5_rms,
+             lj_values)

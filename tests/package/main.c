@@ -26,7 +26,7 @@ int main(void)
     const char *const temperature[2] = {"1.5", "3"};
     hs_simulation *simulation[2];
     for (int i = 0; i < 2; ++i) {
-        const hs_code code = hs_simulation_create(&simulation[i], NULL);   /* first: arguments go in any order */
+        const hs_code code = hs_simulation_create(&simulation[i], NULL); /* first: arguments go in any order */
         need(simulation[i], code);
         need(simulation[i], hs_simulation_set_variable(simulation[i], "T", 1, &temperature[i]));
         need(simulation[i], hs_simulation_deck_text(simulation[i], melt));

@@ -16,7 +16,7 @@
 typedef struct experiment {
     hs_simulation *simulation;
     FILE *log;
-    char *text;   /**< the log so far */
+    char *text; /**< the log so far */
     size_t text_size;
 } experiment;
 

@@ -89,7 +89,7 @@ START_TEST(test_no_drift)
     printf("  over %g tau at dt %g: drift of E/N %.2e, rms %.2e; random walk at the cutoff %.2e\n", duration, dt, drift,
            fluctuation, walk);
     ck_assert_double_le(fabs(drift), 5.0 * walk);
-    ck_assert_double_le(fluctuation, 3e-4);   /* of the order of the dt^2 table above: no slow wandering either */
+    ck_assert_double_le(fluctuation, 3e-4); /* of the order of the dt^2 table above: no slow wandering either */
     free(time), free(energy), free(t.value), free(x), free(v);
     close_experiment(&e);
 }

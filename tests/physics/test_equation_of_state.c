@@ -26,7 +26,7 @@ typedef struct state_point {
     const char *potential;
     double density, temperature, cutoff;
     const char *shift, *tail;
-    double energy, pressure;   /* published: potential energy per atom, pressure */
+    double energy, pressure; /* published: potential energy per atom, pressure */
     double c, g;             /* (dU/dT)_V per atom, (dP/dT)_V */
     bool is_quick;           /* part of the short version */
     bool is_mean_field;      /* not simulated but derived with g(r) = 1 beyond the cutoff: see below */

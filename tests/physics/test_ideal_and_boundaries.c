@@ -68,7 +68,7 @@ START_TEST(test_ideal_gas)
             const double images = (x_end[i] - wrapped[i]) / length[axis];
             ck_assert_double_eq_tol(images, round(images), 1e-13 * (1.0 + fabs(images)));
         }
-        ck_assert_double_gt(farthest, 10.0);   /* box lengths: else nothing was tested */
+        ck_assert_double_gt(farthest, 10.0); /* box lengths: else nothing was tested */
         const double volume = 7.0 * 5.0 * 3.0, n_dof = 3.0 * N_GAS - 3.0;
         ck_assert_double_eq_tol(thermo(&e, "temp"), 3.0, 1e-12);
         ck_assert_double_eq_tol(thermo(&e, "press"), n_dof * 3.0 / (3.0 * volume), 1e-12);
@@ -112,12 +112,12 @@ START_TEST(test_velocity_distributions)
             speed[i] =
                 sqrt(pow(component[3 * i], 2.0) + pow(component[3 * i + 1], 2.0) + pow(component[3 * i + 2], 2.0));
         for (int axis = 0; axis < 3; ++axis)
-            ck_assert_double_eq_tol(momentum[axis], 0.0, 1e-9);   /* 8000 roundings of 10 */
+            ck_assert_double_eq_tol(momentum[axis], 0.0, 1e-9); /* 8000 roundings of 10 */
         /* the variance of m v^2/kT is 2 (Gaussian), 0.8 (uniform); 4 standard errors of its mean */
         for (int t = 1; t <= 2; ++t)
             ck_assert_double_eq_tol(mv2[t] / (3.0 * n_of[t] * temperature), 1.0, 4.0 * sqrt(2.0 / (3.0 * n_of[t])));
         ck_assert_double_eq_tol(neighbors / (3.0 * N), 0.0,
-                                4.0 / sqrt(3.0 * N));   /* one draw tells nothing of the next */
+                                4.0 / sqrt(3.0 * N)); /* one draw tells nothing of the next */
         const double ks_component = kolmogorov_smirnov(component, 3 * N, is_gaussian ? normal_cdf : even_cdf);
         const double ks_speed = is_gaussian ? kolmogorov_smirnov(speed, N, maxwell_cdf) : 0.0;
         printf("  dist %-8s loop %-5s sqrt(n) D: components %.2f, speeds %.2f (limit %.2f)\n",
@@ -125,7 +125,7 @@ START_TEST(test_velocity_distributions)
         ck_assert_double_lt(ks_component, ks_limit);
         ck_assert_double_lt(ks_speed, ks_limit);
         if (!is_gaussian)
-            ck_assert_double_gt(kolmogorov_smirnov(component, 3 * N, normal_cdf), ks_limit);   /* it can tell */
+            ck_assert_double_gt(kolmogorov_smirnov(component, 3 * N, normal_cdf), ks_limit); /* it can tell */
         close_experiment(&e);
     }
 }
@@ -219,7 +219,7 @@ START_TEST(test_shrink_wrapped_box)
         table t = run_table(&e, 200, 20, "temp pe etotal press vol lx ly lz");
         for (int r = 0; r < 4; ++r) {
             const int i = (int)decks[k].row[r][0] / 20;
-            for (int c = 0; c < 9; ++c)   /* half of the last printed digit, and rounding grown over 200 steps */
+            for (int c = 0; c < 9; ++c) /* half of the last printed digit, and rounding grown over 200 steps */
                 ck_assert_double_eq_tol(cell(&t, i, c), decks[k].row[r][c], 1e-9 * (1.0 + fabs(decks[k].row[r][c])));
         }
         static double x[3 * 512];
@@ -227,7 +227,7 @@ START_TEST(test_shrink_wrapped_box)
         const int64_t n = hs_simulation_n_atoms(e.simulation);
         need(&e, hs_simulation_box(e.simulation, lo, hi, NULL));
         need(&e, hs_simulation_get_positions(e.simulation, HS_ORDER_ID, n, x));
-        for (int64_t i = 0; i < 3 * n; ++i)   /* faces move when lists are made, that is after half the skin at most */
+        for (int64_t i = 0; i < 3 * n; ++i) /* faces move when lists are made, that is after half the skin at most */
             ck_assert(x[i] >= lo[i % 3] - 0.15 && x[i] <= hi[i % 3] + 0.15);
         free(t.value);
         close_experiment(&e);

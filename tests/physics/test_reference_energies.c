@@ -3,10 +3,10 @@
 #include "physics.h"
 
 static const double pi = 3.14159265358979323846;
-static const double minimum = 1.122462048309373;   /* 2^(1/6) */
+static const double minimum = 1.122462048309373; /* 2^(1/6) */
 
 typedef struct lj_values {
-    double energy, force;   /* force: -dU/dr */
+    double energy, force; /* force: -dU/dr */
 } lj_values;
 
 static lj_values lj(double epsilon, double sigma, double r)
@@ -18,7 +18,7 @@ static lj_values lj(double epsilon, double sigma, double r)
 /** Two atoms along a slanted line at distance r: energy, and the force that drives them apart. */
 static lj_values measure_pair(experiment *e, double r)
 {
-    static const double direction[3] = {2.0 / 7.0, -3.0 / 7.0, 6.0 / 7.0};   /* length 1 */
+    static const double direction[3] = {2.0 / 7.0, -3.0 / 7.0, 6.0 / 7.0}; /* length 1 */
     double x[6], f[6];
     for (int axis = 0; axis < 3; ++axis) {
         x[axis] = 0.1 * (axis + 1);
@@ -31,7 +31,7 @@ static lj_values measure_pair(experiment *e, double r)
         value.force += f[3 + axis] * direction[axis];
         ck_assert_double_eq(f[axis], -f[3 + axis]);
     }
-    for (int axis = 0; axis < 3; ++axis)   /* central: no other component */
+    for (int axis = 0; axis < 3; ++axis) /* central: no other component */
         ck_assert_double_eq_tol(f[3 + axis], value.force * direction[axis], 1e-13 * (1.0 + fabs(value.force)));
     return value;
 }
@@ -76,9 +76,9 @@ START_TEST(test_pair_of_atoms)
 
     deck(&e, "pair_modify shift yes\n");
     for (double r = 0.7; r < 2.4999; r += 0.1) check_pair(&e, 1.0, 1.0, r, lj(1.0, 1.0, 2.5).energy);
-    ck_assert_double_eq_tol(measure_pair(&e, 2.5 - 1e-9).energy, 0.0, 1e-10);   /* continuous: force 0.039 * 1e-9 */
+    ck_assert_double_eq_tol(measure_pair(&e, 2.5 - 1e-9).energy, 0.0, 1e-10); /* continuous: force 0.039 * 1e-9 */
 
-    deck(&e, "pair_modify shift no\npair_coeff 1 1 1.7 0.9 3.1\n");   /* F(sigma) = 24 epsilon/sigma */
+    deck(&e, "pair_modify shift no\npair_coeff 1 1 1.7 0.9 3.1\n"); /* F(sigma) = 24 epsilon/sigma */
     ck_assert_double_eq_tol(measure_pair(&e, 0.9).force, 24.0 * 1.7 / 0.9, 1e-12);
     for (double r = 0.7; r < 3.0999; r += 0.1) check_pair(&e, 1.7, 0.9, r, 0.0);
     ck_assert_double_eq(measure_pair(&e, 3.1001).energy, 0.0);
@@ -93,7 +93,7 @@ START_TEST(test_wca)
     deck(&e, "pair_style wca\npair_coeff * * 1.0 1.0\n");
     ck_assert_double_eq_tol(measure_pair(&e, 1.0).energy, 1.0, 1e-14);
     ck_assert_double_eq_tol(measure_pair(&e, 1.0).force, 24.0, 1e-12);
-    ck_assert_double_eq_tol(measure_pair(&e, minimum - 1e-9).energy, 0.0, 1e-14);   /* 57/2 * 1e-18 */
+    ck_assert_double_eq_tol(measure_pair(&e, minimum - 1e-9).energy, 0.0, 1e-14); /* 57/2 * 1e-18 */
     ck_assert_double_eq(measure_pair(&e, minimum + 1e-9).energy, 0.0);
     ck_assert_double_eq(measure_pair(&e, minimum + 1e-9).force, 0.0);
     for (double r = 0.7; r < minimum; r += 0.02) check_pair(&e, 1.0, 1.0, r, -1.0);
@@ -201,7 +201,7 @@ START_TEST(test_close_packed_crystals)
     double ground[2];
     for (int k = 0; k < 2; ++k) {
         const double a12 = crystals[k].a12, a6 = crystals[k].a6;
-        const double lengths[3] = {pow(2.0 * a12 / a6, 1.0 / 6.0), 1.0, 1.2};   /* the first: no pressure */
+        const double lengths[3] = {pow(2.0 * a12 / a6, 1.0 / 6.0), 1.0, 1.2}; /* the first: no pressure */
         for (int j = 0; j < 3; ++j) {
             const double r = lengths[j];
             experiment e;
@@ -226,7 +226,7 @@ START_TEST(test_close_packed_crystals)
             close_experiment(&e);
         }
     }
-    ck_assert_double_lt(ground[1], ground[0]);   /* hcp lies 0.00087 lower (0.01 %) */
+    ck_assert_double_lt(ground[1], ground[0]); /* hcp lies 0.00087 lower (0.01 %) */
     ck_assert_double_eq_tol(ground[1] - ground[0], -0.00087, 1e-4);
 }
 END_TEST
@@ -260,7 +260,7 @@ START_TEST(test_triangular_crystal)
         const double pressure_beyond = 4.0 * pi * density * density * (12.0 / 20.0 * c10 - 6.0 / 8.0 * c4);
         const double energy = 2.0 * (s12 * pow(r, -12.0) - s6 * pow(r, -6.0));
         const double pressure = 2.0 / sqrt(3.0) * (12.0 * s12 * pow(r, -14.0) - 6.0 * s6 * pow(r, -8.0));
-        ck_assert_double_eq_tol(thermo(&e, "pe") + energy_beyond, energy, 2e-6);   /* some tens of atoms of 4 * 24^-6 */
+        ck_assert_double_eq_tol(thermo(&e, "pe") + energy_beyond, energy, 2e-6); /* some tens of atoms of 4 * 24^-6 */
         ck_assert_double_eq_tol(thermo(&e, "press") + pressure_beyond, pressure, 2e-5);
         close_experiment(&e);
     }
@@ -288,7 +288,7 @@ START_TEST(test_momentum)
     static double x[3 * N_MIXED], v[3 * N_MIXED];
     static int32_t type[N_MIXED];
     static const char *const boundaries[] = {"p p p", "s s s"};
-    static const double edge[] = {5.0, 4.9};   /* without the sites on the upper faces in both */
+    static const double edge[] = {5.0, 4.9}; /* without the sites on the upper faces in both */
     for (int k = 0; k < 2; ++k) {
         double p[2][3], l[2][3];
         experiment e;
@@ -327,10 +327,10 @@ START_TEST(test_units_of_temperature)
     static const double avogadro = 6.02214076e23, boltzmann = 1.380649e-23, atm = 101325.0, bar = 1e5;
     static const struct {
         const char *units;
-        double velocity, pressure, tolerance;   /* their unit in SI */
+        double velocity, pressure, tolerance; /* their unit in SI */
     } systems[] = {
         {"lj", 0.0, 0.0, 1e-13},
-        {"real", 1e5, 101325.0, 3e-6},   /* LAMMPS's constants are those of CODATA 1998 to 2006 */
+        {"real", 1e5, 101325.0, 3e-6}, /* LAMMPS's constants are those of CODATA 1998 to 2006 */
         {"metal", 1e2, 1e5, 3e-6},
     };
     ck_assert_double_eq(systems[1].pressure, atm);
@@ -354,7 +354,7 @@ START_TEST(test_units_of_temperature)
             need(&e, hs_simulation_set_velocities(e.simulation, HS_ORDER_ID, N, v));
             const double n_dof = dimension * (N - 1),
                          volume = dimension == 2 ? length * length : length * length * length;
-            const double k_b = k == 0 ? 1.0 : boltzmann * avogadro * 1e3;   /* masses are in g/mol */
+            const double k_b = k == 0 ? 1.0 : boltzmann * avogadro * 1e3; /* masses are in g/mol */
             const double temperature = mv2 / (n_dof * k_b);
             const double pressure = k == 0 ? mv2 / (dimension * volume)
                                            : mv2 / (1e3 * avogadro) /

@@ -1,5 +1,5 @@
 /* The public C API, used as an outside program uses it. */
-#define _GNU_SOURCE   /* fopencookie, memmem */
+#define _GNU_SOURCE /* fopencookie, memmem */
 #include <halfshell/halfshell.h>
 #include <math.h>
 #include <stdlib.h>
@@ -82,12 +82,12 @@ START_TEST(test_options)
     hs_simulation_destroy(&simulation);
 
     options = (hs_simulation_options)HS_SIMULATION_OPTIONS_INIT;
-    options.size += 8;   /* a program built against a later version with a setting unknown here */
+    options.size += 8; /* a program built against a later version with a setting unknown here */
     ck_assert_int_eq(hs_simulation_create(&simulation, &options), HS_CODE_INPUT);
     expect(simulation, HS_CODE_INPUT, HS_CODE_INPUT, "size");
     hs_simulation_destroy(&simulation);
 
-    options.size = offsetof(hs_simulation_options, screen);   /* and one built against an earlier version */
+    options.size = offsetof(hs_simulation_options, screen); /* and one built against an earlier version */
     options.neighbor_method = "nsq";
     options.n_threads = 2;
     simulation = create(&options);
@@ -108,13 +108,13 @@ START_TEST(test_thermo)
     need(simulation, hs_simulation_thermo(simulation, "etotal", &total));
     need(simulation, hs_simulation_thermo(simulation, "lx", &x_edge));
     ck_assert_double_eq_tol(temperature, 1.44, 1e-12);
-    ck_assert_double_eq_tol(energy, -6.7733681, 5e-8);   /* the perfect crystal, whatever its size */
+    ck_assert_double_eq_tol(energy, -6.7733681, 5e-8); /* the perfect crystal, whatever its size */
     ck_assert_double_eq_tol(x_edge, 4.0 * cbrt(4.0 / 0.8442), 1e-12);
     ck_assert_double_eq_tol(total, energy + 1.5 * temperature * (N_ATOMS - 1) / N_ATOMS, 1e-12);
     need(simulation, hs_simulation_run(simulation, 50));
     ck_assert_int_eq(hs_simulation_step(simulation), 50);
     need(simulation, hs_simulation_thermo(simulation, "etotal", &total_later));
-    ck_assert_double_eq_tol(total_later, total, 0.02);   /* dt = 0.005 and a cutoff without shift */
+    ck_assert_double_eq_tol(total_later, total, 0.02); /* dt = 0.005 and a cutoff without shift */
     expect(simulation, hs_simulation_thermo(simulation, "tmep", &energy), HS_CODE_INPUT, "'temp'");
     double lo[3], hi[3];
     int periodic[3];
@@ -154,7 +154,7 @@ START_TEST(test_arrays)
         sum_f += f[3 * i], sum_v += v[3 * i];
         largest_f = fmax(largest_f, fabs(f[3 * i]));
     }
-    ck_assert_int_gt(n_moved, 0);   /* else the two orders were not told apart */
+    ck_assert_int_gt(n_moved, 0); /* else the two orders were not told apart */
     ck_assert_double_gt(largest_f, 1.0);
     ck_assert_double_eq_tol(sum_f, 0.0, 1e-10);
     ck_assert_double_eq_tol(sum_v, 0.0, 1e-10);
@@ -177,7 +177,7 @@ START_TEST(test_reversal)
     need(simulation, hs_simulation_run(simulation, 40));
     need(simulation, hs_simulation_get_unwrapped(simulation, HS_ORDER_ID, N_ATOMS, end));
     for (int i = 0; i < 3 * N_ATOMS; ++i)
-        ck_assert_double_eq_tol(end[i], start[i], 1e-9);   /* rounding, grown e-fold some five times in 80 steps */
+        ck_assert_double_eq_tol(end[i], start[i], 1e-9); /* rounding, grown e-fold some five times in 80 steps */
     hs_simulation_destroy(&simulation);
 }
 END_TEST
@@ -190,7 +190,7 @@ START_TEST(test_set_positions)
     need(simulation, hs_simulation_thermo(simulation, "pe", &before));
     need(simulation, hs_simulation_box(simulation, lo, hi, NULL));
     need(simulation, hs_simulation_get_positions(simulation, HS_ORDER_ID, N_ATOMS, x));
-    for (int i = 0; i < N_ATOMS; ++i) x[3 * i] += 7.25 * (hi[0] - lo[0]);   /* a translation changes no energy */
+    for (int i = 0; i < N_ATOMS; ++i) x[3 * i] += 7.25 * (hi[0] - lo[0]); /* a translation changes no energy */
     need(simulation, hs_simulation_set_positions(simulation, HS_ORDER_ID, N_ATOMS, x));
     need(simulation, hs_simulation_thermo(simulation, "pe", &after));
     ck_assert_double_eq_tol(after, before, 1e-9);
@@ -241,11 +241,12 @@ START_TEST(test_variables_and_errors)
     need(simulation, hs_simulation_get_variable(simulation, "b", &value));
     ck_assert_double_eq(value, 7.0);
     expect(simulation, hs_simulation_get_variable(simulation, "no_such", &value), HS_CODE_INPUT, "no_such");
-    expect(simulation, hs_simulation_deck_text(simulation, "units lj\n\natom_stile atomic\n"), HS_CODE_INPUT, ":3: error: ");
+    expect(simulation, hs_simulation_deck_text(simulation, "units lj\n\natom_stile atomic\n"), HS_CODE_INPUT,
+           ":3: error: ");
     expect(simulation, HS_CODE_INPUT, HS_CODE_INPUT, "atom_style");
     expect(simulation, hs_simulation_command(simulation, "unitts lj"), HS_CODE_INPUT, "units");
     expect(simulation, hs_simulation_deck_file(simulation, "/no/such/deck.in"), HS_CODE_INPUT, "/no/such/deck.in");
-    need(simulation, hs_simulation_deck_text(simulation, melt));   /* errors leave the simulation usable */
+    need(simulation, hs_simulation_deck_text(simulation, melt)); /* errors leave the simulation usable */
     expect(simulation, hs_simulation_run(simulation, -1), HS_CODE_INPUT, "run");
     need(simulation, hs_simulation_run(simulation, 1));
     hs_simulation_destroy(&simulation);

@@ -36,9 +36,16 @@ START_TEST(test_wrap_keeps_the_place)
     const double boxes[][2] = {{0, 10}, {-5, 5}, {0.1, 1.7}, {1e-17, 1}, {-1.0 / 3, 7.0 / 9}, {-1e6, 1e6 + 0.1}};
     for (size_t k = 0; k < sizeof boxes / sizeof boxes[0]; ++k) {
         const double lo = boxes[k][0], hi = boxes[k][1], length = hi - lo;
-        const double places[] = {lo, hi, lo - 1e-18, nextafter(lo, -INFINITY), nextafter(lo, INFINITY),
-                                 nextafter(hi, -INFINITY), nextafter(hi, INFINITY), lo - 0.3 * length,
-                                 hi + 0.3 * length, 0.5 * lo + 0.5 * hi};
+        const double places[] = {lo,
+                                 hi,
+                                 lo - 1e-18,
+                                 nextafter(lo, -INFINITY),
+                                 nextafter(lo, INFINITY),
+                                 nextafter(hi, -INFINITY),
+                                 nextafter(hi, INFINITY),
+                                 lo - 0.3 * length,
+                                 hi + 0.3 * length,
+                                 0.5 * lo + 0.5 * hi};
         for (size_t i = 0; i < sizeof places / sizeof places[0]; ++i) check_wrap(lo, hi, places[i]);
     }
 }

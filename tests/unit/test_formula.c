@@ -60,8 +60,19 @@ END_TEST
 START_TEST(numbers_and_constants)
 {
     static const char *const cases[][2] = {
-        {"1.5e3", "1500"}, {".5", "0.5"}, {"1E-3", "0.001"}, {"1e+2", "100"}, {"3.", "3"}, {"PI", "3.1415926535897931"},
-        {"version", "20210929"}, {"yes", "1"}, {"no", "0"}, {"on", "1"}, {"off", "0"}, {"true", "1"}, {"false", "0"},
+        {"1.5e3", "1500"},
+        {".5", "0.5"},
+        {"1E-3", "0.001"},
+        {"1e+2", "100"},
+        {"3.", "3"},
+        {"PI", "3.1415926535897931"},
+        {"version", "20210929"},
+        {"yes", "1"},
+        {"no", "0"},
+        {"on", "1"},
+        {"off", "0"},
+        {"true", "1"},
+        {"false", "0"},
     };
     CHECK_TABLE(cases);
 }
@@ -103,8 +114,10 @@ START_TEST(random_numbers_are_those_of_lammps)
 {
     /* The seeds after the first call's have no effect: one generator serves all formulas of a deck. */
     static const char *const cases[][2] = {
-        {"random(0,1,12345)", "0.86995309591293335"}, {"random(0,1,999)", "0.010425925254821777"},
-        {"normal(0,1,7)", "-0.22060725448637514"}, {"random(2,5,3)", "3.9327452778816223"},
+        {"random(0,1,12345)", "0.86995309591293335"},
+        {"random(0,1,999)", "0.010425925254821777"},
+        {"normal(0,1,7)", "-0.22060725448637514"},
+        {"random(2,5,3)", "3.9327452778816223"},
     };
     CHECK_TABLE(cases);
 }
@@ -117,7 +130,10 @@ START_TEST(functions_of_time)
     static const char *const formulas[] = {"stagger(100,10)",   "logfreq(10,3,10)",
                                            "logfreq2(1,7,2)",   "logfreq3(1,10,1000)",
                                            "stride(30,777,10)", "stride2(10,1000,100,200,300,10)"};
-    static const struct { int step; const char *values[6]; } cases[] = {
+    static const struct {
+        int step;
+        const char *values[6];
+    } cases[] = {
         {0, {"10", "10", "1", "1", "30", "10"}},
         {5, {"10", "10", "6", "11", "30", "10"}},
         {10, {"100", "20", "11", "11", "30", "110"}},
@@ -256,7 +272,9 @@ END_TEST
 
 START_TEST(conditions_of_if)
 {
-    static const struct { const char *text; bool holds;
+    static const struct {
+        const char *text;
+        bool holds;
     } cases[] = {
         {"1", true},
         {"0.0", false},

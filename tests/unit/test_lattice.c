@@ -61,7 +61,7 @@ START_TEST(test_spacing)
 {
     hs_lattice lattice;
     make(&lattice, "fcc", 0.8442, true, 3);
-    ck_assert(lattice.spacing[0] == 1.6795961913825073);   /* lmp, bench deck in.lj */
+    ck_assert(lattice.spacing[0] == 1.6795961913825073); /* lmp, bench deck in.lj */
     hs_lattice_fini(&lattice);
     make(&lattice, "hcp", 2.0, false, 3);
     ck_assert_double_eq_tol(lattice.spacing[1], 2.0 * sqrt(3.0), 1e-15);
@@ -84,7 +84,7 @@ START_TEST(test_orientation)
     ck_assert_hs_ok(hs_lattice_finish(&lattice, &size, &err), err);
     ck_assert_double_eq_tol(lattice.spacing[0], sqrt(2.0), 1e-15);
     double x[3];
-    hs_lattice_site(&lattice, 1, 1, 0, 0, x);   /* [110] becomes x */
+    hs_lattice_site(&lattice, 1, 1, 0, 0, x); /* [110] becomes x */
     ck_assert_double_eq_tol(x[0], sqrt(2.0), 1e-15);
     ck_assert_double_eq_tol(x[1], 0.0, 1e-15);
     hs_lattice_fini(&lattice);

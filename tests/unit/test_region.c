@@ -87,9 +87,9 @@ START_TEST(test_units)
     ck_assert(r->extent[0][1] == 2.0 && r->extent[1][1] == 3.0 && r->extent[2][1] == 4.0);
     const hs_region *b = must_define("b block 0 1 0 1 0 1 units box side in");
     ck_assert(b->extent[1][1] == 1.0);
-    const hs_region *c = must_define("c cylinder x 1 1 1 0 1");   /* radius in units of y */
+    const hs_region *c = must_define("c cylinder x 1 1 1 0 1"); /* radius in units of y */
     ck_assert(holds(c, 0, 3, 7) && !holds(c, 0, 3, 7.1) && holds(c, 2, 3, 4) && !holds(c, 2.1, 3, 4));
-    const hs_region *d = must_define("d cylinder z 1 1 1 0 1");   /* of x */
+    const hs_region *d = must_define("d cylinder z 1 1 1 0 1"); /* of x */
     ck_assert(holds(d, 4, 3, 0) && !holds(d, 4.1, 3, 0));
     const hs_region *s = must_define("e sphere 0 0 0 1");
     ck_assert(holds(s, 0, 0, 2) && !holds(s, 0, 0, 2.1));
