@@ -24,6 +24,8 @@ HS_MUST_USE hs_status hs_memory_strdup(char **copy, const char *text, hs_error *
 /** Resident memory of this process now and at its peak, bytes; 0 when the system does not tell. */
 size_t hs_memory_resident(void);
 size_t hs_memory_resident_peak(void);
+/** Memory of this machine, bytes; 0 when the system does not tell. */
+size_t hs_memory_physical(void);
 
 #define HS_ALLOC(pointer, n, err) hs_memory_alloc((void **)&(pointer), (n), sizeof *(pointer), (err))
 #define HS_GROW(pointer, n_keep, n_new, err)                                                                           \

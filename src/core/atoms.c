@@ -72,13 +72,27 @@ static hs_status resize(hs_atoms *atoms, int capacity_local, int capacity_halo, 
     return HS_OK;
 }
 
-hs_status hs_atoms_reserve(hs_atoms *atoms, int64_t n_local, int64_t n_halo, hs_error *err)
+hs_status hs_atoms_check_room(const hs_atoms *atoms, int64_t n_local, int64_t n_halo, hs_error *err)
 {
-    if (n_local <= atoms->capacity_local && n_halo <= atoms->capacity_halo) return HS_OK;
+    const double gibibyte = 1024.0 * 1024.0 * 1024.0, memory_bytes = (double)hs_memory_physical();
     const int64_t limit = INT32_C(1) << 30;
     if (n_local > limit || n_halo > limit)
         return hs_fail(err, HS_ERROR_RUN, "%lld atoms on one rank are more than the %lld it can hold; use more ranks",
                        (long long)(n_local > n_halo ? n_local : n_halo), (long long)limit);
+    double bytes = 0.0;
+    for (int k = 0; k < atoms->n_fields; ++k)
+        bytes += (double)atoms->field[k].size * (double)(n_local + (atoms->field[k].has_halo ? n_halo : 0));
+    /* Systems promise more memory than they have, and end the process (or another one) when it is used. */
+    if (memory_bytes > 0.0 && bytes > memory_bytes)
+        return hs_fail(err, HS_ERROR_MEMORY, "%lld atoms need %.1f GiB of memory at least; this machine has %.1f GiB",
+                       (long long)n_local, bytes / gibibyte, memory_bytes / gibibyte);
+    return HS_OK;
+}
+
+hs_status hs_atoms_reserve(hs_atoms *atoms, int64_t n_local, int64_t n_halo, hs_error *err)
+{
+    if (n_local <= atoms->capacity_local && n_halo <= atoms->capacity_halo) return HS_OK;
+    HS_TRY(hs_atoms_check_room(atoms, n_local, n_halo, err));
     if (n_local < atoms->capacity_local) n_local = atoms->capacity_local;
     if (n_halo < atoms->capacity_halo) n_halo = atoms->capacity_halo;
     return resize(atoms, (int)n_local, (int)n_halo, err);

@@ -48,6 +48,8 @@ HS_MUST_USE hs_status hs_atoms_init(hs_atoms *atoms, hs_error *err);
 void hs_atoms_fini(hs_atoms *atoms);
 /** Number of types and the mass table; called once, when the box is made. */
 HS_MUST_USE hs_status hs_atoms_set_types(hs_atoms *atoms, int n_types, hs_error *err);
+/** An error when one rank cannot hold so many atoms, or they need more memory than the machine has. Changes nothing. */
+HS_MUST_USE hs_status hs_atoms_check_room(const hs_atoms *atoms, int64_t n_local, int64_t n_halo, hs_error *err);
 /** Make room for at least that many local and halo atoms in all; keeps what is there. */
 HS_MUST_USE hs_status hs_atoms_reserve(hs_atoms *atoms, int64_t n_local, int64_t n_halo, hs_error *err);
 /** Append a local atom at rest, in group all, image 0, all extra fields zero. Room grows by itself. */

@@ -241,6 +241,11 @@ static void to_lattice(const hs_lattice *lattice, const double x[3], double u[3]
     }
 }
 
+double hs_lattice_density(const hs_lattice *lattice, int dimension)
+{
+    return lattice->n_basis / (cell_volume(lattice) * pow(lattice->scale, dimension));
+}
+
 hs_status hs_lattice_range(const hs_lattice *lattice, const double box_lo[3], const double box_hi[3], int lo[3],
                            int hi[3], hs_error *err)
 {

@@ -46,6 +46,8 @@ bool hs_lattice_fits_dimension(const char *style, int dimension);
 /** Place of site (i, j, k, basis b): distance units.  The order of operations is part of the contract: it decides the
  *  bits of the coordinates, from which `velocity ... loop geom` draws its numbers. */
 void hs_lattice_site(const hs_lattice *lattice, int i, int j, int k, int b, double x[3]);
+/** Sites per volume; in 2D per area. */
+double hs_lattice_density(const hs_lattice *lattice, int dimension);
 /** Range of cells [lo, hi] per axis that can have sites within the box lo..hi; an error when there are more cells along
  *  an axis than can be counted. */
 HS_MUST_USE hs_status hs_lattice_range(const hs_lattice *lattice, const double box_lo[3], const double box_hi[3],

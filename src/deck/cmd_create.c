@@ -1,4 +1,5 @@
 /* Commands that make atoms: create_atoms, mass. */
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -231,18 +232,32 @@ static hs_status test_place(const creation *c, const double x[3], bool *is_wante
     return HS_OK;
 }
 
+static hs_status stop_if_asked(const creation *c, hs_error *err)
+{
+    if (c->sim->stop_requested == NULL || !*c->sim->stop_requested) return HS_OK;
+    return hs_fail(err, HS_INTERRUPTED, "stopped by a signal while atoms were created");
+}
+
 /** Go through the sites in LAMMPS's order: the third cell index slowest, then the second, the first, the basis.
  *  @param mark     create atoms where mark[number of the site] is not 0; NULL: everywhere
  *  @param n_sites  if not NULL: count sites, create nothing */
 static hs_status visit_sites(creation *c, const unsigned char *mark, int64_t *n_sites, hs_error *err)
 {
     const hs_lattice *lattice = &c->sim->lattice;
+    double from[3], to[3];
     int lo[3], hi[3];
     int64_t n = 0;
-    HS_TRY(hs_lattice_range(lattice, c->lo, c->hi, lo, hi, err));
+    for (int axis = 0; axis < 3; ++axis) { /* no need to look where the region is not */
+        const bool is_bounded = c->region != NULL && c->region->has_extent;
+        from[axis] = is_bounded ? fmax(c->lo[axis], c->region->extent[axis][0]) : c->lo[axis];
+        to[axis] = is_bounded ? fmin(c->hi[axis], c->region->extent[axis][1]) : c->hi[axis];
+        if (from[axis] > to[axis]) to[axis] = from[axis];
+    }
+    HS_TRY(hs_lattice_range(lattice, from, to, lo, hi, err));
     for (int k = lo[2]; k <= hi[2]; ++k)
         for (int j = lo[1]; j <= hi[1]; ++j)
-            for (int i = lo[0]; i <= hi[0]; ++i)
+            for (int i = lo[0]; i <= hi[0]; ++i) {
+                HS_TRY(stop_if_asked(c, err));
                 for (int b = 0; b < lattice->n_basis; ++b) {
                     double x[3];
                     bool is_wanted;
@@ -253,12 +268,26 @@ static hs_status visit_sites(creation *c, const unsigned char *mark, int64_t *n_
                     const int64_t site = n++;
                     if (n_sites == NULL && (mark == NULL || mark[site])) HS_TRY(add_atom(c, c->basis_type[b], x, err));
                 }
+            }
     if (n_sites != NULL) *n_sites = n;
     return HS_OK;
 }
 
+/** A box that is to be filled as a whole tells beforehand whether its atoms find room. */
+static hs_status check_room(const creation *c, hs_error *err)
+{
+    const hs_box *box = &c->sim->box;
+    if (c->region != NULL || c->test != NULL || c->ratio >= 0.0 || c->n_subset >= 0) return HS_OK;
+    const double n_sites = hs_lattice_density(&c->sim->lattice, box->dimension) * hs_box_volume(box),
+                 n_local = n_sites / c->sim->parallel.n_ranks;
+    if (n_local < 1e18) return hs_atoms_check_room(&c->sim->atoms, (int64_t)n_local, 0, err);
+    return hs_fail(err, HS_ERROR_INPUT, "create_atoms: the box has some %.0e lattice sites; is it in the right units?",
+                   n_sites);
+}
+
 static hs_status create_on_lattice(creation *c, hs_error *err)
 {
+    HS_TRY(check_room(c, err));
     if (c->ratio < 0.0 && c->n_subset < 0) return visit_sites(c, NULL, NULL, err);
     int64_t n_sites;
     HS_TRY(visit_sites(c, NULL, &n_sites, err));
@@ -314,9 +343,11 @@ static hs_status create_random(creation *c, hs_error *err)
     double lo[3], hi[3];
     hs_park park;
     HS_TRY(random_range(c, lo, hi, err));
+    HS_TRY(hs_atoms_check_room(&c->sim->atoms, c->n_random / c->sim->parallel.n_ranks, 0, err));
     hs_park_init(&park, c->seed);
     for (int n = 0; n < N_WARM_UP; ++n) (void)hs_park_uniform(&park);
     for (int64_t n = 0; n < c->n_random; ++n) {
+        HS_TRY(stop_if_asked(c, err));
         bool is_wanted = false;
         double x[3];
         for (int try = 0; !is_wanted; ++try) {
