@@ -207,6 +207,17 @@ static hs_status make_row(hs_thermo *thermo, hs_text *line, hs_error *err)
     return HS_OK;
 }
 
+/** A full disk is told at the row that meets it, not when the run is over. Collective. */
+static hs_status check_written(const hs_thermo *thermo, hs_error *err)
+{
+    const hs_sink *out = thermo->sim->env.out;
+    const char *what = out->log != NULL && ferror(out->log)         ? "log file"
+                       : out->screen != NULL && ferror(out->screen) ? "screen output"
+                                                                    : NULL;
+    if (what != NULL) (void)hs_fail(err, HS_ERROR_IO, "the %s could not be written in full; is the disk full?", what);
+    return hs_parallel_agree(&thermo->sim->parallel, err);
+}
+
 hs_status hs_thermo_row(hs_thermo *thermo, hs_error *err)
 {
     hs_text line = {0};
@@ -223,5 +234,6 @@ hs_status hs_thermo_row(hs_thermo *thermo, hs_error *err)
     HS_TRY(status);
     if (thermo->flush && out->log != NULL) fflush(out->log);
     if (thermo->flush && out->screen != NULL) fflush(out->screen);
+    HS_TRY(check_written(thermo, err));
     return find_next_due(thermo, err);
 }
