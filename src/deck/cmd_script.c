@@ -42,8 +42,10 @@ static hs_status log_run(hs_deck *deck, const hs_args *args, hs_error *err)
     if (deck->options.dry_run) return HS_OK;
     const hs_parallel *parallel = &deck->sim->parallel;
     const bool is_append = args->n == 2;
-    hs_deck_close_log(deck);
+    if (!hs_deck_close_log(deck))
+        (void)hs_fail(err, HS_ERROR_IO, "log: the log file before could not be written in full; is the disk full?");
     deck->out->log = NULL;
+    HS_TRY(hs_parallel_agree(parallel, err));
     if (strcmp(args->word[0], "none") == 0) return HS_OK;
     if (parallel->rank == 0) {
         deck->log_opened = fopen(args->word[0], is_append ? "a" : "w");

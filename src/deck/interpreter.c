@@ -53,12 +53,13 @@ hs_status hs_deck_clear(hs_deck *deck, hs_error *err)
     return HS_OK;
 }
 
-void hs_deck_close_log(hs_deck *deck)
+bool hs_deck_close_log(hs_deck *deck)
 {
-    if (deck->log_opened == NULL) return;
+    if (deck->log_opened == NULL) return true;
     if (deck->out->log == deck->log_opened) deck->out->log = NULL;
-    fclose(deck->log_opened);
+    const bool was_written = !ferror(deck->log_opened), is_closed = fclose(deck->log_opened) == 0;
     deck->log_opened = NULL;
+    return was_written && is_closed;
 }
 
 void hs_deck_destroy(hs_deck **deck)
@@ -67,7 +68,7 @@ void hs_deck_destroy(hs_deck **deck)
     while ((*deck)->source != NULL) hs_source_pop(*deck);
     hs_sim_destroy(&(*deck)->sim);
     hs_variables_destroy(&(*deck)->variables);
-    hs_deck_close_log(*deck);
+    (void)hs_deck_close_log(*deck); /* whoever wants to know has flushed it before */
     hs_text_fini(&(*deck)->input);
     HS_FREE((*deck)->label_wanted);
     HS_FREE(*deck);

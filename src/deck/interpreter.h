@@ -6,8 +6,8 @@
 
 /** The command `clear`: a new, empty simulation; variables, log and echo stay (collective). */
 HS_MUST_USE hs_status hs_deck_clear(hs_deck *deck, hs_error *err);
-/** Close the log file that the deck or -log opened, if there is one. */
-void hs_deck_close_log(hs_deck *deck);
+/** Close the log file that the deck or -log opened, if there is one; false when not all of it could be written. */
+bool hs_deck_close_log(hs_deck *deck);
 /** Replace bytes that do no good on a terminal (control characters, broken UTF-8) by '?'. */
 void hs_deck_make_printable(char *text);
 
