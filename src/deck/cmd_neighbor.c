@@ -57,7 +57,8 @@ static hs_status exclude(hs_sim *sim, const hs_args *args, int i, int *n_used, h
         return add_exclusion(sim, (hs_exclusion){HS_EXCLUDE_GROUP, a, b}, err);
     }
     if (kind > 2)
-        return hs_fail(err, HS_ERROR_INPUT, "neigh_modify: 'exclude %s' needs molecules, which atom_style atomic does not have",
+        return hs_fail(err, HS_ERROR_INPUT,
+                       "neigh_modify: 'exclude %s' needs molecules, which atom_style atomic does not have",
                        kinds[kind]);
     *n_used = 2;
     HS_FREE(sim->neighbor.settings.exclusion);
@@ -80,9 +81,10 @@ static hs_status modify_word(hs_sim *sim, const hs_args *args, int i, int *n_use
     if (strcmp(keyword, "cluster") == 0) return hs_arg_bool(args, i + 1, &flag, err);
     if (strcmp(keyword, "include") == 0) {
         if (strcmp(args->word[i + 1], "all") == 0) return HS_OK;
-        return hs_fail(err, HS_ERROR_INPUT, "neigh_modify: 'include %s' is not supported; only 'include all' is", args->word[i + 1]);
+        return hs_fail(err, HS_ERROR_INPUT, "neigh_modify: 'include %s' is not supported; only 'include all' is",
+                       args->word[i + 1]);
     }
-    return hs_arg_int(args, i + 1, 1, INT64_MAX, &ignored, err);   /* page, one */
+    return hs_arg_int(args, i + 1, 1, INT64_MAX, &ignored, err); /* page, one */
 }
 
 static hs_status run_neigh_modify(hs_deck *deck, const hs_args *args, hs_error *err)
@@ -99,7 +101,8 @@ static hs_status run_neigh_modify(hs_deck *deck, const hs_args *args, hs_error *
 
 static const hs_keyword method_keywords[] = {
     {"pairs", 1, "scheduled|exact",
-     "`scheduled` (default): count the pairs that LAMMPS's lists hold under neigh_modify's schedule; `exact`: every pair within "
+     "`scheduled` (default): count the pairs that LAMMPS's lists hold under neigh_modify's schedule; `exact`: every "
+     "pair within "
      "the cutoff at every step"},
     {0},
 };
@@ -125,7 +128,7 @@ static hs_status check_neighbor_method(const hs_args *args, bool has_variables, 
 static hs_status run_precision(hs_deck *deck, const hs_args *args, hs_error *err)
 {
     const char *from_command_line = deck->sim->options.precision;
-    deck->sim->is_initialized = false;   /* lists are padded for the kernels of one precision */
+    deck->sim->is_initialized = false; /* lists are padded for the kernels of one precision */
     HS_TRY(hs_precision_get(args->word[0], &deck->sim->precision, err));
     return from_command_line[0] != '\0' ? hs_precision_get(from_command_line, &deck->sim->precision, err) : HS_OK;
 }
@@ -164,38 +167,45 @@ static hs_status run_comm_style(hs_deck *deck, const hs_args *args, hs_error *er
 }
 
 const hs_command hs_commands_neighbor[] = {
-    {.about = {.name = "neighbor",
-               .syntax = {.usage = "<skin> bin|nsq|multi", .n_min = 2, .n_max = 2},
-               .summary = "the skin: how far beyond the cutoff pairs are listed",
-               .details = "Skin in distance units; default 0.3 in lj, 2.0 in real and metal units. The second word is accepted as "
-                          "in LAMMPS; how Halfshell searches is chosen by `neighbor_method`.",
-               .example = "neighbor 0.3 bin"},
+    {.about =
+         {.name = "neighbor",
+          .syntax = {.usage = "<skin> bin|nsq|multi", .n_min = 2, .n_max = 2},
+          .summary = "the skin: how far beyond the cutoff pairs are listed",
+          .details =
+              "Skin in distance units; default 0.3 in lj, 2.0 in real and metal units. The second word is accepted as "
+              "in LAMMPS; how Halfshell searches is chosen by `neighbor_method`.",
+          .example = "neighbor 0.3 bin"},
      .run = run_neighbor},
-    {.about = {.name = "neigh_modify",
-               .syntax = {.usage = "<keyword> <value> ...", .n_min = 0, .n_max = 0, .keywords = modify_keywords},
-               .summary = "when neighbor lists are built, and which pairs are left out",
-               .details = "Repeated commands add up. Halfshell keeps LAMMPS's schedule: with `check no` or a long `delay`, pairs "
-                          "that come within the cutoff between two builds without having been listed are not counted, exactly as "
-                          "in LAMMPS, so that thermo tables agree digit by digit; a warning at the end of the run tells when that "
-                          "happened. `neighbor_method ... pairs exact` counts every pair at every step.",
-               .example = "neigh_modify delay 0 every 1 check yes\nneigh_modify exclude type 2 2"},
+    {.about =
+         {.name = "neigh_modify",
+          .syntax = {.usage = "<keyword> <value> ...", .n_min = 0, .n_max = 0, .keywords = modify_keywords},
+          .summary = "when neighbor lists are built, and which pairs are left out",
+          .details =
+              "Repeated commands add up. Halfshell keeps LAMMPS's schedule: with `check no` or a long `delay`, pairs "
+              "that come within the cutoff between two builds without having been listed are not counted, exactly as "
+              "in LAMMPS, so that thermo tables agree digit by digit; a warning at the end of the run tells when that "
+              "happened. `neighbor_method ... pairs exact` counts every pair at every step.",
+          .example = "neigh_modify delay 0 every 1 check yes\nneigh_modify exclude type 2 2"},
      .run = run_neigh_modify},
-    {.about = {.name = "neighbor_method",
-               .syntax = {.usage = "<method> [pairs scheduled|exact]", .n_min = 1, .n_max = 1, .keywords = method_keywords},
-               .summary = "how pairs are found (Halfshell's own command)",
-               .details = "Methods give the same forces to rounding: `nsq` is the double loop, `cell` sorts atoms into "
-                          "Morton-ordered cells at every step, `verlet` keeps a list of the neighbors of each "
-                          "atom, `cluster` (default) lists of pairs of four-atom clusters. The command line's `-neigh` wins over the deck.",
-               .example = "neighbor_method cell\nneighbor_method cluster pairs exact"},
+    {.about =
+         {.name = "neighbor_method",
+          .syntax = {.usage = "<method> [pairs scheduled|exact]", .n_min = 1, .n_max = 1, .keywords = method_keywords},
+          .summary = "how pairs are found (Halfshell's own command)",
+          .details = "Methods give the same forces to rounding: `nsq` is the double loop, `cell` sorts atoms into "
+                     "Morton-ordered cells at every step, `verlet` keeps a list of the neighbors of each "
+                     "atom, `cluster` (default) lists of pairs of four-atom clusters. The command line's `-neigh` wins "
+                     "over the deck.",
+          .example = "neighbor_method cell\nneighbor_method cluster pairs exact"},
      .run = run_neighbor_method,
      .check = check_neighbor_method},
     {.about = {.name = "precision",
                .syntax = {.usage = "double|mixed", .n_min = 1, .n_max = 1},
                .summary = "precision of the pair forces (Halfshell's own command)",
-               .details = "`double` (default) computes everything in double precision. `mixed` computes pairs in single "
-                          "precision from coordinates relative to their neighbors, and adds forces, energies and virials in "
-                          "double; positions and velocities stay double. Forces then differ by about 1e-6 of their size. The "
-                          "command line's `-precision` wins over the deck. Method `nsq` always computes in double.",
+               .details =
+                   "`double` (default) computes everything in double precision. `mixed` computes pairs in single "
+                   "precision from coordinates relative to their neighbors, and adds forces, energies and virials in "
+                   "double; positions and velocities stay double. Forces then differ by about 1e-6 of their size. The "
+                   "command line's `-precision` wins over the deck. Method `nsq` always computes in double.",
                .example = "precision mixed"},
      .run = run_precision,
      .check = check_precision},

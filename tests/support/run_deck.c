@@ -10,8 +10,8 @@ char *hs_test_run_deck(const char *deck_text, hs_error *err)
     return hs_test_run_deck_with(deck_text, &options, NULL, NULL, err);
 }
 
-char *hs_test_run_deck_with(const char *deck_text, const hs_options *options, void (*at_end)(hs_deck *deck, void *context),
-                            void *context, hs_error *err)
+char *hs_test_run_deck_with(const char *deck_text, const hs_options *options,
+                            void (*at_end)(hs_deck *deck, void *context), void *context, hs_error *err)
 {
     char *log = NULL, *lines = strdup(deck_text), *rest = NULL;
     size_t size;
