@@ -6,6 +6,9 @@
 #include "base/memory.h"
 #include "parallel/parallel.h"
 
+/* Parts into which the atoms are cut to find those with images: many more than threads. */
+enum { N_PARTS = 64 };
+
 /** Which shifts an atom needs, per axis: it has images at shifts lo..hi box lengths that fall within reach. */
 typedef struct shift_range {
     int lo[3], hi[3];
@@ -89,6 +92,18 @@ static void list_images(const image_space *space, const hs_atoms *atoms, int64_t
     }
 }
 
+/** list_images for all parts of the local atoms. Atoms near lower faces, which have the images, stand together in the
+ *  arrays; parts handed out in turn give every thread its share of them. */
+static void list_parts(const image_space *space, const hs_atoms *atoms, int *next, int32_t *source)
+{
+#pragma omp parallel for schedule(static, 1)
+    for (int part = 0; part < N_PARTS; ++part) {
+        int64_t begin, end;
+        hs_thread_range(atoms->n_local, 1, part, N_PARTS, &begin, &end);
+        list_images(space, atoms, begin, end, next + (size_t)part * (size_t)space->n_directions, source);
+    }
+}
+
 static void set_directions(hs_halo *halo, const image_space *space)
 {
     const int *m = space->max_shift;
@@ -116,15 +131,15 @@ static hs_status reserve(hs_halo *halo, int64_t n, hs_error *err)
     return HS_OK;
 }
 
-/** Turn the counts of all threads into places: next[t * n_directions + d]. Directions in order, threads within. */
-static int64_t places_from_counts(hs_halo *halo, int *next, int n_threads)
+/** Turn the counts of all parts into places: next[part * n_directions + d]. Directions in order, parts within. */
+static int64_t places_from_counts(hs_halo *halo, int *next)
 {
     int64_t n = 0;
     for (int d = 0; d < halo->n_directions; ++d) {
         halo->direction[d].begin = (int)n;
-        for (int t = 0; t < n_threads; ++t) {
-            const int count = next[(size_t)t * (size_t)halo->n_directions + (size_t)d];
-            next[(size_t)t * (size_t)halo->n_directions + (size_t)d] = (int)n;
+        for (int part = 0; part < N_PARTS; ++part) {
+            const int count = next[(size_t)part * (size_t)halo->n_directions + (size_t)d];
+            next[(size_t)part * (size_t)halo->n_directions + (size_t)d] = (int)n;
             n += count;
         }
         halo->direction[d].end = (int)n;
@@ -143,28 +158,15 @@ hs_status hs_halo_build(hs_halo *halo, const hs_box *box, hs_atoms *atoms, doubl
     }
     set_directions(halo, &space);
 
-    const int n_threads = hs_threads_get();
     int *next;
-    HS_TRY(HS_ALLOC(next, (size_t)n_threads * (size_t)space.n_directions, err));
-#pragma omp parallel num_threads(n_threads)
-    {
-        int64_t begin, end;
-        const int t = hs_thread_number();
-        hs_thread_range(atoms->n_local, 1, t, n_threads, &begin, &end);
-        list_images(&space, atoms, begin, end, next + (size_t)t * (size_t)space.n_directions, NULL);
-    }
-    const int64_t n = places_from_counts(halo, next, n_threads);
+    HS_TRY(HS_ALLOC(next, (size_t)N_PARTS * (size_t)space.n_directions, err));
+    list_parts(&space, atoms, next, NULL);
+    const int64_t n = places_from_counts(halo, next);
     hs_status status = reserve(halo, n, err);
     if (status == HS_OK && n > atoms->capacity_halo)
         status = hs_atoms_reserve(atoms, atoms->n_local, n + n / 8 + 64, err);
     if (status == HS_OK) {
-#pragma omp parallel num_threads(n_threads)
-        {
-            int64_t begin, end;
-            const int t = hs_thread_number();
-            hs_thread_range(atoms->n_local, 1, t, n_threads, &begin, &end);
-            list_images(&space, atoms, begin, end, next + (size_t)t * (size_t)space.n_directions, halo->source);
-        }
+        list_parts(&space, atoms, next, halo->source);
         halo->n = (int)n;
         atoms->n_halo = (int)n;
         halo->generation = atoms->generation;
