@@ -25,6 +25,8 @@ typedef struct hs_deck {
     int depth;          /**< commands within commands (if, run every) being carried out */
     hs_text input;      /**< owned; standard input, read once for both passes */
     bool input_is_read;
+    hs_text pipe;    /**< owned; the same for a file that is a pipe */
+    char *pipe_name; /**< owned; name of that file, NULL: none was read */
 } hs_deck;
 
 /** New deck interpreter with an empty simulation. @p out is borrowed. */

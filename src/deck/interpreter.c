@@ -70,6 +70,8 @@ void hs_deck_destroy(hs_deck **deck)
     hs_variables_destroy(&(*deck)->variables);
     (void)hs_deck_close_log(*deck); /* whoever wants to know has flushed it before */
     hs_text_fini(&(*deck)->input);
+    hs_text_fini(&(*deck)->pipe);
+    HS_FREE((*deck)->pipe_name);
     HS_FREE((*deck)->label_wanted);
     HS_FREE(*deck);
 }

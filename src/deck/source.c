@@ -58,16 +58,47 @@ static hs_status share(const hs_parallel *parallel, hs_text *text, hs_error *err
     return HS_OK;
 }
 
+/** Rank 0 reads, all ranks get the text. */
+static hs_status read_shared(const hs_parallel *parallel, const char *file, hs_text *text, hs_error *err)
+{
+    if (parallel->rank == 0) {
+        const hs_status status = read_here(file, text, err);
+        (void)status; /* also in err, which the ranks agree on */
+    }
+    HS_TRY(hs_parallel_agree(parallel, err));
+    return parallel->n_ranks > 1 ? share(parallel, text, err) : HS_OK;
+}
+
+/** A file that can be read once only, as bash makes for `<(...)`. Collective. */
+static bool is_pipe(const hs_parallel *parallel, const char *file)
+{
+    struct stat info;
+    int64_t answer = parallel->rank == 0 && stat(file, &info) == 0 && S_ISFIFO(info.st_mode);
+    hs_parallel_sum_int64(parallel, &answer, 1);
+    return answer != 0;
+}
+
+/** Read a pipe for the first time, and keep what came out for the second pass. */
+static hs_status read_pipe(hs_deck *deck, const char *file, hs_text *text, hs_error *err)
+{
+    if (deck->pipe_name != NULL)
+        return hs_fail(err, HS_ERROR_INPUT, "the file '%.400s' is a pipe, and so was '%.400s': only one of them can be",
+                       file, deck->pipe_name);
+    HS_TRY(hs_memory_strdup(&deck->pipe_name, file, err));
+    HS_TRY(read_shared(&deck->sim->parallel, file, text, err));
+    return hs_text_append(&deck->pipe, hs_text_get(text), text->length, err);
+}
+
 hs_status hs_source_read(hs_deck *deck, const char *file, hs_text *text, hs_error *err)
 {
     const hs_parallel *parallel = &deck->sim->parallel;
     const bool is_input = file == NULL || strcmp(file, "-") == 0;
     if (is_input && deck->input_is_read)
         return hs_text_append(text, hs_text_get(&deck->input), deck->input.length, err);
-    hs_status status = parallel->rank == 0 ? read_here(file, text, err) : HS_OK;
-    status = hs_parallel_agree(parallel, err);
-    HS_TRY(status);
-    if (parallel->n_ranks > 1) HS_TRY(share(parallel, text, err));
+    if (!is_input && deck->pipe_name != NULL && strcmp(file, deck->pipe_name) == 0)
+        return hs_text_append(text, hs_text_get(&deck->pipe), deck->pipe.length, err);
+    if (!is_input && is_pipe(parallel, file)) return read_pipe(deck, file, text, err);
+    HS_TRY(read_shared(parallel, file, text, err));
     if (!is_input) return HS_OK;
     deck->input_is_read = true;
     return hs_text_append(&deck->input, hs_text_get(text), text->length, err);
