@@ -1,8 +1,9 @@
-/* Every deck of bad_decks.txt must be refused with exactly the message that stands there.
+/* Every deck of bad_decks*.txt must be refused with exactly the message that stands there.
  *
  * With HALFSHELL_PRINT_MESSAGES set, the table is printed with the messages of today: to be read, not just copied. */
 #define _GNU_SOURCE
 #include <ftw.h>
+#include <glob.h>
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>
@@ -13,18 +14,32 @@
 
 enum { N_MIN = 80 };
 
-static char *read_table(void)
+/** Append a file to text, after a newline. */
+static void append_file(hs_text *text, const char *path)
 {
-    FILE *stream = fopen(TEST_SOURCE_DIR "/deck/bad_decks.txt", "rb");
-    ck_assert_ptr_nonnull(stream);
-    ck_assert_int_eq(fseek(stream, 0, SEEK_END), 0);
-    long size = ftell(stream);
-    rewind(stream);
-    char *text = calloc(1, (size_t)size + 1);
-    ck_assert_ptr_nonnull(text);
-    ck_assert_uint_eq(fread(text, 1, (size_t)size, stream), (size_t)size);
+    hs_error err = {0};
+    FILE *stream = fopen(path, "rb");
+    ck_assert_msg(stream != NULL, "%s cannot be read", path);
+    char *line = NULL;
+    size_t room = 0;
+    ck_assert_int_eq(hs_text_printf(text, &err, "\n"), HS_OK);
+    while (getline(&line, &room, stream) >= 0) ck_assert_int_eq(hs_text_printf(text, &err, "%s", line), HS_OK);
+    free(line);
     fclose(stream);
-    return text;
+}
+
+/** All tables, one after the other; the caller frees it. */
+static char *read_tables(void)
+{
+    hs_text text = {0};
+    glob_t files;
+    ck_assert_int_eq(glob(TEST_SOURCE_DIR "/deck/bad_decks*.txt", 0, NULL, &files), 0);
+    for (size_t k = 0; k < files.gl_pathc; ++k) append_file(&text, files.gl_pathv[k]);
+    globfree(&files);
+    char *table = strdup(hs_text_get(&text));
+    ck_assert_ptr_nonnull(table);
+    hs_text_fini(&text);
+    return table;
 }
 
 static char folder[] = "/tmp/halfshell_bad_XXXXXX";
@@ -75,7 +90,7 @@ static char *write_file(const char *name, char *line)
     ck_assert_ptr_nonnull(stream);
     while (line != NULL && strncmp(line, "++ ", 3) != 0 && strncmp(line, "-> ", 3) != 0) {
         char *end = strchr(line, '\n');
-        ck_assert_msg(end != NULL, "bad_decks.txt ends within a deck");
+        ck_assert_msg(end != NULL, "a table ends within a deck");
         fprintf(stream, "%.*s\n", (int)(end - line), line);
         line = end + 1;
     }
@@ -85,7 +100,7 @@ static char *write_file(const char *name, char *line)
 
 START_TEST(every_deck_is_refused_with_its_message)
 {
-    char *table = read_table();
+    char *table = read_tables();
     const bool is_printing = getenv("HALFSHELL_PRINT_MESSAGES") != NULL;
     int n = 0, n_wrong = 0;
     hs_text message = {0};
