@@ -7,22 +7,21 @@ static hs_status create(hs_compute *compute, const hs_args *args, hs_error *err)
     return hs_syntax_check(&compute->style->about.syntax, args, false, err);
 }
 
-static void add_mv2(const hs_atoms *atoms, const void *context, int begin, int end, double *sums)
+static void add_mv2(const hs_atoms *atoms, const void *context, int begin, int end, hs_exact_sum *sums)
 {
     const uint32_t mask = *(const uint32_t *)context;
-    double sum = 0.0;
     for (int i = begin; i < end; ++i) {
         if (!(atoms->mask[i] & mask)) continue;
         const double vx = atoms->v[0][i], vy = atoms->v[1][i], vz = atoms->v[2][i];
-        sum += (vx * vx + vy * vy + vz * vz) * atoms->mass[atoms->type[i]];
+        hs_exact_add(&sums[0], (vx * vx + vy * vy + vz * vz) * atoms->mass[atoms->type[i]]);
     }
-    sums[0] += sum;
 }
 
 static hs_status scalar(hs_compute *compute, double *value, hs_error *err)
 {
     const hs_env *env = compute->env;
-    HS_TRY(hs_atom_sum(env->atoms, env->parallel, add_mv2, &compute->mask, 1, value, err));
+    (void)err;
+    hs_atom_sum(env->atoms, env->parallel, add_mv2, &compute->mask, 1, value);
     *value *= 0.5 * env->units->mvv2e;
     return HS_OK;
 }

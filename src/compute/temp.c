@@ -26,30 +26,24 @@ static hs_status init(hs_compute *compute, hs_error *err)
     return HS_OK;
 }
 
-static void add_mv2(const hs_atoms *atoms, const void *context, int begin, int end, double *sums)
+static void add_mv2(const hs_atoms *atoms, const void *context, int begin, int end, hs_exact_sum *sums)
 {
     const uint32_t mask = *(const uint32_t *)context;
-    double sum = 0.0;
     for (int i = begin; i < end; ++i) {
         if (!(atoms->mask[i] & mask)) continue;
         const double vx = atoms->v[0][i], vy = atoms->v[1][i], vz = atoms->v[2][i];
-        sum += (vx * vx + vy * vy + vz * vz) * atoms->mass[atoms->type[i]];
+        hs_exact_add(&sums[0], (vx * vx + vy * vy + vz * vz) * atoms->mass[atoms->type[i]]);
     }
-    sums[0] += sum;
 }
 
-static void add_tensor(const hs_atoms *atoms, const void *context, int begin, int end, double *sums)
+static void add_tensor(const hs_atoms *atoms, const void *context, int begin, int end, hs_exact_sum *sums)
 {
     const uint32_t mask = *(const uint32_t *)context;
     for (int i = begin; i < end; ++i) {
         if (!(atoms->mask[i] & mask)) continue;
         const double m = atoms->mass[atoms->type[i]], vx = atoms->v[0][i], vy = atoms->v[1][i], vz = atoms->v[2][i];
-        sums[0] += m * vx * vx;
-        sums[1] += m * vy * vy;
-        sums[2] += m * vz * vz;
-        sums[3] += m * vx * vy;
-        sums[4] += m * vx * vz;
-        sums[5] += m * vy * vz;
+        const double term[6] = {m * vx * vx, m * vy * vy, m * vz * vz, m * vx * vy, m * vx * vz, m * vy * vz};
+        for (int k = 0; k < 6; ++k) hs_exact_add(&sums[k], term[k]);
     }
 }
 
@@ -58,15 +52,16 @@ static hs_status scalar(hs_compute *compute, double *value, hs_error *err)
     const hs_env *env = compute->env;
     double sum;
     if (compute->n_dof < 0.0) HS_TRY(init(compute, err));
-    HS_TRY(hs_atom_sum(env->atoms, env->parallel, add_mv2, &compute->mask, 1, &sum, err));
+    hs_atom_sum(env->atoms, env->parallel, add_mv2, &compute->mask, 1, &sum);
     *value = compute->n_dof > 0.0 ? sum * (env->units->mvv2e / (compute->n_dof * env->units->boltz)) : 0.0;
     return HS_OK;
 }
 
 static hs_status vector(hs_compute *compute, hs_error *err)
 {
+    (void)err;
     const hs_env *env = compute->env;
-    HS_TRY(hs_atom_sum(env->atoms, env->parallel, add_tensor, &compute->mask, 6, compute->vector, err));
+    hs_atom_sum(env->atoms, env->parallel, add_tensor, &compute->mask, 6, compute->vector);
     for (int k = 0; k < 6; ++k) compute->vector[k] *= env->units->mvv2e;
     return HS_OK;
 }

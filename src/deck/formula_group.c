@@ -2,6 +2,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "core/exact_sum.h"
 #include "deck/formula_nodes.h"
 
 /** The atoms a function is about. */
@@ -71,16 +72,16 @@ static hs_status do_count(hs_deck *deck, const hs_node *node, double *value, hs_
 static void sum_mass(const selection *chosen, double sums[4])
 {
     const hs_atoms *atoms = &chosen->sim->atoms;
-    sums[0] = sums[1] = sums[2] = sums[3] = 0.0;
+    hs_exact_sum exact[4] = {{{0}, 0, 0.0}};
     for (int i = 0; i < atoms->n_local; ++i) {
         if (!is_chosen(chosen, i)) continue;
         double x[3];
         unwrap(chosen->sim, i, x);
         const double mass = atoms->mass[atoms->type[i]];
-        sums[0] += mass;
-        for (int d = 0; d < 3; ++d) sums[1 + d] += x[d] * mass;
+        hs_exact_add(&exact[0], mass);
+        for (int d = 0; d < 3; ++d) hs_exact_add(&exact[1 + d], x[d] * mass);
     }
-    hs_parallel_sum_double(&chosen->sim->parallel, sums, 4);
+    hs_exact_total(exact, 4, &chosen->sim->parallel, sums);
 }
 
 static hs_status do_mass(hs_deck *deck, const hs_node *node, double *value, hs_error *err)
@@ -113,14 +114,15 @@ static hs_status do_vcm(hs_deck *deck, const hs_node *node, double *value, hs_er
     HS_TRY(axis_of(node, node->words[1], &axis, err));
     HS_TRY(select_atoms(deck, node, &chosen, err));
     const hs_atoms *atoms = &chosen.sim->atoms;
-    double sums[2] = {0.0, 0.0};
+    hs_exact_sum exact[2] = {{{0}, 0, 0.0}};
+    double sums[2];
     for (int i = 0; i < atoms->n_local; ++i) {
         if (!is_chosen(&chosen, i)) continue;
         const double mass = atoms->mass[atoms->type[i]];
-        sums[0] += mass;
-        sums[1] += atoms->v[axis][i] * mass;
+        hs_exact_add(&exact[0], mass);
+        hs_exact_add(&exact[1], atoms->v[axis][i] * mass);
     }
-    hs_parallel_sum_double(&chosen.sim->parallel, sums, 2);
+    hs_exact_total(exact, 2, &chosen.sim->parallel, sums);
     HS_TRY(need_mass(sums[0], node, err));
     *value = sums[1] / sums[0];
     return HS_OK;
@@ -132,10 +134,10 @@ static hs_status do_fcm(hs_deck *deck, const hs_node *node, double *value, hs_er
     int axis;
     HS_TRY(axis_of(node, node->words[1], &axis, err));
     HS_TRY(select_atoms(deck, node, &chosen, err));
-    *value = 0.0;
+    hs_exact_sum sum = {0};
     for (int i = 0; i < chosen.sim->atoms.n_local; ++i)
-        if (is_chosen(&chosen, i)) *value += chosen.sim->atoms.f[axis][i];
-    hs_parallel_sum_double(&chosen.sim->parallel, value, 1);
+        if (is_chosen(&chosen, i)) hs_exact_add(&sum, chosen.sim->atoms.f[axis][i]);
+    hs_exact_total(&sum, 1, &chosen.sim->parallel, value);
     return HS_OK;
 }
 
@@ -164,13 +166,14 @@ static hs_status do_ke(hs_deck *deck, const hs_node *node, double *value, hs_err
     selection chosen;
     HS_TRY(select_atoms(deck, node, &chosen, err));
     const hs_atoms *atoms = &chosen.sim->atoms;
-    double sum = 0.0;
-    for (int i = 0; i < atoms->n_local; ++i)
-        if (is_chosen(&chosen, i))
-            sum +=
-                (atoms->v[0][i] * atoms->v[0][i] + atoms->v[1][i] * atoms->v[1][i] + atoms->v[2][i] * atoms->v[2][i]) *
-                atoms->mass[atoms->type[i]];
-    hs_parallel_sum_double(&chosen.sim->parallel, &sum, 1);
+    hs_exact_sum exact = {0};
+    double sum;
+    for (int i = 0; i < atoms->n_local; ++i) {
+        if (!is_chosen(&chosen, i)) continue;
+        const double vx = atoms->v[0][i], vy = atoms->v[1][i], vz = atoms->v[2][i];
+        hs_exact_add(&exact, (vx * vx + vy * vy + vz * vz) * atoms->mass[atoms->type[i]]);
+    }
+    hs_exact_total(&exact, 1, &chosen.sim->parallel, &sum);
     *value = 0.5 * chosen.sim->env.units->mvv2e * sum;
     return HS_OK;
 }
@@ -190,7 +193,8 @@ static hs_status find_centre(const selection *chosen, const hs_node *node, doubl
 static hs_status do_gyration(hs_deck *deck, const hs_node *node, double *value, hs_error *err)
 {
     selection chosen;
-    double centre[3], mass, sum = 0.0;
+    double centre[3], mass, sum;
+    hs_exact_sum exact = {0};
     HS_TRY(select_atoms(deck, node, &chosen, err));
     HS_TRY(find_centre(&chosen, node, centre, &mass, err));
     const hs_atoms *atoms = &chosen.sim->atoms;
@@ -199,9 +203,9 @@ static hs_status do_gyration(hs_deck *deck, const hs_node *node, double *value, 
         double x[3];
         unwrap(chosen.sim, i, x);
         const double dx = x[0] - centre[0], dy = x[1] - centre[1], dz = x[2] - centre[2];
-        sum += (dx * dx + dy * dy + dz * dz) * atoms->mass[atoms->type[i]];
+        hs_exact_add(&exact, (dx * dx + dy * dy + dz * dz) * atoms->mass[atoms->type[i]]);
     }
-    hs_parallel_sum_double(&chosen.sim->parallel, &sum, 1);
+    hs_exact_total(&exact, 1, &chosen.sim->parallel, &sum);
     *value = sqrt(sum / mass);
     return HS_OK;
 }
@@ -218,15 +222,15 @@ static hs_status sum_moment(hs_deck *deck, const hs_node *node, bool of_forces, 
     const hs_atoms *atoms = &chosen.sim->atoms;
     const int a = (axis + 1) % 3, b = (axis + 2) % 3;
     double *const *vector = of_forces ? (double *const *)atoms->f : (double *const *)atoms->v;
-    *value = 0.0;
+    hs_exact_sum sum = {0};
     for (int i = 0; i < atoms->n_local; ++i) {
         if (!is_chosen(&chosen, i)) continue;
         double x[3];
         unwrap(chosen.sim, i, x);
         const double weight = of_forces ? 1.0 : atoms->mass[atoms->type[i]];
-        *value += weight * ((x[a] - centre[a]) * vector[b][i] - (x[b] - centre[b]) * vector[a][i]);
+        hs_exact_add(&sum, weight * ((x[a] - centre[a]) * vector[b][i] - (x[b] - centre[b]) * vector[a][i]));
     }
-    hs_parallel_sum_double(&chosen.sim->parallel, value, 1);
+    hs_exact_total(&sum, 1, &chosen.sim->parallel, value);
     return HS_OK;
 }
 
@@ -251,15 +255,15 @@ static hs_status do_inertia(hs_deck *deck, const hs_node *node, double *value, h
     HS_TRY(select_atoms(deck, node, &chosen, err));
     HS_TRY(find_centre(&chosen, node, centre, &mass, err));
     const hs_atoms *atoms = &chosen.sim->atoms;
-    *value = 0.0;
+    hs_exact_sum sum = {0};
     for (int i = 0; i < atoms->n_local; ++i) {
         if (!is_chosen(&chosen, i)) continue;
         double x[3], r2 = 0.0;
         unwrap(chosen.sim, i, x);
         for (int d = 0; d < 3; ++d) x[d] -= centre[d], r2 += x[d] * x[d];
-        *value += atoms->mass[atoms->type[i]] * ((a == b ? r2 : 0.0) - x[a] * x[b]);
+        hs_exact_add(&sum, atoms->mass[atoms->type[i]] * ((a == b ? r2 : 0.0) - x[a] * x[b]));
     }
-    hs_parallel_sum_double(&chosen.sim->parallel, value, 1);
+    hs_exact_total(&sum, 1, &chosen.sim->parallel, value);
     return HS_OK;
 }
 

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "base/memory.h"
+#include "core/exact_sum.h"
 #include "deck/by_id.h"
 
 hs_status hs_velocity_group_init(hs_velocity_group *group, hs_sim *sim, int bit, hs_error *err)
@@ -29,13 +30,14 @@ double hs_velocity_temperature(const hs_velocity_group *group)
     const hs_atoms *atoms = &group->sim->atoms;
     const hs_units *units = group->sim->env.units;
     const int dimension = group->sim->box.dimension;
-    double sum = 0.0;
+    hs_exact_sum mv2 = {0};
+    double sum;
     for (int k = 0; k < group->n; ++k) {
         const int i = group->member[k];
         const double vx = atoms->v[0][i], vy = atoms->v[1][i], vz = atoms->v[2][i];
-        sum += (vx * vx + vy * vy + vz * vz) * atoms->mass[atoms->type[i]];
+        hs_exact_add(&mv2, (vx * vx + vy * vy + vz * vz) * atoms->mass[atoms->type[i]]);
     }
-    hs_parallel_sum_double(&group->sim->parallel, &sum, 1);
+    hs_exact_total(&mv2, 1, &group->sim->parallel, &sum);
     const double n_dof = (double)dimension * (double)group->n_all - dimension;
     return n_dof > 0.0 ? sum * (units->mvv2e / (n_dof * units->boltz)) : 0.0;
 }
@@ -57,9 +59,10 @@ hs_status hs_velocity_rescale(const hs_velocity_group *group, double present, do
 static double total_mass(const hs_velocity_group *group)
 {
     const hs_atoms *atoms = &group->sim->atoms;
-    double mass = 0.0;
-    for (int k = 0; k < group->n; ++k) mass += atoms->mass[atoms->type[group->member[k]]];
-    hs_parallel_sum_double(&group->sim->parallel, &mass, 1);
+    hs_exact_sum sum = {0};
+    double mass;
+    for (int k = 0; k < group->n; ++k) hs_exact_add(&sum, atoms->mass[atoms->type[group->member[k]]]);
+    hs_exact_total(&sum, 1, &group->sim->parallel, &mass);
     return mass;
 }
 
@@ -74,12 +77,13 @@ hs_status hs_velocity_zero_momentum(const hs_velocity_group *group, hs_error *er
     hs_atoms *atoms = &group->sim->atoms;
     HS_TRY(need_members(group, "momentum", err));
     const double mass = total_mass(group);
-    double p[3] = {0.0, 0.0, 0.0};
+    hs_exact_sum sum[3] = {{{0}, 0, 0.0}};
+    double p[3];
     for (int k = 0; k < group->n; ++k) {
         const int i = group->member[k];
-        for (int axis = 0; axis < 3; ++axis) p[axis] += atoms->v[axis][i] * atoms->mass[atoms->type[i]];
+        for (int axis = 0; axis < 3; ++axis) hs_exact_add(&sum[axis], atoms->v[axis][i] * atoms->mass[atoms->type[i]]);
     }
-    hs_parallel_sum_double(&group->sim->parallel, p, 3);
+    hs_exact_total(sum, 3, &group->sim->parallel, p);
     for (int axis = 0; axis < 3; ++axis) {
         const double mean = p[axis] / mass;
         for (int k = 0; k < group->n; ++k) atoms->v[axis][group->member[k]] -= mean;
@@ -98,14 +102,14 @@ static void center_of_mass(const hs_velocity_group *group, double center[3])
 {
     const hs_atoms *atoms = &group->sim->atoms;
     const double mass = total_mass(group);
-    memset(center, 0, 3 * sizeof *center);
+    hs_exact_sum sum[3] = {{{0}, 0, 0.0}};
     for (int k = 0; k < group->n; ++k) {
         const int i = group->member[k];
         double x[3];
         unwrap(group->sim, i, x);
-        for (int axis = 0; axis < 3; ++axis) center[axis] += x[axis] * atoms->mass[atoms->type[i]];
+        for (int axis = 0; axis < 3; ++axis) hs_exact_add(&sum[axis], x[axis] * atoms->mass[atoms->type[i]]);
     }
-    hs_parallel_sum_double(&group->sim->parallel, center, 3);
+    hs_exact_total(sum, 3, &group->sim->parallel, center);
     for (int axis = 0; axis < 3; ++axis) center[axis] /= mass;
 }
 
@@ -114,24 +118,26 @@ static void rotation_sums(const hs_velocity_group *group, const double center[3]
                           double inertia[3][3])
 {
     const hs_atoms *atoms = &group->sim->atoms;
-    double sum[9] = {0.0}; /* Lx Ly Lz, Ixx Iyy Izz Ixy Iyz Ixz */
+    hs_exact_sum exact[9] = {{{0}, 0, 0.0}};
+    double sum[9]; /* Lx Ly Lz, Ixx Iyy Izz Ixy Iyz Ixz */
     for (int k = 0; k < group->n; ++k) {
         const int i = group->member[k];
         const double mass = atoms->mass[atoms->type[i]];
         double x[3];
         unwrap(group->sim, i, x);
         const double dx = x[0] - center[0], dy = x[1] - center[1], dz = x[2] - center[2];
-        sum[0] += mass * (dy * atoms->v[2][i] - dz * atoms->v[1][i]);
-        sum[1] += mass * (dz * atoms->v[0][i] - dx * atoms->v[2][i]);
-        sum[2] += mass * (dx * atoms->v[1][i] - dy * atoms->v[0][i]);
-        sum[3] += mass * (dy * dy + dz * dz);
-        sum[4] += mass * (dx * dx + dz * dz);
-        sum[5] += mass * (dx * dx + dy * dy);
-        sum[6] -= mass * dx * dy;
-        sum[7] -= mass * dy * dz;
-        sum[8] -= mass * dx * dz;
+        const double term[9] = {mass * (dy * atoms->v[2][i] - dz * atoms->v[1][i]),
+                                mass * (dz * atoms->v[0][i] - dx * atoms->v[2][i]),
+                                mass * (dx * atoms->v[1][i] - dy * atoms->v[0][i]),
+                                mass * (dy * dy + dz * dz),
+                                mass * (dx * dx + dz * dz),
+                                mass * (dx * dx + dy * dy),
+                                -mass * dx * dy,
+                                -mass * dy * dz,
+                                -mass * dx * dz};
+        for (int q = 0; q < 9; ++q) hs_exact_add(&exact[q], term[q]);
     }
-    hs_parallel_sum_double(&group->sim->parallel, sum, 9);
+    hs_exact_total(exact, 9, &group->sim->parallel, sum);
     memcpy(momentum, sum, 3 * sizeof *momentum);
     inertia[0][0] = sum[3];
     inertia[1][1] = sum[4];

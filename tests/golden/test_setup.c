@@ -1,11 +1,16 @@
-/* Set-up commands against LAMMPS: box, positions, types, image numbers and velocities must have the same bits.
+/* Set-up commands against LAMMPS: box, positions, types and image numbers must have the same bits, velocities all but the
+ * last few: LAMMPS rounds the sums for momentum and temperature at every atom, Halfshell once.
  * tests/golden/setup/NAME.deck are the decks, NAME.values what lmp of 29 Sep 2021 made of them (setup/make.sh). */
 #include <inttypes.h>
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
 #include "deck/deck.h"
 #include "support/harness.h"
+
+/* Sums of up to some thousand terms of order 1 that are rounded at each term: a few tens of units in the last place. */
+#define V_TOLERANCE 1e-14
 
 /** An expected atom. */
 typedef struct row {
@@ -57,8 +62,9 @@ static void check_atom(const char *name, const hs_atoms *atoms, const row *r)
     for (int axis = 0; axis < 3; ++axis) {
         ck_assert_msg(atoms->x[axis][i] == r->x[axis], "%s: atom %" PRId64 ": %c is %.17g, LAMMPS has %.17g", name,
                       r->id, "xyz"[axis], atoms -> x[axis][i], r -> x[axis]);
-        ck_assert_msg(atoms->v[axis][i] == r->v[axis], "%s: atom %" PRId64 ": v%c is %.17g, LAMMPS has %.17g", name,
-                      r->id, "xyz"[axis], atoms -> v[axis][i], r -> v[axis]);
+        ck_assert_msg(fabs(atoms->v[axis][i] - r->v[axis]) <= V_TOLERANCE * (1.0 + fabs(r->v[axis])),
+                      "%s: atom %" PRId64 ": v%c is %.17g, LAMMPS has %.17g", name, r->id, "xyz"[axis],
+                      atoms -> v[axis][i], r -> v[axis]);
         ck_assert_msg(atoms->image[axis][i] == r->image[axis], "%s: atom %" PRId64 ": i%c is %d, LAMMPS has %d", name,
                       r->id, "xyz"[axis], atoms -> image[axis][i], r -> image[axis]);
     }
