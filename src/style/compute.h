@@ -4,6 +4,7 @@
 
 #include "style/args.h"
 #include "style/env.h"
+#include "style/state.h"
 
 struct hs_compute;
 
@@ -20,6 +21,9 @@ typedef struct hs_compute_style {
     HS_MUST_USE hs_status (*vector)(struct hs_compute *compute, hs_error *err);
     /** Take the temperature from another compute (thermo_modify temp, fix_modify temp); NULL: uses none. */
     HS_MUST_USE hs_status (*set_temperature)(struct hs_compute *compute, const char *id, hs_error *err);
+    /** Global values that outlive a step (a history), moved into a checkpoint or back (collective). Reading comes after
+     *  create and init. NULL: there are none. */
+    HS_MUST_USE hs_status (*keep_state)(struct hs_compute *compute, hs_state *state, hs_error *err);
     bool needs_energy;        /**< the pair energy or virial must have been computed on the step it is asked for */
     bool is_extensive;        /**< scalar grows with the number of atoms: divided by N under thermo_modify norm yes */
     bool is_vector_extensive; /**< the same for the elements of the vector */

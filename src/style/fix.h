@@ -4,6 +4,7 @@
 
 #include "style/args.h"
 #include "style/env.h"
+#include "style/state.h"
 
 struct hs_fix;
 
@@ -21,6 +22,9 @@ typedef struct hs_fix_style {
     HS_MUST_USE hs_status (*post_force)(struct hs_fix *fix, hs_error *err);        /**< add to, or constrain, forces */
     HS_MUST_USE hs_status (*final_integrate)(struct hs_fix *fix, hs_error *err);   /**< half kick */
     HS_MUST_USE hs_status (*end_of_step)(struct hs_fix *fix, hs_error *err);
+    /** Global values that decide the future, moved into a checkpoint or back (collective). Reading comes after create and
+     *  init; setup is not called then, for the run goes on in its midst. NULL: the words of the fix say everything. */
+    HS_MUST_USE hs_status (*keep_state)(struct hs_fix *fix, hs_state *state, hs_error *err);
     /** f_ID and f_ID[i] in formulas and thermo output; NULL when the style has no such value. */
     HS_MUST_USE hs_status (*scalar)(struct hs_fix *fix, double *value, hs_error *err);
     HS_MUST_USE hs_status (*vector)(struct hs_fix *fix, int i, double *value, hs_error *err); /**< i from 0 */
