@@ -4,7 +4,7 @@
 #include "style/compute.h"
 
 typedef struct pe_state {
-    bool has_pair; /**< count the pair energy: no keyword, or the keyword pair */
+    bool has_pair, has_fix; /**< which energies count: all without keywords */
 } pe_state;
 
 static const hs_keyword keywords[] = {
@@ -14,7 +14,7 @@ static const hs_keyword keywords[] = {
     {"dihedral", 0, "", "energy of dihedrals: 0"},
     {"improper", 0, "", "energy of impropers: 0"},
     {"kspace", 0, "", "long-range Coulomb energy: 0"},
-    {"fix", 0, "", "energy of fixes: 0"},
+    {"fix", 0, "", "energy of the fixes that `fix_modify energy yes` was said for"},
     {NULL, 0, NULL, NULL},
 };
 
@@ -25,17 +25,21 @@ static hs_status create(hs_compute *compute, const hs_args *args, hs_error *err)
     if (compute->group != 0)
         return hs_fail(err, HS_ERROR_INPUT,
                        "%s: the group must be all: the energy of a pair belongs to no single group", args->command);
-    state->has_pair = args->n == 0;
-    for (int i = 0; i < args->n; ++i)
-        if (strcmp(args->word[i], "pair") == 0) state->has_pair = true;
+    state->has_pair = state->has_fix = args->n == 0;
+    for (int i = 0; i < args->n; ++i) {
+        state->has_pair |= strcmp(args->word[i], "pair") == 0;
+        state->has_fix |= strcmp(args->word[i], "fix") == 0;
+    }
     return HS_OK;
 }
 
 static hs_status scalar(hs_compute *compute, double *value, hs_error *err)
 {
     const pe_state *state = compute->state;
+    const hs_env *env = compute->env;
     (void)err;
-    *value = state->has_pair ? compute->env->pair_energy + compute->env->tail_energy : 0.0;
+    *value = state->has_pair ? env->pair_energy + env->tail_energy : 0.0;
+    if (state->has_fix) *value += env->fix_energy;
     return HS_OK;
 }
 

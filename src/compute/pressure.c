@@ -1,5 +1,5 @@
 /* Pressure from kinetic energy and virial.
- * P = (n_dof k T + sum_a W_aa) / (dim V),  P_ab = (sum m v_a v_b + W_ab) / V,  W = pair virial.
+ * P = (n_dof k T + sum_a W_aa) / (dim V),  P_ab = (sum m v_a v_b + W_ab) / V,  W = virial of pairs and fixes.
  * Source: A. P. Thompson, S. J. Plimpton, W. Mattson, J. Chem. Phys. 131, 154107 (2009), doi:10.1063/1.3245303. */
 #include <string.h>
 
@@ -8,7 +8,7 @@
 
 typedef struct pressure_state {
     char *temperature_id; /**< owned; NULL: no kinetic part */
-    bool has_ke, has_pair;
+    bool has_ke, has_pair, has_fix;
 } pressure_state;
 
 static const hs_keyword keywords[] = {
@@ -20,7 +20,7 @@ static const hs_keyword keywords[] = {
     {"dihedral", 0, "", "the virial of dihedrals: 0"},
     {"improper", 0, "", "the virial of impropers: 0"},
     {"kspace", 0, "", "the virial of long-range Coulomb forces: 0"},
-    {"fix", 0, "", "the virial of fixes: 0"},
+    {"fix", 0, "", "the virial of the fixes that `fix_modify virial yes` was said for"},
     {NULL, 0, NULL, NULL},
 };
 
@@ -48,10 +48,12 @@ static hs_status create(hs_compute *compute, const hs_args *args, hs_error *err)
                        "%s: the group must be all: the virial of a pair belongs to no single group", args->command);
     compute->n_vector = 6;
     HS_TRY(HS_ALLOC(compute->vector, 6, err));
-    state->has_ke = state->has_pair = args->n == 1;
+    state->has_ke = state->has_pair = state->has_fix = args->n == 1;
     for (int i = 1; i < args->n; ++i) {
         state->has_ke |= strcmp(args->word[i], "ke") == 0;
-        state->has_pair |= strcmp(args->word[i], "pair") == 0 || strcmp(args->word[i], "virial") == 0;
+        const bool is_virial = strcmp(args->word[i], "virial") == 0;
+        state->has_pair |= is_virial || strcmp(args->word[i], "pair") == 0;
+        state->has_fix |= is_virial || strcmp(args->word[i], "fix") == 0;
     }
     if (strcmp(args->word[0], "NULL") != 0) HS_TRY(hs_memory_strdup(&state->temperature_id, args->word[0], err));
     if (!state->has_ke) return HS_OK;
@@ -106,6 +108,7 @@ static hs_status scalar(hs_compute *compute, double *value, hs_error *err)
         for (int k = 0; k < dim; ++k) virial += env->pair_virial[k];
         tail = env->tail_pressure;
     }
+    for (int k = 0; k < dim && state->has_fix; ++k) virial += env->fix_virial[k];
     *value = (kinetic + virial) / (dim * hs_box_volume(env->box)) * env->units->nktv2p + tail;
     return HS_OK;
 }
@@ -126,7 +129,8 @@ static hs_status vector(hs_compute *compute, hs_error *err)
             HS_TRY(find_temperature(compute, &temperature, err));
             HS_TRY(hs_compute_vector(temperature, k, &kinetic, err));
         }
-        const double virial = state->has_pair ? env->pair_virial[k] : 0.0;
+        const double virial =
+            (state->has_pair ? env->pair_virial[k] : 0.0) + (state->has_fix ? env->fix_virial[k] : 0.0);
         compute->vector[k] = (kinetic + virial) / volume * env->units->nktv2p;
         if (state->has_pair && k < 3) compute->vector[k] += env->tail_pressure;
     }

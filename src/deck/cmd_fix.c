@@ -3,6 +3,12 @@
 
 #include "deck/command.h"
 
+static const hs_keyword modify_keywords[] = {
+    {"energy", 1, "yes|no", "whether the fix's energy is part of the potential energy"},
+    {"virial", 1, "yes|no", "whether the fix's virial is part of the pressure"},
+    {NULL, 0, NULL, NULL},
+};
+
 static hs_status run_fix(hs_deck *deck, const hs_args *args, hs_error *err)
 {
     const hs_args words = hs_args_from(args, 3, NULL);
@@ -12,6 +18,11 @@ static hs_status run_fix(hs_deck *deck, const hs_args *args, hs_error *err)
 static hs_status run_unfix(hs_deck *deck, const hs_args *args, hs_error *err)
 {
     return hs_sim_remove_fix(deck->sim, args->word[0], err);
+}
+
+static hs_status run_fix_modify(hs_deck *deck, const hs_args *args, hs_error *err)
+{
+    return hs_sim_modify_fix(deck->sim, args->word[0], args, err);
 }
 
 static hs_status run_compute(hs_deck *deck, const hs_args *args, hs_error *err)
@@ -76,6 +87,15 @@ const hs_command hs_commands_fix[] = {
                .details = "The fix stops acting; the ID is free again.",
                .example = "unfix 1"},
      .run = run_unfix},
+    {.about = {.name = "fix_modify",
+               .syntax = {.usage = "<ID> <keyword> <value> ...", .n_min = 1, .n_max = 1, .keywords = modify_keywords},
+               .summary = "change how a fix counts",
+               .details =
+                   "`energy yes` adds the fix's energy to the potential energy (compute pe, thermo output); `virial "
+                   "yes` adds its virial to the pressure. Both are off until asked for. A fix that has no energy or no "
+                   "virial refuses the word.",
+               .example = "fix walls all wall/lj126 zlo 0.0 1.0 1.0 1.12\nfix_modify walls energy yes virial yes"},
+     .run = run_fix_modify},
     {.about =
          {.name = "compute",
           .syntax = {.usage = "<ID> <group-ID> <style> [words of the style]", .n_min = 3, .n_max = -1},

@@ -164,6 +164,7 @@ static hs_status run_run(hs_deck *deck, const hs_args *args, hs_error *err)
 static void keep_time(hs_env *env, int64_t step, double dt)
 {
     env->time_origin += (double)(env->step - env->time_origin_step) * env->dt;
+    env->clock_ahead += env->step - step;
     env->time_origin_step = env->step = step;
     env->dt = dt;
 }

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "base/text.h"
+#include "kernel/noise_fill.h"
 
 const char *const hs_isa_names[] = {"portable", "sse2", "avx2", "avx512", NULL};
 
@@ -77,6 +78,8 @@ hs_status hs_isa_get(const char *name, hs_isa *isa, hs_error *err)
 #endif
 
 hs_cluster_find hs_isa_find(hs_isa isa) { return FOR_ISA(isa, hs_cluster_find_); }
+
+const hs_noise_set *hs_isa_noise(hs_isa isa) { return FOR_ISA(isa, &hs_noise_set_); }
 
 hs_list_refine hs_isa_refine(hs_isa isa) { return FOR_ISA(isa, hs_list_refine_); }
 

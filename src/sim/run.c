@@ -50,8 +50,10 @@ hs_status hs_sim_setup(hs_sim *sim, hs_error *err)
     hs_neighbor_start(&sim->neighbor);
     HS_TRY(hs_sim_exchange(sim, true, err));
     HS_TRY(hs_sim_pair_forces(sim, true, err));
+    sim->env.with_energy = true;
     for (int k = 0; k < sim->n_fixes; ++k)
         if (sim->fix[k]->style->setup != NULL) HS_TRY(sim->fix[k]->style->setup(sim->fix[k], err));
+    HS_TRY(hs_sim_post_force(sim, err));
     sim->is_initialized = true;
     return HS_OK;
 }

@@ -134,6 +134,11 @@ void hs_sim_set_kernel_types(hs_sim *sim);
 HS_MUST_USE hs_status hs_sim_list_pairs(hs_sim *sim, hs_error *err);
 /** Pair forces on all local atoms, and with_energy also env.pair_energy and pair_virial (collective).  sim/pair_forces.c */
 HS_MUST_USE hs_status hs_sim_pair_forces(hs_sim *sim, bool with_energy, hs_error *err);
+/** What fixes add to, or change about, the forces; with env.with_energy also env.fix_energy and fix_virial (collective).
+ *  sim/fix_forces.c */
+HS_MUST_USE hs_status hs_sim_post_force(hs_sim *sim, hs_error *err);
+/** fix_modify <ID> keyword value ...  sim/fix_forces.c */
+HS_MUST_USE hs_status hs_sim_modify_fix(hs_sim *sim, const char *id, const hs_args *args, hs_error *err);
 /** One timestep, without output (collective).  sim/step.c */
 HS_MUST_USE hs_status hs_sim_step(hs_sim *sim, bool with_energy, hs_error *err);
 /** Set-up only, with forces, energy and virial of the present positions (no step).  Used by run, by the API and by tests. */

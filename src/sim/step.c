@@ -24,6 +24,7 @@ static hs_status bring_neighbors_up_to_date(hs_sim *sim, hs_error *err)
 hs_status hs_sim_step(hs_sim *sim, bool with_energy, hs_error *err)
 {
     ++sim->env.step;
+    sim->env.with_energy = with_energy;
     hs_timer_mark(&sim->timer);
     CALL_FIXES(sim, initial_integrate, err);
     hs_timer_add(&sim->timer, HS_PHASE_MODIFY);
@@ -33,7 +34,7 @@ hs_status hs_sim_step(hs_sim *sim, bool with_energy, hs_error *err)
     HS_TRY(hs_sim_pair_forces(sim, with_energy, err));
     hs_timer_mark(&sim->timer);
 
-    CALL_FIXES(sim, post_force, err);
+    HS_TRY(hs_sim_post_force(sim, err));
     CALL_FIXES(sim, final_integrate, err);
     CALL_FIXES(sim, end_of_step, err);
     hs_timer_add(&sim->timer, HS_PHASE_MODIFY);

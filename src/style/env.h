@@ -7,6 +7,7 @@
 #include "core/box.h"
 #include "core/group.h"
 #include "core/units.h"
+#include "kernel/kernel.h"
 #include "parallel/parallel.h"
 
 struct hs_compute;
@@ -24,21 +25,27 @@ typedef struct hs_env {
     hs_groups *groups;
     struct hs_lattice *lattice; /**< never NULL; `none` until the deck sets one */
 
+    hs_isa isa; /**< instruction set of kernels */
+
     bool dry_run; /**< halfshell check: nothing may open, write or remove a file */
 
-    int64_t step;       /**< number of the present timestep */
-    int64_t first_step; /**< step at which the present (or next) run began */
-    int64_t last_step;  /**< step at which it ends */
-    int64_t ramp_start; /**< step at which a series of runs began (run start); else first_step */
-    int64_t ramp_stop;  /**< step at which the series ends (run stop); else last_step */
-    double dt;          /**< timestep, time */
-    double time_origin; /**< simulated time at step time_origin_step: set when dt changes, so that time goes on */
+    int64_t step;        /**< number of the present timestep */
+    int64_t first_step;  /**< step at which the present (or next) run began */
+    int64_t last_step;   /**< step at which it ends */
+    int64_t ramp_start;  /**< step at which a series of runs began (run start); else first_step */
+    int64_t ramp_stop;   /**< step at which the series ends (run stop); else last_step */
+    int64_t clock_ahead; /**< step + clock_ahead counts all steps ever made: what reset_timestep took off the step */
+    double dt;           /**< timestep, time */
+    double time_origin;  /**< simulated time at step time_origin_step: set when dt changes, so that time goes on */
     int64_t time_origin_step;
 
     /* Results of the latest force evaluation, summed over threads and ranks */
     double pair_energy;    /**< energy of all pairs, valid when energy_step == step */
     double pair_virial[6]; /**< sum over pairs of r_a F_b: xx yy zz xy xz yz; energy */
     int64_t energy_step;   /**< step for which energy and virial were last computed, -1 for never */
+    bool with_energy;      /**< energy and virial of the present step are wanted: fixes that have some add them up */
+    double fix_energy;     /**< of fixes with `fix_modify energy yes`; energy, valid like pair_energy */
+    double fix_virial[6];  /**< of fixes with `fix_modify virial yes` */
     double tail_energy;    /**< long-range corrections of pair_modify tail: energy, to be divided by nothing */
     double tail_pressure;  /**< and pressure (already in pressure units); both 0 without tail */
 

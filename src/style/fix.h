@@ -2,6 +2,8 @@
 #ifndef HS_STYLE_FIX_H
 #define HS_STYLE_FIX_H
 
+#include "base/text.h"
+#include "core/noise.h"
 #include "style/args.h"
 #include "style/env.h"
 #include "style/state.h"
@@ -19,8 +21,9 @@ typedef struct hs_fix_style {
     HS_MUST_USE hs_status (*init)(struct hs_fix *fix, hs_error *err);  /**< before each run: check, read dt */
     HS_MUST_USE hs_status (*setup)(struct hs_fix *fix, hs_error *err); /**< after the run's first forces */
     HS_MUST_USE hs_status (*initial_integrate)(struct hs_fix *fix, hs_error *err); /**< half kick and drift */
-    HS_MUST_USE hs_status (*post_force)(struct hs_fix *fix, hs_error *err);        /**< add to, or constrain, forces */
-    HS_MUST_USE hs_status (*final_integrate)(struct hs_fix *fix, hs_error *err);   /**< half kick */
+    /** Add to, or constrain, forces; called after the set-up's forces too, following setup. */
+    HS_MUST_USE hs_status (*post_force)(struct hs_fix *fix, hs_error *err);
+    HS_MUST_USE hs_status (*final_integrate)(struct hs_fix *fix, hs_error *err); /**< half kick */
     HS_MUST_USE hs_status (*end_of_step)(struct hs_fix *fix, hs_error *err);
     /** Global values that decide the future, moved into a checkpoint or back (collective). Reading comes after create and
      *  init; setup is not called then, for the run goes on in its midst. NULL: the words of the fix say everything. */
@@ -28,19 +31,38 @@ typedef struct hs_fix_style {
     /** f_ID and f_ID[i] in formulas and thermo output; NULL when the style has no such value. */
     HS_MUST_USE hs_status (*scalar)(struct hs_fix *fix, double *value, hs_error *err);
     HS_MUST_USE hs_status (*vector)(struct hs_fix *fix, int i, double *value, hs_error *err); /**< i from 0 */
+    /** What the future depends on and the deck does not say, for restarts: append it to @p state, or take it from there.
+     *  NULL for the many fixes that remember nothing. */
+    HS_MUST_USE hs_status (*write_state)(struct hs_fix *fix, hs_text *state, hs_error *err);
+    HS_MUST_USE hs_status (*read_state)(struct hs_fix *fix, const char *state, hs_error *err);
     int n_vector;
     bool is_integrator; /**< moves its atoms: two of them on one atom are warned about */
+    bool has_energy;    /**< `fix_modify energy yes` adds the scalar to the potential energy */
+    bool has_virial;    /**< `fix_modify virial yes` adds virial[] to the pressure */
 } hs_fix_style;
 
 /** One fix of a simulation. */
 typedef struct hs_fix {
     const hs_fix_style *style;
-    char *id;      /**< owned by hs_sim */
-    int group;     /**< bit number */
-    uint32_t mask; /**< acts on atoms with (atoms->mask[i] & mask) */
-    hs_env *env;   /**< borrowed */
-    void *state;   /**< style's own */
+    char *id;                      /**< owned by hs_sim */
+    int group;                     /**< bit number */
+    uint32_t mask;                 /**< acts on atoms with (atoms->mask[i] & mask) */
+    hs_env *env;                   /**< borrowed */
+    void *state;                   /**< style's own */
+    bool adds_energy, adds_virial; /**< fix_modify energy, virial */
+    double virial[6];              /**< sum of r_a F_b over the atoms of this rank: xx yy zz xy xz yz; energy. Set by
+                                        post_force when hs_fix_needs_virial. */
 } hs_fix;
+
+/** Whether post_force must fill fix->virial at this step. */
+static inline bool hs_fix_needs_virial(const hs_fix *fix) { return fix->adds_virial && fix->env->with_energy; }
+
+/** The fix's own stream of noise: another for each style, ID and seed. */
+HS_MUST_USE hs_status hs_fix_noise(const hs_fix *fix, int64_t seed, hs_noise *noise, hs_error *err);
+/** Step number for noise: it counts on where reset_timestep sets the step back, so that noise never repeats. */
+static inline int64_t hs_fix_clock(const hs_fix *fix) { return fix->env->step + fix->env->clock_ahead; }
+/** Add r_a f_b of local atom i to a virial, r unwrapped: a force on one atom alone acts from outside. */
+void hs_fix_add_virial(double virial[6], const hs_env *env, int i, const double f[3]);
 
 /** All fix styles, ended by NULL; made by the build from the files in src/fix/. */
 extern const hs_fix_style *const hs_fix_styles[];

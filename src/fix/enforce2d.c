@@ -1,0 +1,42 @@
+/* Keeps a two-dimensional system flat: no velocities, forces or rotations out of the plane. */
+#include <string.h>
+
+#include "style/fix.h"
+
+static hs_status create(hs_fix *fix, const hs_args *args, hs_error *err)
+{
+    HS_TRY(hs_syntax_check(&fix->style->about.syntax, args, false, err));
+    if (fix->env->box->dimension == 2) return HS_OK;
+    return hs_fail(err, HS_ERROR_INPUT, "%s: the simulation has three dimensions; 'dimension 2' makes it flat",
+                   args->command);
+}
+
+static void clear(const hs_fix *fix, double *values)
+{
+    const hs_atoms *atoms = fix->env->atoms;
+    const uint32_t mask = fix->mask;
+#pragma omp parallel for schedule(static)
+    for (int i = 0; i < atoms->n_local; ++i) values[i] = atoms->mask[i] & mask ? 0.0 : values[i];
+}
+
+static hs_status post_force(hs_fix *fix, hs_error *err)
+{
+    const hs_atoms *atoms = fix->env->atoms;
+    (void)err;
+    clear(fix, atoms->v[2]);
+    clear(fix, atoms->f[2]);
+    return HS_OK;
+}
+
+const hs_fix_style hs_fix_style_enforce2d = {
+    .about = {.name = "enforce2d",
+              .syntax = {.usage = "", .n_min = 0, .n_max = 0},
+              .summary = "keep a two-dimensional system flat",
+              .details =
+                  "Sets the z velocity and the z force of the group's atoms to 0 at every step, after all forces. "
+                  "Define it after fixes that may add forces along z. Halfshell's pair forces and noise have no z "
+                  "part in two dimensions, so it is needed only where a deck itself gives atoms one.",
+              .example = "fix flat all enforce2d"},
+    .create = create,
+    .post_force = post_force,
+};

@@ -1,0 +1,46 @@
+/* What fixes add to forces, energy and virial. */
+#include <string.h>
+
+#include "sim/sim.h"
+
+/** Energies and virials of the fixes that count, over all ranks. Fixes' scalars are sums over ranks already. */
+static hs_status add_up(hs_sim *sim, hs_error *err)
+{
+    hs_env *env = &sim->env;
+    env->fix_energy = 0.0;
+    memset(env->fix_virial, 0, sizeof env->fix_virial);
+    for (int k = 0; k < sim->n_fixes; ++k) {
+        hs_fix *fix = sim->fix[k];
+        double energy = 0.0;
+        if (fix->adds_energy) HS_TRY(fix->style->scalar(fix, &energy, err));
+        env->fix_energy += energy;
+        if (!fix->adds_virial) continue;
+        for (int c = 0; c < 6; ++c) env->fix_virial[c] += fix->virial[c];
+    }
+    hs_parallel_sum_double(&sim->parallel, env->fix_virial, 6);
+    return HS_OK;
+}
+
+hs_status hs_sim_post_force(hs_sim *sim, hs_error *err)
+{
+    for (int k = 0; k < sim->n_fixes; ++k)
+        if (sim->fix[k]->style->post_force != NULL) HS_TRY(sim->fix[k]->style->post_force(sim->fix[k], err));
+    return sim->env.with_energy ? add_up(sim, err) : HS_OK;
+}
+
+hs_status hs_sim_modify_fix(hs_sim *sim, const char *id, const hs_args *args, hs_error *err)
+{
+    hs_fix *fix = hs_sim_find_fix(sim, id);
+    if (fix == NULL) return hs_fail(err, HS_ERROR_INPUT, "fix_modify: there is no fix with the ID '%s'", id);
+    for (int i = 1; i < args->n; i += 2) {
+        const bool is_energy = strcmp(args->word[i], "energy") == 0;
+        bool value;
+        HS_TRY(hs_arg_bool(args, i + 1, &value, err));
+        if (value && !(is_energy ? fix->style->has_energy : fix->style->has_virial))
+            return hs_fail(err, HS_ERROR_INPUT, "fix_modify: fix '%s' (%s) has no %s to add", id,
+                           fix->style->about.name, args->word[i]);
+        *(is_energy ? &fix->adds_energy : &fix->adds_virial) = value;
+    }
+    sim->is_initialized = false;
+    return HS_OK;
+}
