@@ -5,6 +5,7 @@
 #include "base/memory.h"
 #include "base/timer.h"
 #include "cli/cli.h"
+#include "sim/methods.h"
 
 enum { THREADS_MAX = 4096, CASES_MAX = 32, ATOMS_A_CELL = 4, WARM_UP_STEPS = 20, NSQ_ATOMS_MAX = 4000 };
 
@@ -85,6 +86,7 @@ static hs_status parse(const hs_cli *cli, bench *plan, hs_error *err)
     for (int k = 0; plan->n_methods == 0 && hs_neighbor_methods[k] != NULL && n_methods < CASES_MAX; ++k) {
         /* The double loop is the oracle, not a contestant: it would take hours on the larger systems. */
         if (strcmp(hs_neighbor_methods[k], "nsq") == 0 && n_atoms > NSQ_ATOMS_MAX) continue;
+        if (hs_methods[k].options & HS_METHOD_TAKES_STENCIL) continue; /* nor are the textbook's: bench neighbors */
         plan->method[n_methods++] = hs_neighbor_methods[k];
     }
     if (n_methods > 0) plan->n_methods = n_methods;

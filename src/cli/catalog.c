@@ -6,6 +6,7 @@
 #include "base/memory.h"
 #include "cli/cli.h"
 #include "deck/command.h"
+#include "sim/methods.h"
 #include "sim/thermo.h"
 
 const hs_catalog hs_catalogs[] = {
@@ -83,7 +84,7 @@ static bool get_entry(const hs_catalog *family, int i, hs_catalog_entry *entry)
     }
     if (strcmp(family->name, "neighbor") == 0) {
         if (hs_neighbor_methods[i] == NULL) return false;
-        entry->about = (hs_description){.name = hs_neighbor_methods[i], .summary = hs_neighbor_method_help[i]};
+        entry->about = (hs_description){.name = hs_neighbor_methods[i], .summary = hs_methods[i].help};
         return true;
     }
     return get_style(family, i, entry);

@@ -4,6 +4,7 @@
 
 #include "base/memory.h"
 #include "deck/command.h"
+#include "sim/methods.h"
 
 static hs_status run_neighbor(hs_deck *deck, const hs_args *args, hs_error *err)
 {
@@ -104,25 +105,85 @@ static const hs_keyword method_keywords[] = {
      "`scheduled` (default): count the pairs that LAMMPS's lists hold under neigh_modify's schedule; `exact`: every "
      "pair within "
      "the cutoff at every step"},
+    {"cell", 1, "<fraction>",
+     "edge of the cells as a fraction of the largest cutoff, 0.05 to 20 (default: 1 for linked, incremental and hash; "
+     "chosen by density for cell, verlet and cluster, where it is the width of the columns)"},
+    {"order", 1, "morton|row|none",
+     "how cells are numbered and atoms sorted in memory: along the Morton curve (default) or row by row; `none` "
+     "(linked, "
+     "incremental, hash): atoms stay as they were created"},
+    {"stencil", 1, "sphere|cube",
+     "linked, incremental, hash: search the cells that a sphere of the cutoff's radius can reach (default), or the "
+     "whole "
+     "cube around them"},
     {0},
 };
+
+/** Read the keywords into settings; a word that the method has no use for is refused. */
+static hs_status method_words(const hs_args *args, hs_neighbor_settings *settings, hs_error *err)
+{
+    static const char *const stencils[] = {"sphere", "cube", NULL};
+    const unsigned options = hs_methods[settings->method].options;
+    for (int i = 1; i + 1 < args->n; i += 2) {
+        const char *keyword = args->word[i];
+        int choice;
+        if (strcmp(keyword, "pairs") == 0) {
+            settings->exact = strcmp(args->word[i + 1], "exact") == 0;
+            continue;
+        }
+        const unsigned needed = strcmp(keyword, "cell") == 0    ? HS_METHOD_TAKES_CELL
+                                : strcmp(keyword, "order") == 0 ? HS_METHOD_TAKES_ORDER
+                                                                : HS_METHOD_TAKES_STENCIL;
+        if (!(options & needed))
+            return hs_fail(
+                err, HS_ERROR_INPUT, "%s: method '%s' has no use for '%s'; %s", args->command, args->word[0], keyword,
+                needed == HS_METHOD_TAKES_STENCIL ? "linked, incremental and hash have" : "all methods but nsq have");
+        if (needed == HS_METHOD_TAKES_CELL) {
+            HS_TRY(hs_arg_double(args, i + 1, &settings->cell, err));
+            if (!(settings->cell >= 0.05 && settings->cell <= 20.0))
+                return hs_arg_refuse(args, i + 1, "a fraction of the cutoff from 0.05 to 20", NULL, err);
+        } else if (needed == HS_METHOD_TAKES_ORDER) {
+            HS_TRY(hs_arg_choice(args, i + 1, hs_cell_order_names, &choice, err));
+            settings->order = (hs_cell_order)choice;
+            if (choice == HS_CELL_ORDER_NONE && !(options & HS_METHOD_TAKES_NO_ORDER))
+                return hs_fail(err, HS_ERROR_INPUT, "%s: method '%s' sorts its atoms: 'order' must be morton or row",
+                               args->command, args->word[0]);
+        } else {
+            HS_TRY(hs_arg_choice(args, i + 1, stencils, &choice, err));
+            settings->is_cube = choice == 1;
+        }
+    }
+    return HS_OK;
+}
+
+/** Method and options as the command gives them; what it does not name goes back to the defaults (except `pairs`). */
+static hs_status read_method(const hs_args *args, hs_neighbor *neighbor, hs_error *err)
+{
+    HS_TRY(hs_neighbor_set_method(neighbor, args->word[0], err));
+    hs_neighbor_settings *settings = &neighbor->settings;
+    settings->cell = 0.0;
+    settings->order = HS_CELL_ORDER_MORTON;
+    settings->is_cube = false;
+    return method_words(args, settings, err);
+}
 
 static hs_status run_neighbor_method(hs_deck *deck, const hs_args *args, hs_error *err)
 {
     hs_neighbor *neighbor = &deck->sim->neighbor;
-    if (args->n > 1) neighbor->settings.exact = strcmp(args->word[2], "exact") == 0;
-    deck->sim->is_initialized = false;
     const char *from_command_line = deck->sim->options.neighbor_method;
-    HS_TRY(hs_neighbor_set_method(neighbor, args->word[0], err));
-    return from_command_line[0] != '\0' ? hs_neighbor_set_method(neighbor, from_command_line, err) : HS_OK;
+    deck->sim->is_initialized = false;
+    HS_TRY(read_method(args, neighbor, err));
+    if (from_command_line[0] == '\0' || strcmp(from_command_line, args->word[0]) == 0) return HS_OK;
+    /* another method from the command line: the deck's options are not meant for it */
+    const hs_args other = {.command = args->command, .n = 1, .word = &from_command_line};
+    return read_method(&other, neighbor, err);
 }
 
 static hs_status check_neighbor_method(const hs_args *args, bool has_variables, hs_error *err)
 {
-    hs_neighbor scratch;
-    (void)has_variables;
+    hs_neighbor scratch = {0};
     if (args->n == 0 || strchr(args->word[0], '$') != NULL) return HS_OK;
-    return hs_neighbor_set_method(&scratch, args->word[0], err);
+    return has_variables ? hs_neighbor_set_method(&scratch, args->word[0], err) : read_method(args, &scratch, err);
 }
 
 static hs_status run_precision(hs_deck *deck, const hs_args *args, hs_error *err)
@@ -189,13 +250,22 @@ const hs_command hs_commands_neighbor[] = {
      .run = run_neigh_modify},
     {.about =
          {.name = "neighbor_method",
-          .syntax = {.usage = "<method> [pairs scheduled|exact]", .n_min = 1, .n_max = 1, .keywords = method_keywords},
+          .syntax = {.usage = "<method> [keyword value ...]", .n_min = 1, .n_max = 1, .keywords = method_keywords},
           .summary = "how pairs are found (Halfshell's own command)",
-          .details = "Methods give the same forces to rounding: `nsq` is the double loop, `cell` sorts atoms into "
-                     "Morton-ordered cells at every step, `verlet` keeps a list of the neighbors of each "
-                     "atom, `cluster` (default) lists of pairs of four-atom clusters. The command line's `-neigh` wins "
-                     "over the deck.",
-          .example = "neighbor_method cell\nneighbor_method cluster pairs exact"},
+          .details =
+              "Methods give the same forces to rounding. `nsq` is the double loop. `linked`, `incremental` and `hash` "
+              "are "
+              "the cell methods of the textbooks, for teaching and for comparison: chains of the atoms in each cell, "
+              "built "
+              "anew at every step, or brought up to date where atoms have changed cell, or for the occupied cells "
+              "only. "
+              "`cell` sorts atoms into Morton-ordered cells at every step, `verlet` keeps a list of the neighbors of "
+              "each "
+              "atom, `cluster` (default) lists of pairs of four-atom clusters. docs/neighbor-methods.md measures them. "
+              "Keywords that a command does not name go back to their defaults (except `pairs`). The command "
+              "line's `-neigh` wins over the deck's method, whose keywords are then not used.",
+          .example =
+              "neighbor_method cell\nneighbor_method cluster pairs exact\nneighbor_method linked cell 0.5 order row"},
      .run = run_neighbor_method,
      .check = check_neighbor_method},
     {.about = {.name = "precision",

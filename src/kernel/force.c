@@ -13,6 +13,7 @@ static void fini_buffer(hs_force_buffer *buffer, bool owns_forces)
     HS_FREE(buffer->touched);
     HS_FREE(buffer->entries.entry);
     hs_cluster_search_fini(&buffer->search);
+    hs_candidates_fini(&buffer->candidates);
 }
 
 void hs_force_space_fini(hs_force_space *space)
@@ -106,23 +107,28 @@ void hs_force_add_output(hs_force_buffer *buffer, const hs_kernel_output *out)
     for (int k = 0; k < 6; ++k) buffer->virial[k] += out->virial[k];
 }
 
-/** Clusters [*begin, *end) of a thread: shares of equal weight, where a chunk of the clusters weighs as many entries as it
- *  had at the evaluation before (near upper faces, where halo atoms are searched too, there are more). */
-static void clusters_of_thread(const hs_force_space *space, int n_clusters, int thread, int n_threads, int *begin,
-                               int *end)
+void hs_force_share(const hs_force_space *space, int64_t n, int thread, int64_t *begin, int64_t *end)
 {
     int64_t total = 0, before = 0;
     for (int k = 0; k < HS_FORCE_CHUNKS; ++k) total += space->weight[k] + 1;
-    int *const bound[2] = {begin, end};
+    int64_t *const bound[2] = {begin, end};
     for (int side = 0; side < 2; ++side) {
-        const int64_t wanted = total * (thread + side) / n_threads;
+        const int64_t wanted = total * (thread + side) / space->n_threads;
         int k = 0;
         for (before = 0; k < HS_FORCE_CHUNKS && before + space->weight[k] + 1 <= wanted; ++k)
             before += space->weight[k] + 1;
         const double chunk = k < HS_FORCE_CHUNKS ? k + (double)(wanted - before) / (double)(space->weight[k] + 1) : k;
-        *bound[side] = (int)(chunk * n_clusters / HS_FORCE_CHUNKS);
+        *bound[side] = (int64_t)(chunk * (double)n / HS_FORCE_CHUNKS);
     }
-    if (thread == n_threads - 1) *end = n_clusters;
+    if (thread == space->n_threads - 1) *end = n;
+}
+
+void hs_force_keep_weights(hs_force_space *space)
+{
+    for (int k = 0; k < HS_FORCE_CHUNKS; ++k) {
+        space->weight[k] = 0;
+        for (int t = 0; t < space->n_threads; ++t) space->weight[k] += space->buffer[t].weight[k];
+    }
 }
 
 static inline void touch_entries(hs_force_buffer *buffer, int first, const hs_entry_list *entries, int64_t n_room)
@@ -140,15 +146,16 @@ static hs_status work_cell(hs_force_space *space, const hs_force_job *job, int t
     hs_force_buffer *buffer = &space->buffer[thread];
     const hs_cluster_part *local = &job->clusters->local;
     const int64_t n_room = (int64_t)job->atoms->n_local + job->atoms->n_halo + HS_ATOMS_PAD;
-    int group, begin, end;
+    int group;
+    int64_t begin, end;
     const hs_cluster_kernel kernel = choose_kernel(job, &group);
     const hs_cluster_find find = hs_isa_find(job->isa);
     hs_kernel_output out = {.f = {buffer->f[0], buffer->f[1], buffer->f[2]}};
-    clusters_of_thread(space, local->n, thread, space->n_threads, &begin, &end);
-    int column = begin < end ? hs_clusters_column(job->clusters, job->cells, begin) : 0;
+    hs_force_share(space, local->n, thread, &begin, &end);
+    int column = begin < end ? hs_clusters_column(job->clusters, job->cells, (int)begin) : 0;
     hs_entry_list *entries = &buffer->entries;
     hs_cluster_search_begin(&buffer->search, job->clusters, job->cells, job->cutoff_max);
-    for (int ci = begin; ci < end; ++ci) {
+    for (int ci = (int)begin; ci < end; ++ci) {
         while (local->column_begin[column + 1] <= ci) ++column;
         entries->n = 0;
         HS_TRY(find(&buffer->search, ci, column, entries, &buffer->error));
@@ -157,7 +164,7 @@ static hs_status work_cell(hs_force_space *space, const hs_force_job *job, int t
         HS_TRY(hs_entry_list_pad(entries, 0, group, first, &buffer->error));
         touch_entries(buffer, first, entries, n_room);
         kernel(&job->input, &out, first, entries->entry, entries->n);
-        buffer->weight[(int64_t)ci * HS_FORCE_CHUNKS / local->n] += entries->n;
+        hs_force_weigh(buffer, ci, local->n, entries->n);
     }
     hs_force_add_output(buffer, &out);
     return HS_OK;
@@ -166,10 +173,7 @@ static hs_status work_cell(hs_force_space *space, const hs_force_job *job, int t
 hs_status hs_force_cell(hs_force_space *space, const hs_force_job *job, hs_force_result *result, hs_error *err)
 {
     const hs_status status = hs_force_run_threads(space, job, work_cell, result, err);
-    for (int k = 0; k < HS_FORCE_CHUNKS; ++k) {
-        space->weight[k] = 0;
-        for (int t = 0; t < space->n_threads; ++t) space->weight[k] += space->buffer[t].weight[k];
-    }
+    hs_force_keep_weights(space);
     return status;
 }
 

@@ -6,6 +6,7 @@
 
 #include "core/atoms.h"
 #include "kernel/kernel.h"
+#include "neighbor/chains.h"
 #include "neighbor/clusters.h"
 
 enum {
@@ -14,15 +15,25 @@ enum {
     HS_FORCE_CHUNKS = 64 /**< parts of the clusters that are weighed to balance the threads */
 };
 
+/** Atoms that may be neighbors of those of a cell, and where they are. Zero it before use. */
+typedef struct hs_candidates {
+    int32_t *index; /**< owned [n] */
+    double *x[3];   /**< owned [n] */
+    double *r2;     /**< owned scratch [n]: distances^2 from the atom at hand */
+    int32_t *near;  /**< owned scratch [n + HS_VERLET_PAD]: its neighbors */
+    int n, capacity;
+} hs_candidates;
+
 /** Buffers of one thread. Thread 0 adds to the atoms' own force arrays. */
 typedef struct hs_force_buffer {
     double *f[3];           /**< owned (borrowed from atoms for thread 0): [n_local + n_halo + pad] */
     unsigned char *touched; /**< owned: block b of HS_FORCE_BLOCK atoms was written to (and cleared before) */
     hs_entry_list entries;  /**< owned: list of the i-cluster at hand (method cell), or all of the thread's (cluster) */
     hs_search search;
-    hs_error error; /**< what went wrong on this thread */
+    hs_candidates candidates; /**< methods linked, incremental, hash */
+    hs_error error;           /**< what went wrong on this thread */
     double energy, virial[6];
-    int64_t weight[HS_FORCE_CHUNKS]; /**< method cell: entries met in each chunk of the clusters */
+    int64_t weight[HS_FORCE_CHUNKS]; /**< methods without lists: pairs met in each chunk of the clusters or cells */
 } hs_force_buffer;
 
 /** Work space of force evaluations; one per simulation. Zero it before use. */
@@ -30,7 +41,7 @@ typedef struct hs_force_space {
     hs_force_buffer *buffer; /**< owned [n_threads] */
     int n_threads;
     int64_t capacity_atoms;          /**< room of each buffer */
-    int64_t weight[HS_FORCE_CHUNKS]; /**< method cell: entries of each chunk at the evaluation before */
+    int64_t weight[HS_FORCE_CHUNKS]; /**< methods without lists: pairs of each chunk at the evaluation before */
 } hs_force_space;
 
 struct hs_cluster_list;
@@ -41,6 +52,7 @@ typedef struct hs_force_job {
     hs_atoms *atoms;
     const hs_cells *cells;
     const hs_clusters *clusters;
+    const hs_chains *chains; /**< methods linked, incremental and hash only */
     const hs_evaluator *evaluator;
     hs_isa isa;
     hs_precision precision;
@@ -77,6 +89,17 @@ HS_MUST_USE hs_status hs_force_space_reserve(hs_force_space *space, const hs_ato
 /** Add a kernel's energy and virial to the thread's. */
 void hs_force_add_output(hs_force_buffer *buffer, const hs_kernel_output *out);
 
+/** Share [*begin, *end) of a thread in n clusters or cells: of equal weight, where a chunk of them weighs as many pairs as
+ *  it had at the evaluation before (near upper faces, where halo atoms are searched too, there are more). */
+void hs_force_share(const hs_force_space *space, int64_t n, int thread, int64_t *begin, int64_t *end);
+/** Note that item k of n has so many pairs. */
+static inline void hs_force_weigh(hs_force_buffer *buffer, int64_t k, int64_t n, int64_t n_pairs)
+{
+    buffer->weight[k * HS_FORCE_CHUNKS / n] += n_pairs;
+}
+/** After an evaluation: keep the weights for the next. */
+void hs_force_keep_weights(hs_force_space *space);
+
 /** Method `nsq`: every local atom against every later local atom and every halo atom, with the scalar potential. The
  *  oracle: slow, and right at a glance. Overwrites forces of local and halo atoms; needs hs_halo_reverse after. */
 HS_MUST_USE hs_status hs_force_nsq(hs_force_space *space, const hs_force_job *job, hs_force_result *result,
@@ -84,6 +107,11 @@ HS_MUST_USE hs_status hs_force_nsq(hs_force_space *space, const hs_force_job *jo
 /** Method `cell`: searches the cells around each cluster and applies the kernel at once; no list is kept. */
 HS_MUST_USE hs_status hs_force_cell(hs_force_space *space, const hs_force_job *job, hs_force_result *result,
                                     hs_error *err);
+/** Methods `linked`, `incremental` and `hash`: each cell with itself and with the cells of the stencil, as the chains have
+ *  them; a list of the neighbors of one atom at a time goes to the kernel of method `verlet`. */
+HS_MUST_USE hs_status hs_force_chains(hs_force_space *space, const hs_force_job *job, hs_force_result *result,
+                                      hs_error *err);
+void hs_candidates_fini(hs_candidates *candidates);
 void hs_force_space_fini(hs_force_space *space);
 
 #endif

@@ -35,10 +35,15 @@ static int compare_codes(const void *a, const void *b)
     return (code_a > code_b) - (code_a < code_b);
 }
 
-/** Number the columns along the Morton curve; gaps of a grid that is no power of two vanish. */
+/** Number the columns along the Morton curve (gaps of a grid that is no power of two vanish), or row by row. */
 static hs_status rank_columns(hs_cells *cells, hs_error *err)
 {
     ranked_column *ranked;
+    cells->ranked_curve = cells->curve;
+    if (cells->curve != HS_CELL_ORDER_MORTON) {
+        for (int column = 0; column < cells->n_columns; ++column) cells->column_rank[column] = column;
+        return HS_OK;
+    }
     HS_TRY(HS_ALLOC(ranked, (size_t)cells->n_columns, err));
     for (int c0 = 0; c0 < cells->n[0]; ++c0)
         for (int c1 = 0; c1 < cells->n[1]; ++c1) {
@@ -82,7 +87,8 @@ hs_status hs_cells_set_grid(hs_cells *cells, const hs_box *box, double reach, do
     while (count_cells(extent, pitch, n) > most)
         for (int a = 0; a < 3; ++a) pitch[a] *= 1.25;
 
-    const bool has_same_columns = cells->column_rank != NULL && cells->n[0] == n[0] && cells->n[1] == n[1];
+    const bool has_same_columns =
+        cells->column_rank != NULL && cells->n[0] == n[0] && cells->n[1] == n[1] && cells->ranked_curve == cells->curve;
     const int64_t n_columns = (int64_t)n[0] * n[1], n_cells = n_columns * n[2];
     for (int a = 0; a < 3; ++a) {
         cells->axis[a] = axes[is_3d][a];

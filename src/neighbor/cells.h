@@ -8,6 +8,7 @@
 
 #include "core/atoms.h"
 #include "core/box.h"
+#include "neighbor/grid.h"
 
 /** Grid over the box and a margin of `reach` around it. Index 0, 1: column axes; 2: run axis (`axis` maps to x, y, z). */
 typedef struct hs_cells {
@@ -17,9 +18,11 @@ typedef struct hs_cells {
     int n[3];         /**< cells per axis */
     double box_hi[3]; /**< upper faces of the box, relative to lo: halo atoms lie beyond one of them at least */
     int n_columns;
-    int32_t *column_rank; /**< owned [n[0] * n[1]]: place of column (c0, c1) along the Morton curve */
-    int32_t *start_local; /**< owned [n_columns * n[2] + 1]: first local atom of each cell */
-    int32_t *start_halo;  /**< the same for halo atoms, counted from 0 at the first halo atom */
+    hs_cell_order curve;        /**< of the columns, set by the caller: along the Morton curve, or row by row */
+    hs_cell_order ranked_curve; /**< the one that column_rank is for */
+    int32_t *column_rank;       /**< owned [n[0] * n[1]]: place of column (c0, c1) in that order */
+    int32_t *start_local;       /**< owned [n_columns * n[2] + 1]: first local atom of each cell */
+    int32_t *start_halo;        /**< the same for halo atoms, counted from 0 at the first halo atom */
     int64_t capacity_cells, capacity_columns;
     int32_t *order;     /**< owned scratch [capacity_atoms]: new place -> old index */
     int32_t *key;       /**< owned scratch [capacity_atoms]: cell of each atom */
@@ -28,7 +31,7 @@ typedef struct hs_cells {
 } hs_cells;
 
 /** Lay a grid over the box and its margin, with columns `width` wide and cells about a third of that high. Cells are
- *  made larger where there would be many more of them than atoms. */
+ *  made larger where there would be many more of them than atoms. cells->curve must be set. */
 HS_MUST_USE hs_status hs_cells_set_grid(hs_cells *cells, const hs_box *box, double reach, double width, int64_t n_atoms,
                                         hs_error *err);
 /** Counting sort of the local atoms by cell; within a cell by place along the run axis, then by id. Computes

@@ -6,15 +6,7 @@
 #include "base/memory.h"
 #include "base/text.h"
 
-const char *const hs_neighbor_methods[] = {"nsq", "cell", "verlet", "cluster", NULL};
-
-const char *const hs_neighbor_method_help[] = {
-    "double loop over all pairs; slow, for checking the others",
-    "atoms are sorted into Morton-ordered cells and pairs searched at every step; no list is kept",
-    "lists of the neighbors of each atom, made from the same cells and kept until atoms have moved too far",
-    "lists of pairs of four-atom clusters from the same cells, kept until atoms have moved too far",
-    NULL,
-};
+const char *const hs_neighbor_methods[] = {"nsq", "linked", "incremental", "hash", "cell", "verlet", "cluster", NULL};
 
 hs_status hs_neighbor_init(hs_neighbor *neighbor, hs_atoms *atoms, double skin, hs_error *err)
 {
@@ -33,6 +25,7 @@ void hs_neighbor_fini(hs_neighbor *neighbor)
     HS_FREE(neighbor->settings.exclusion);
     hs_cells_fini(&neighbor->cells);
     hs_clusters_fini(&neighbor->clusters);
+    hs_chains_fini(&neighbor->chains);
 }
 
 hs_status hs_neighbor_set_method(hs_neighbor *neighbor, const char *name, hs_error *err)
@@ -48,16 +41,12 @@ hs_status hs_neighbor_set_method(hs_neighbor *neighbor, const char *name, hs_err
                    nearest != NULL ? "?" : "");
 }
 
-bool hs_neighbor_keeps_lists(const hs_neighbor *neighbor)
-{
-    return neighbor->settings.method == HS_METHOD_CLUSTER || neighbor->settings.method == HS_METHOD_VERLET;
-}
-
 void hs_neighbor_start(hs_neighbor *neighbor)
 {
     neighbor->counters = (hs_neighbor_counters){.first_late_step = -1};
     neighbor->ago = 0;
     neighbor->is_late = false;
+    neighbor->last_sort_step = -1;
 }
 
 void hs_neighbor_continue(hs_neighbor *neighbor)

@@ -11,6 +11,7 @@
 
 #include "core/atoms.h"
 #include "core/box.h"
+#include "neighbor/chains.h"
 #include "neighbor/clusters.h"
 #include "parallel/parallel.h"
 
@@ -21,11 +22,19 @@ typedef struct hs_exclusion {
 } hs_exclusion;
 
 /** How pairs are found. */
-typedef enum { HS_METHOD_NSQ, HS_METHOD_CELL, HS_METHOD_VERLET, HS_METHOD_CLUSTER, HS_N_METHODS } hs_neighbor_method;
+typedef enum {
+    HS_METHOD_NSQ,
+    HS_METHOD_LINKED,
+    HS_METHOD_INCREMENTAL,
+    HS_METHOD_HASH,
+    HS_METHOD_CELL,
+    HS_METHOD_VERLET,
+    HS_METHOD_CLUSTER,
+    HS_N_METHODS
+} hs_neighbor_method;
 
-/** Names of all methods, ended by NULL, and one line of help for each. */
+/** Names of all methods, ended by NULL. What they do is in the table of sim/methods.h. */
 extern const char *const hs_neighbor_methods[];
-extern const char *const hs_neighbor_method_help[];
 
 /** Settings of `neighbor`, `neigh_modify` and `neighbor_method`. */
 typedef struct hs_neighbor_settings {
@@ -37,6 +46,9 @@ typedef struct hs_neighbor_settings {
     hs_exclusion *exclusion; /**< owned [n_exclusions] */
     int n_exclusions;
     hs_neighbor_method method;
+    double cell;         /**< edge of the cells as a fraction of the cutoff; 0: as the method likes it */
+    hs_cell_order order; /**< of cells, and of atoms in memory */
+    bool is_cube;        /**< the stencil is the whole cube of cells (linked, incremental, hash) */
 } hs_neighbor_settings;
 
 /** Counters of the present run, for the log. */
@@ -57,6 +69,8 @@ typedef struct hs_neighbor {
     bool is_late;        /**< an atom is more than half the skin from x_listed: pairs may be missing from the list */
     hs_cells cells;
     hs_clusters clusters;
+    hs_chains chains;       /**< methods linked, incremental, hash */
+    int64_t last_sort_step; /**< when atoms were last sorted for them; -1: not in this run */
 } hs_neighbor;
 
 /** Defaults of LAMMPS: delay 10, every 1, check yes; the skin comes with the units. Adds a field to the atoms. */
@@ -65,8 +79,6 @@ void hs_neighbor_fini(hs_neighbor *neighbor);
 
 /** Choose the method by name; an error naming the nearest when there is none of that name. */
 HS_MUST_USE hs_status hs_neighbor_set_method(hs_neighbor *neighbor, const char *name, hs_error *err);
-/** Whether the method keeps lists between builds (else atoms are exchanged and searched at every step). */
-bool hs_neighbor_keeps_lists(const hs_neighbor *neighbor);
 /** Start of a run: zero the counters. */
 void hs_neighbor_start(hs_neighbor *neighbor);
 /** Start of a run without set-up: schedule, lists and counters of builds go on, as in LAMMPS; late steps are counted anew. */

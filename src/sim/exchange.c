@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "base/memory.h"
-#include "sim/sim.h"
+#include "sim/methods.h"
 #include "sim/thermo.h"
 
 /** Box lengths that an atom may be away from the box where atoms are placed: image numbers are of 32 bits. */
@@ -125,26 +125,6 @@ static hs_status find_lost(hs_sim *sim, bool is_wrapped, hs_error *err)
     return HS_OK;
 }
 
-/** Sort the local atoms into cells, make the halo, sort it too, and cut both into clusters. */
-static hs_status sort_and_cluster(hs_sim *sim, double reach, hs_error *err)
-{
-    hs_neighbor *neighbor = &sim->neighbor;
-    hs_atoms *atoms = &sim->atoms;
-    const double density = (double)atoms->n_local / hs_box_volume(&sim->box);
-    const double width = hs_clusters_width(sim->box.dimension, density, reach);
-    HS_TRY(hs_cells_set_grid(&neighbor->cells, &sim->box, reach, width, atoms->n_local, err));
-    HS_TRY(hs_cells_sort_local(&neighbor->cells, atoms, err));
-    HS_TRY(hs_atoms_permute(atoms, neighbor->cells.order, err));
-    hs_timer_add(&sim->timer, HS_PHASE_NEIGH);
-    HS_TRY(hs_halo_build(&sim->halo, &sim->box, atoms, reach, err));
-    hs_timer_add(&sim->timer, HS_PHASE_COMM);
-    HS_TRY(hs_cells_sort_halo(&neighbor->cells, atoms, err));
-    hs_halo_reorder(&sim->halo, atoms, neighbor->cells.order);
-    HS_TRY(hs_clusters_build(&neighbor->clusters, &neighbor->cells, atoms, err));
-    hs_timer_add(&sim->timer, HS_PHASE_NEIGH);
-    return HS_OK;
-}
-
 /** Types that kernels see, for local and halo atoms. */
 static void renew_kernel_types(hs_sim *sim)
 {
@@ -153,27 +133,39 @@ static void renew_kernel_types(hs_sim *sim)
     hs_halo_forward_int(&sim->halo, &sim->atoms, sim->kernel_type);
 }
 
-/** What the method needs at the new places: halo, cells, clusters, lists. */
-static hs_status renew_neighbors(hs_sim *sim, hs_error *err)
+hs_status hs_sim_make_halo(hs_sim *sim, double reach, hs_error *err)
 {
-    const double cutoff = sim->pair->cutoff_max, skin = sim->neighbor.settings.skin;
-    switch (sim->neighbor.settings.method) {
-    case HS_METHOD_NSQ:
-        HS_TRY(hs_halo_build(&sim->halo, &sim->box, &sim->atoms, cutoff, err));
-        renew_kernel_types(sim);
-        return HS_OK;
-    case HS_METHOD_VERLET:
-    case HS_METHOD_CLUSTER:
-        HS_TRY(sort_and_cluster(sim, cutoff + skin, err));
-        renew_kernel_types(sim);
-        HS_TRY(hs_sim_list_pairs(sim, err));
-        hs_timer_add(&sim->timer, HS_PHASE_NEIGH);
-        return HS_OK;
-    default:
-        HS_TRY(sort_and_cluster(sim, cutoff, err));
-        renew_kernel_types(sim);
-        return HS_OK;
-    }
+    HS_TRY(hs_halo_build(&sim->halo, &sim->box, &sim->atoms, reach, err));
+    renew_kernel_types(sim);
+    hs_timer_add(&sim->timer, HS_PHASE_COMM);
+    return HS_OK;
+}
+
+/** Width of columns: the deck's, or the one that makes clusters cubic. */
+static double column_width(const hs_sim *sim, double reach)
+{
+    const double fraction = sim->neighbor.settings.cell;
+    if (fraction > 0.0) return fraction * sim->pair->cutoff_max;
+    return hs_clusters_width(sim->box.dimension, (double)sim->atoms.n_local / hs_box_volume(&sim->box), reach);
+}
+
+hs_status hs_sim_sort_and_cluster(hs_sim *sim, double reach, hs_error *err)
+{
+    hs_neighbor *neighbor = &sim->neighbor;
+    hs_atoms *atoms = &sim->atoms;
+    neighbor->cells.curve = neighbor->settings.order;
+    HS_TRY(hs_cells_set_grid(&neighbor->cells, &sim->box, reach, column_width(sim, reach), atoms->n_local, err));
+    HS_TRY(hs_cells_sort_local(&neighbor->cells, atoms, err));
+    HS_TRY(hs_atoms_permute(atoms, neighbor->cells.order, err));
+    hs_timer_add(&sim->timer, HS_PHASE_NEIGH);
+    HS_TRY(hs_halo_build(&sim->halo, &sim->box, atoms, reach, err));
+    hs_timer_add(&sim->timer, HS_PHASE_COMM);
+    HS_TRY(hs_cells_sort_halo(&neighbor->cells, atoms, err));
+    hs_halo_reorder(&sim->halo, atoms, neighbor->cells.order);
+    HS_TRY(hs_clusters_build(&neighbor->clusters, &neighbor->cells, atoms, err));
+    renew_kernel_types(sim);
+    hs_timer_add(&sim->timer, HS_PHASE_NEIGH);
+    return HS_OK;
 }
 
 hs_status hs_sim_exchange(hs_sim *sim, bool is_listing, hs_error *err)
@@ -187,7 +179,8 @@ hs_status hs_sim_exchange(hs_sim *sim, bool is_listing, hs_error *err)
     hs_timer_add(&sim->timer, HS_PHASE_COMM);
     if (sim->pair->cutoff_max <= 0.0) return HS_OK;
 
-    const hs_status status = renew_neighbors(sim, err);
+    const hs_status status = hs_sim_method(sim)->renew(sim, err);
+    hs_timer_add(&sim->timer, HS_PHASE_NEIGH);
     if (hs_parallel_agree(&sim->parallel, err) != HS_OK) return status != HS_OK ? status : err->status;
     if (sim->neighbor.is_late) hs_halo_forward_positions(&sim->halo, &sim->atoms, sim->neighbor.x_listed);
     hs_timer_add(&sim->timer, HS_PHASE_COMM);

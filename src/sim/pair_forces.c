@@ -1,15 +1,16 @@
 /* Pair forces of a step: the method's kernels, the halo's forces home, sums over ranks. */
 #include <string.h>
 
-#include "sim/sim.h"
+#include "sim/methods.h"
 
-static hs_force_job make_job(hs_sim *sim, bool with_energy)
+hs_force_job hs_sim_make_job(hs_sim *sim, bool with_energy)
 {
     hs_atoms *atoms = &sim->atoms;
     hs_neighbor *neighbor = &sim->neighbor;
     hs_force_job job = {.atoms = atoms,
                         .cells = &neighbor->cells,
                         .clusters = &neighbor->clusters,
+                        .chains = &neighbor->chains,
                         .evaluator = sim->pair->style->evaluator,
                         .isa = sim->isa,
                         .precision = sim->precision,
@@ -40,35 +41,6 @@ static void add_tail(hs_sim *sim)
         }
 }
 
-static hs_status run_method(hs_sim *sim, const hs_force_job *job, hs_force_result *result, hs_error *err)
-{
-    switch (sim->neighbor.settings.method) {
-    case HS_METHOD_NSQ:
-        return hs_force_nsq(&sim->forces, job, result, err);
-    case HS_METHOD_VERLET:
-        return hs_force_verlet(&sim->forces, &sim->verlet, job, result, err);
-    case HS_METHOD_CLUSTER:
-        return hs_force_cluster(&sim->forces, &sim->list, job, result, err);
-    default:
-        return hs_force_cell(&sim->forces, job, result, err);
-    }
-}
-
-hs_status hs_sim_list_pairs(hs_sim *sim, hs_error *err)
-{
-    if (sim->pair->style->evaluator == NULL) return HS_OK;
-    hs_force_job job = make_job(sim, false);
-    job.cutoff_max += sim->neighbor.settings.skin;
-    if (sim->neighbor.settings.method == HS_METHOD_VERLET) {
-        HS_TRY(hs_verlet_list_build(&sim->verlet, &sim->forces, &job, err));
-        sim->neighbor.counters.n_pairs = hs_verlet_list_n_pairs(&sim->verlet);
-    } else {
-        HS_TRY(hs_cluster_list_build(&sim->list, &sim->forces, &job, err));
-        sim->neighbor.counters.n_pairs = hs_cluster_list_n_pairs(&sim->list);
-    }
-    return HS_OK;
-}
-
 static void clear_forces(hs_atoms *atoms)
 {
     for (int axis = 0; axis < 3; ++axis)
@@ -83,8 +55,8 @@ hs_status hs_sim_pair_forces(hs_sim *sim, bool with_energy, hs_error *err)
     if (sim->pair->style->evaluator == NULL || sim->pair->cutoff_max <= 0.0) {
         clear_forces(&sim->atoms);
     } else {
-        const hs_force_job job = make_job(sim, with_energy);
-        const hs_status status = run_method(sim, &job, &result, err);
+        const hs_force_job job = hs_sim_make_job(sim, with_energy);
+        const hs_status status = hs_sim_method(sim)->forces(sim, &job, &result, err);
         if (hs_parallel_agree(&sim->parallel, err) != HS_OK) return status != HS_OK ? status : err->status;
         hs_timer_add(&sim->timer, HS_PHASE_PAIR);
         hs_halo_reverse(&sim->halo, &sim->atoms);

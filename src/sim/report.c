@@ -5,6 +5,7 @@
 
 #include "base/memory.h"
 #include "base/text.h"
+#include "sim/methods.h"
 #include "sim/thermo_internal.h"
 
 /** Minimum, mean and maximum of a value over ranks (collective). */
@@ -22,14 +23,6 @@ static spread spread_of(const hs_parallel *parallel, double value)
     return s;
 }
 
-static hs_status describe_cells(const hs_cells *cells, hs_text *text, hs_error *err)
-{
-    return hs_text_printf(text, err,
-                          "  cells = %d x %d x %d of %.4g x %.4g x %.4g, in %d columns along %c in Morton order\n",
-                          cells->n[0], cells->n[1], cells->n[2], cells->pitch[0], cells->pitch[1], cells->pitch[2],
-                          cells->n_columns, "xyz"[cells->axis[2]]);
-}
-
 static hs_status describe_neighbors(const hs_sim *sim, hs_text *text, hs_error *err)
 {
     const hs_neighbor_settings *settings = &sim->neighbor.settings;
@@ -40,11 +33,10 @@ static hs_status describe_neighbors(const hs_sim *sim, hs_text *text, hs_error *
                           settings->once ? ", once" : ""));
     HS_TRY(
         hs_text_printf(text, err, "  master list distance cutoff = %.8g\n  ghost atom cutoff = %.8g\n", reach, reach));
-    if (sim->neighbor.cells.n_columns > 0 && settings->method != HS_METHOD_NSQ)
-        HS_TRY(describe_cells(&sim->neighbor.cells, text, err));
+    if (cutoff > 0.0) HS_TRY(hs_sim_describe_cells(sim, text, err));
     return hs_text_printf(text, err, "  neighbor method %s: %s\n  pair kernels: %s, %s precision\n  pairs: %s\n",
-                          hs_neighbor_methods[settings->method], hs_neighbor_method_help[settings->method],
-                          hs_isa_names[sim->isa], hs_precision_names[sim->precision],
+                          hs_neighbor_methods[settings->method], hs_sim_method(sim)->help, hs_isa_names[sim->isa],
+                          hs_precision_names[sim->precision],
                           settings->exact ? "all within the cutoff at every step"
                                           : "as the update schedule above gives them");
 }

@@ -130,8 +130,13 @@ HS_MUST_USE hs_status hs_sim_exchange(hs_sim *sim, bool is_listing, hs_error *er
 HS_MUST_USE hs_status hs_sim_setup_pair(hs_sim *sim, hs_error *err);
 /** Kernel types of the local atoms from their types and groups; only when groups are excluded from each other. */
 void hs_sim_set_kernel_types(hs_sim *sim);
-/** Pairs within reach of the present positions into the method's list.  sim/pair_forces.c */
-HS_MUST_USE hs_status hs_sim_list_pairs(hs_sim *sim, hs_error *err);
+/** What a force evaluation (or the making of a list) reads.  sim/pair_forces.c */
+hs_force_job hs_sim_make_job(hs_sim *sim, bool with_energy);
+/** Sort the local atoms into Morton cells, make the halo to `reach`, sort it too, and cut both into clusters; kernel types
+ *  for all.  sim/exchange.c */
+HS_MUST_USE hs_status hs_sim_sort_and_cluster(hs_sim *sim, double reach, hs_error *err);
+/** The halo alone, to `reach`, with its kernel types.  sim/exchange.c */
+HS_MUST_USE hs_status hs_sim_make_halo(hs_sim *sim, double reach, hs_error *err);
 /** Pair forces on all local atoms, and with_energy also env.pair_energy and pair_virial (collective).  sim/pair_forces.c */
 HS_MUST_USE hs_status hs_sim_pair_forces(hs_sim *sim, bool with_energy, hs_error *err);
 /** What fixes add to, or change about, the forces; with env.with_energy also env.fix_energy and fix_virial (collective).

@@ -1,5 +1,5 @@
 /* The timestep. */
-#include "sim/sim.h"
+#include "sim/methods.h"
 
 /** One hook of all fixes, in the deck's order. */
 #define CALL_FIXES(sim, hook, err)                                                                                     \
@@ -15,9 +15,12 @@ static hs_status bring_neighbors_up_to_date(hs_sim *sim, hs_error *err)
     HS_TRY(hs_neighbor_is_due(&sim->neighbor, &sim->atoms, &sim->parallel, sim->env.step, &is_due, err));
     hs_timer_add(&sim->timer, HS_PHASE_NEIGH);
     if (is_due) ++sim->neighbor.counters.n_builds;
-    if (is_due || !hs_neighbor_keeps_lists(&sim->neighbor)) return hs_sim_exchange(sim, is_due, err);
+    const hs_method *method = hs_sim_method(sim);
+    if (is_due || !method->keeps_lists) return hs_sim_exchange(sim, is_due, err);
     hs_halo_forward(&sim->halo, &sim->atoms);
     hs_timer_add(&sim->timer, HS_PHASE_COMM);
+    if (method->update != NULL) HS_TRY(method->update(sim, err));
+    hs_timer_add(&sim->timer, HS_PHASE_NEIGH);
     return HS_OK;
 }
 

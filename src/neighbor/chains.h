@@ -1,0 +1,103 @@
+/** Cells as chains of atoms: `head` is the first atom of a cell, `next` the one after it. The structure of the textbooks
+ *  (M. P. Allen, D. J. Tildesley, Computer Simulation of Liquids, 2nd ed., section 5.3.2; D. Frenkel, B. Smit,
+ *  Understanding Molecular Simulation, appendix F), kept up to date in one of three ways:
+ *
+ *    linked       all cells of the grid have a head; everything is built anew at every step
+ *    incremental  the chains are doubly linked, and only atoms that have changed cell are moved
+ *    hash         only occupied cells have a head, found by a hash table: memory goes by atoms, not by volume
+ *
+ *  Local and halo atoms are in the same chains. */
+#ifndef HS_NEIGHBOR_CHAINS_H
+#define HS_NEIGHBOR_CHAINS_H
+
+#include "core/atoms.h"
+#include "neighbor/grid.h"
+
+enum { HS_CHAIN_END = -1 }; /**< in head: the cell is empty; in next and previous: there is none */
+
+/** Zero it before use. */
+typedef struct hs_chains {
+    hs_grid grid;
+    hs_cell_order order;
+    int64_t n_cells; /**< cells with a head: all of the grid, or (hash) the occupied ones */
+    int n_atoms;     /**< atoms in the chains, local and halo */
+    int32_t *head;   /**< owned [n_cells] */
+    int32_t *next;   /**< owned [n_atoms] */
+    int64_t capacity_cells, capacity_atoms;
+
+    /* linked, incremental, in Morton order: numbers of the cells along the curve; NULL when they are numbered row by row */
+    int32_t *number; /**< owned [n_cells]: of the cell at each place */
+    int32_t *place;  /**< owned [n_cells]: of the cell of each number */
+
+    /* incremental */
+    int32_t *cell;                /**< owned [n_atoms]: cell in whose chain the atom is */
+    int32_t *previous;            /**< owned [n_atoms] */
+    int n_local;                  /**< atoms below are local ones */
+    uint64_t generation;          /**< of the atoms in the chains */
+    bool is_void;                 /**< the grid has changed: nothing can be kept */
+    int64_t n_checked, n_changed; /**< atoms looked at, and moved to another chain, so far */
+
+    /* hash: open addressing with linear probing */
+    int32_t *slot;     /**< owned [n_slots]: number of an occupied cell, or HS_CHAIN_END */
+    int64_t *place_of; /**< owned [n_cells]: place in the grid of each occupied cell */
+    int64_t n_slots;   /**< a power of two; 0 unless hashing */
+    int64_t capacity_slots;
+} hs_chains;
+
+/** Lay the grid for the next builds. */
+HS_MUST_USE hs_status hs_chains_set_grid(hs_chains *chains, const hs_grid_plan *plan, hs_cell_order order,
+                                         hs_error *err);
+void hs_chains_fini(hs_chains *chains);
+
+/** Method `linked`: put all atoms, local and halo, into the chains of their cells.  neighbor/linked.c */
+HS_MUST_USE hs_status hs_linked_build(hs_chains *chains, const hs_atoms *atoms, hs_error *err);
+/** Method `incremental`: move the atoms that have changed cell since the last call. After an exchange (@p has_new_halo) the
+ *  halo atoms are others than before; when the local ones are too, the chains are built anew.  neighbor/incremental.c */
+HS_MUST_USE hs_status hs_incremental_update(hs_chains *chains, const hs_atoms *atoms, bool has_new_halo, hs_error *err);
+/** Method `hash`: like linked, with heads for occupied cells only.  neighbor/hash.c */
+HS_MUST_USE hs_status hs_hash_build(hs_chains *chains, const hs_atoms *atoms, hs_error *err);
+
+/** Number of the occupied cell at a place of the grid, or HS_CHAIN_END (hash only). */
+int32_t hs_hash_find(const hs_chains *chains, int64_t place);
+
+/** Heads for all cells of the grid, numbered in their order. Does nothing when there are as many already. */
+HS_MUST_USE hs_status hs_chains_number_cells(hs_chains *chains, hs_error *err);
+/** Room for the chains of n atoms; what is in them stays. */
+HS_MUST_USE hs_status hs_chains_reserve(hs_chains *chains, int64_t n, hs_error *err);
+
+/** New order of the local atoms, cell by cell (order[k]: old index of the atom that comes k-th); those of one cell by id. */
+HS_MUST_USE hs_status hs_chains_sort(const hs_chains *chains, const hs_atoms *atoms, int32_t *order, hs_error *err);
+
+/** The cell of the grid that atom i is in. */
+static inline void hs_chains_locate(const hs_chains *chains, const hs_atoms *atoms, int64_t i, int c[3])
+{
+    for (int a = 0; a < 3; ++a) c[a] = hs_grid_coordinate(&chains->grid, a, atoms->x[a][i]);
+}
+
+/** Number of the cell at c, where all cells have one. */
+static inline int32_t hs_chains_number(const hs_chains *chains, const int c[3])
+{
+    const int64_t place = hs_grid_place(&chains->grid, c);
+    return chains->number != NULL ? chains->number[place] : (int32_t)place;
+}
+
+/** First atom of the cell at c; HS_CHAIN_END for an empty cell and beyond the grid. */
+static inline int32_t hs_chains_first(const hs_chains *chains, const int c[3])
+{
+    for (int a = 0; a < 3; ++a)
+        if (c[a] < 0 || c[a] >= chains->grid.n[a]) return HS_CHAIN_END;
+    if (chains->n_slots == 0) return chains->head[hs_chains_number(chains, c)];
+    const int32_t cell = hs_hash_find(chains, hs_grid_place(&chains->grid, c));
+    return cell < 0 ? HS_CHAIN_END : chains->head[cell];
+}
+
+/** Coordinates of the cell of a number. */
+static inline void hs_chains_coordinates(const hs_chains *chains, int64_t cell, int c[3])
+{
+    const int64_t place = chains->n_slots > 0     ? chains->place_of[cell]
+                          : chains->place != NULL ? chains->place[cell]
+                                                  : cell;
+    hs_grid_cell_at(&chains->grid, place, c);
+}
+
+#endif

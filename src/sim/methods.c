@@ -1,0 +1,221 @@
+#include "sim/methods.h"
+
+#include "base/memory.h"
+
+/* Steps after which atoms are sorted again for methods whose lists do not need it: diffusion undoes the order slowly. */
+enum { SORT_EVERY = 1000 };
+
+const hs_method *hs_sim_method(const hs_sim *sim) { return &hs_methods[sim->neighbor.settings.method]; }
+
+static double listed_reach(const hs_sim *sim) { return sim->pair->cutoff_max + sim->neighbor.settings.skin; }
+
+/* nsq */
+
+static hs_status renew_nsq(hs_sim *sim, hs_error *err) { return hs_sim_make_halo(sim, sim->pair->cutoff_max, err); }
+
+static hs_status forces_nsq(hs_sim *sim, const hs_force_job *job, hs_force_result *result, hs_error *err)
+{
+    return hs_force_nsq(&sim->forces, job, result, err);
+}
+
+/* linked, incremental, hash */
+
+/** Cells over the box and the halo around it. */
+static hs_status set_chain_grid(hs_sim *sim, hs_error *err)
+{
+    const hs_neighbor_settings *settings = &sim->neighbor.settings;
+    hs_grid_plan plan = {.dimension = sim->box.dimension,
+                         .reach = sim->pair->cutoff_max,
+                         .edge = (settings->cell > 0.0 ? settings->cell : 1.0) * sim->pair->cutoff_max,
+                         .is_cube = settings->is_cube};
+    for (int axis = 0; axis < 3; ++axis) {
+        const double margin = sim->box.periodic[axis] ? listed_reach(sim) : 0.0;
+        plan.lo[axis] = sim->box.lo[axis] - margin;
+        plan.hi[axis] = sim->box.hi[axis] + margin;
+    }
+    return hs_chains_set_grid(&sim->neighbor.chains, &plan, settings->order, err);
+}
+
+/** Sort the atoms in memory by their cells, now and then. */
+static hs_status sort_atoms(hs_sim *sim, hs_error *err)
+{
+    hs_neighbor *neighbor = &sim->neighbor;
+    if (neighbor->settings.order == HS_CELL_ORDER_NONE) return HS_OK;
+    if (neighbor->last_sort_step >= 0 && sim->env.step < neighbor->last_sort_step + SORT_EVERY) return HS_OK;
+    int32_t *order = NULL;
+    HS_TRY(HS_ALLOC(order, (size_t)sim->atoms.n_local, err));
+    hs_status status = hs_chains_sort(&neighbor->chains, &sim->atoms, order, err);
+    if (status == HS_OK) status = hs_atoms_permute(&sim->atoms, order, err);
+    HS_FREE(order);
+    neighbor->last_sort_step = sim->env.step;
+    return status;
+}
+
+static hs_status renew_atoms_of_chains(hs_sim *sim, hs_error *err)
+{
+    HS_TRY(set_chain_grid(sim, err));
+    HS_TRY(sort_atoms(sim, err));
+    hs_timer_add(&sim->timer, HS_PHASE_NEIGH);
+    HS_TRY(hs_sim_make_halo(sim, listed_reach(sim), err));
+    /* the halo stays until lists are due again, and an atom may be late before that */
+    hs_halo_forward_positions(&sim->halo, &sim->atoms, sim->neighbor.x_listed);
+    return HS_OK;
+}
+
+static hs_status update_linked(hs_sim *sim, hs_error *err)
+{
+    return hs_linked_build(&sim->neighbor.chains, &sim->atoms, err);
+}
+
+static hs_status renew_linked(hs_sim *sim, hs_error *err)
+{
+    HS_TRY(renew_atoms_of_chains(sim, err));
+    return update_linked(sim, err);
+}
+
+static hs_status update_incremental(hs_sim *sim, hs_error *err)
+{
+    return hs_incremental_update(&sim->neighbor.chains, &sim->atoms, false, err);
+}
+
+static hs_status renew_incremental(hs_sim *sim, hs_error *err)
+{
+    HS_TRY(renew_atoms_of_chains(sim, err));
+    return hs_incremental_update(&sim->neighbor.chains, &sim->atoms, true, err);
+}
+
+static hs_status update_hash(hs_sim *sim, hs_error *err)
+{
+    return hs_hash_build(&sim->neighbor.chains, &sim->atoms, err);
+}
+
+static hs_status renew_hash(hs_sim *sim, hs_error *err)
+{
+    HS_TRY(renew_atoms_of_chains(sim, err));
+    return update_hash(sim, err);
+}
+
+static hs_status forces_chains(hs_sim *sim, const hs_force_job *job, hs_force_result *result, hs_error *err)
+{
+    return hs_force_chains(&sim->forces, job, result, err);
+}
+
+/* cell, verlet, cluster */
+
+static hs_status renew_cell(hs_sim *sim, hs_error *err)
+{
+    return hs_sim_sort_and_cluster(sim, sim->pair->cutoff_max, err);
+}
+
+static hs_status forces_cell(hs_sim *sim, const hs_force_job *job, hs_force_result *result, hs_error *err)
+{
+    return hs_force_cell(&sim->forces, job, result, err);
+}
+
+static hs_status renew_verlet(hs_sim *sim, hs_error *err)
+{
+    HS_TRY(hs_sim_sort_and_cluster(sim, listed_reach(sim), err));
+    if (sim->pair->style->evaluator == NULL) return HS_OK;
+    hs_force_job job = hs_sim_make_job(sim, false);
+    job.cutoff_max = listed_reach(sim);
+    HS_TRY(hs_verlet_list_build(&sim->verlet, &sim->forces, &job, err));
+    sim->neighbor.counters.n_pairs = hs_verlet_list_n_pairs(&sim->verlet);
+    return HS_OK;
+}
+
+static hs_status forces_verlet(hs_sim *sim, const hs_force_job *job, hs_force_result *result, hs_error *err)
+{
+    return hs_force_verlet(&sim->forces, &sim->verlet, job, result, err);
+}
+
+static hs_status renew_cluster(hs_sim *sim, hs_error *err)
+{
+    HS_TRY(hs_sim_sort_and_cluster(sim, listed_reach(sim), err));
+    if (sim->pair->style->evaluator == NULL) return HS_OK;
+    hs_force_job job = hs_sim_make_job(sim, false);
+    job.cutoff_max = listed_reach(sim);
+    HS_TRY(hs_cluster_list_build(&sim->list, &sim->forces, &job, err));
+    sim->neighbor.counters.n_pairs = hs_cluster_list_n_pairs(&sim->list);
+    return HS_OK;
+}
+
+static hs_status forces_cluster(hs_sim *sim, const hs_force_job *job, hs_force_result *result, hs_error *err)
+{
+    return hs_force_cluster(&sim->forces, &sim->list, job, result, err);
+}
+
+enum {
+    COLUMN_OPTIONS = HS_METHOD_TAKES_CELL | HS_METHOD_TAKES_ORDER,
+    CHAIN_OPTIONS = COLUMN_OPTIONS | HS_METHOD_TAKES_STENCIL | HS_METHOD_TAKES_NO_ORDER
+};
+
+const hs_method hs_methods[HS_N_METHODS] = {
+    [HS_METHOD_NSQ] = {.help = "double loop over all pairs; slow, for checking the others",
+                       .renew = renew_nsq,
+                       .forces = forces_nsq},
+    [HS_METHOD_LINKED] = {.help = "the textbook's cells: head and next, built anew at every step",
+                          .keeps_lists = true,
+                          .options = CHAIN_OPTIONS,
+                          .renew = renew_linked,
+                          .update = update_linked,
+                          .forces = forces_chains},
+    [HS_METHOD_INCREMENTAL] = {.help =
+                                   "the same with doubly linked cells, in which only atoms that changed cell are moved",
+                               .keeps_lists = true,
+                               .options = CHAIN_OPTIONS,
+                               .renew = renew_incremental,
+                               .update = update_incremental,
+                               .forces = forces_chains},
+    [HS_METHOD_HASH] = {.help = "the same with a hash table of the occupied cells: memory by atoms, not by volume",
+                        .keeps_lists = true,
+                        .options = CHAIN_OPTIONS,
+                        .renew = renew_hash,
+                        .update = update_hash,
+                        .forces = forces_chains},
+    [HS_METHOD_CELL] = {.help =
+                            "atoms are sorted into Morton-ordered cells and pairs searched at every step; no list is "
+                            "kept",
+                        .options = COLUMN_OPTIONS,
+                        .renew = renew_cell,
+                        .forces = forces_cell},
+    [HS_METHOD_VERLET] = {.help =
+                              "lists of the neighbors of each atom, made from the same cells and kept until atoms have "
+                              "moved too far",
+                          .keeps_lists = true,
+                          .options = COLUMN_OPTIONS,
+                          .renew = renew_verlet,
+                          .forces = forces_verlet},
+    [HS_METHOD_CLUSTER] = {.help =
+                               "lists of pairs of four-atom clusters from the same cells, kept until atoms have moved "
+                               "too far",
+                           .keeps_lists = true,
+                           .options = COLUMN_OPTIONS,
+                           .renew = renew_cluster,
+                           .forces = forces_cluster},
+};
+
+static hs_status describe_columns(const hs_cells *cells, hs_text *text, hs_error *err)
+{
+    return hs_text_printf(
+        text, err, "  cells = %d x %d x %d of %.4g x %.4g x %.4g, in %d columns along %c in %s order\n", cells->n[0],
+        cells->n[1], cells->n[2], cells->pitch[0], cells->pitch[1], cells->pitch[2], cells->n_columns,
+        "xyz"[cells->axis[2]], cells -> curve == HS_CELL_ORDER_MORTON ? "Morton" : "row");
+}
+
+static hs_status describe_chains(const hs_chains *chains, hs_text *text, hs_error *err)
+{
+    const hs_grid *grid = &chains->grid;
+    HS_TRY(hs_text_printf(text, err, "  cells = %d x %d x %d of %.4g x %.4g", grid->n[0], grid->n[1], grid->n[2],
+                          grid->pitch[0], grid->pitch[1]));
+    if (grid->inv_pitch[2] > 0.0) HS_TRY(hs_text_printf(text, err, " x %.4g", grid->pitch[2]));
+    return hs_text_printf(text, err, ", order %s, %d neighbor cells in the half stencil\n",
+                          hs_cell_order_names[chains->order], grid->n_stencil);
+}
+
+hs_status hs_sim_describe_cells(const hs_sim *sim, hs_text *text, hs_error *err)
+{
+    const unsigned options = hs_sim_method(sim)->options;
+    if (options & HS_METHOD_TAKES_STENCIL) return describe_chains(&sim->neighbor.chains, text, err);
+    if (options & HS_METHOD_TAKES_CELL) return describe_columns(&sim->neighbor.cells, text, err);
+    return HS_OK;
+}
