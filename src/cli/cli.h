@@ -7,7 +7,7 @@
 #include "deck/deck.h"
 
 /** Subcommands, as bits: which of them know an option. */
-enum { HS_CLI_RUN = 1, HS_CLI_CHECK = 2, HS_CLI_BENCH = 4, HS_CLI_HELP = 8 };
+enum { HS_CLI_RUN = 1, HS_CLI_CHECK = 2, HS_CLI_BENCH = 4, HS_CLI_HELP = 8, HS_CLI_PLOT = 16 };
 
 /** One option. The table serves the parser, `halfshell --help`, the man page, the manual and shell completion. */
 typedef struct hs_cli_option {
@@ -61,6 +61,8 @@ HS_MUST_USE hs_status hs_cli_set_variables(const hs_cli *cli, unsigned command, 
 HS_MUST_USE hs_status hs_cli_parse_precision(const char *word, hs_options *options, hs_error *err);
 /** Value of -isa: an instruction set that kernels exist for and this machine has. */
 HS_MUST_USE hs_status hs_cli_parse_isa(const char *word, hs_options *options, hs_error *err);
+/** Whether a word starts an option: a minus sign and a letter or a second one. "-" and "-1.5" are values. */
+bool hs_cli_is_option(const char *word);
 /** Index of the next word that starts an option, or cli->n: the end of the values that begin at @p from. */
 int hs_cli_values_end(const hs_cli *cli, int from);
 /** The option of that name or alias that @p command knows; else an error with the nearest. */
@@ -71,6 +73,7 @@ HS_MUST_USE hs_status hs_cli_find_option(const char *word, unsigned command, con
 HS_MUST_USE hs_status hs_cli_run(const hs_cli *cli, int *exit_code, hs_error *err);
 HS_MUST_USE hs_status hs_cli_check(const hs_cli *cli, hs_error *err);
 HS_MUST_USE hs_status hs_cli_bench(const hs_cli *cli, hs_error *err);
+HS_MUST_USE hs_status hs_cli_plot(const hs_cli *cli, hs_error *err);
 HS_MUST_USE hs_status hs_cli_help(const hs_cli *cli, hs_error *err);
 
 /** The page of `halfshell --help`. */

@@ -3,13 +3,15 @@
 
 #include "cli/cli.h"
 
-enum { RUN = HS_CLI_RUN, CHECK = HS_CLI_CHECK, BENCH = HS_CLI_BENCH };
+enum { RUN = HS_CLI_RUN, CHECK = HS_CLI_CHECK, BENCH = HS_CLI_BENCH, PLOT = HS_CLI_PLOT };
 
 const hs_cli_command hs_cli_commands[] = {
     {"run", "[options] DECK", HS_CLI_RUN, "run a deck; the word `run` may be left out"},
     {"check", "[options] DECK", HS_CLI_CHECK,
      "read and validate a deck, run no step, write no file, print what it would do"},
     {"bench", "[options]", HS_CLI_BENCH, "measure the speed of this machine on a Lennard-Jones liquid"},
+    {"plot", "[options] FILE...", HS_CLI_PLOT,
+     "draw logs, files that fixes write, and CSV as PNG, SVG or PDF (through gnuplot)"},
     {"help", "[WORD]", HS_CLI_HELP, "list what decks may contain; with a word, explain that command, style or keyword"},
     {NULL, NULL, 0, NULL},
 };
@@ -33,6 +35,29 @@ const hs_cli_option hs_cli_options[] = {
     {"-repeat", NULL, "N", BENCH, "measurements of each case, of which the fastest counts (default: 3)"},
     {"-threads", "-t", "LIST", BENCH, "thread counts, as in 1,2,4 (default: 1 and all cores)"},
     {"-neigh", NULL, "LIST", BENCH, "neighbor methods, as in cell,nsq (default: the fast ones)"},
+    {"-out", "-o", "FILE", PLOT,
+     "the picture; its name ends in .png, .svg or .pdf (default: the first file's name and .png)"},
+    {"-x", NULL, "COLUMN", PLOT,
+     "column of the horizontal axis, by name or number; `time`: steps times the timestep (default: time, step, "
+     "distance, "
+     "whichever the file has)"},
+    {"-y", NULL, "LIST", PLOT,
+     "columns to draw, by name, number, or a pattern with * and ?, as in Temp,E_* (default: all that change)"},
+    {"-errors", NULL, "LIST|none", PLOT,
+     "columns of standard errors, one for each drawn column (default: found by name, as in Temp_err)"},
+    {"-block", NULL, "all|first|last|N", PLOT,
+     "of a file with several tables, which: of a log the run (default: all), else the step (default: last)"},
+    {"-deck", NULL, "FILE", PLOT, "deck or log that says units, timestep, and what c_ID is (a log says it of itself)"},
+    {"-units", NULL, "NAME", PLOT, "unit system of the numbers, where no deck says it"},
+    {"-logscale", NULL, "x|y|xy|none", PLOT, "logarithmic axes (default: none)"},
+    {"-xrange", NULL, "LO:HI", PLOT, "part of the horizontal axis"},
+    {"-yrange", NULL, "LO:HI", PLOT, "part of the vertical axes"},
+    {"-style", NULL, "lines|points|both", PLOT, "how curves are drawn (default: lines; both where there are errors)"},
+    {"-title", NULL, "TEXT", PLOT, "text above the picture"},
+    {"-legend", NULL, "LIST", PLOT, "names of the files in the legend (default: their file names)"},
+    {"-xlabel", NULL, "TEXT", PLOT, "label of the horizontal axis (default: quantity and unit)"},
+    {"-ylabel", NULL, "TEXT", PLOT, "label of the vertical axis, where there is one (default: quantity and unit)"},
+    {"-size", NULL, "WxH", PLOT, "pixels (default: 900 wide, high enough for one panel for each quantity)"},
     {NULL, NULL, NULL, 0, NULL},
 };
 
@@ -52,15 +77,14 @@ hs_status hs_cli_find_option(const char *word, unsigned command, const hs_cli_op
     return hs_fail(err, HS_ERROR_INPUT, "unknown option '%s'; see: halfshell --help", word);
 }
 
-/** Whether a word starts an option: a minus sign and a letter or a second one. "-" and "-1.5" are values. */
-static bool is_option(const char *word)
+bool hs_cli_is_option(const char *word)
 {
     return word[0] == '-' && (isalpha((unsigned char)word[1]) || word[1] == '-');
 }
 
 int hs_cli_values_end(const hs_cli *cli, int from)
 {
-    while (from < cli->n && !is_option(cli->word[from])) ++from;
+    while (from < cli->n && !hs_cli_is_option(cli->word[from])) ++from;
     return from;
 }
 
@@ -121,9 +145,10 @@ static hs_status set_deck(const char *word, hs_cli_settings *settings, hs_error 
         settings->deck = word;
         return HS_OK;
     }
-    const char *names[8];
+    const char *names[32];
     size_t n = 0;
-    for (const hs_cli_command *command = hs_cli_commands; command->name != NULL; ++command) names[n++] = command->name;
+    for (const hs_cli_command *command = hs_cli_commands; command->name != NULL && n < 32; ++command)
+        names[n++] = command->name;
     const char *nearest = hs_text_nearest(settings->deck, names, n);
     if (nearest != NULL)
         return hs_fail(err, HS_ERROR_INPUT, "'%s' and '%s' cannot both be the deck; did you mean the subcommand '%s'?",
@@ -167,7 +192,7 @@ hs_status hs_cli_parse(const hs_cli *cli, unsigned command, hs_cli_settings *set
     *settings = (hs_cli_settings){.echo_log = true};
     for (int i = 0; i < cli->n; ++i) {
         const char *word = cli->word[i];
-        if (!is_option(word)) {
+        if (!hs_cli_is_option(word)) {
             HS_TRY(set_deck(word, settings, err));
             continue;
         }
@@ -189,7 +214,7 @@ hs_status hs_cli_set_variables(const hs_cli *cli, unsigned command, hs_deck *dec
 {
     for (int i = 0; i < cli->n; ++i) {
         const hs_cli_option *option;
-        if (!is_option(cli->word[i])) continue;
+        if (!hs_cli_is_option(cli->word[i])) continue;
         HS_TRY(hs_cli_find_option(cli->word[i], command, &option, err));
         hs_cli_settings ignored = {0};
         int used;

@@ -1,0 +1,400 @@
+/* Which columns and rows of a file become curves. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/memory.h"
+#include "io/figure.h"
+
+/** Columns that number or count the rows rather than measure anything: not drawn unless asked for. */
+static const char *const bookkeeping[] = {
+    "Step",    "TimeStep", "Time",  "Elapsed",   "Elaplong", "Dt",          "CPU",    "T/CPU", "S/CPU",
+    "CPULeft", "Row",      "Chunk", "OrigID",    "Bin",      "Index",       "Ncount", "Atoms", "Coord1",
+    "Coord2",  "Coord3",   "Coord", "TimeDelta", "Part",     "TimeoutLeft", NULL};
+
+/** What a column's standard errors may be called. */
+static const char *const error_patterns[] = {"%s_err",   "%s_error", "%s_se",     "%s_stderr", "err_%s",
+                                             "error_%s", "se_%s",    "stderr_%s", NULL};
+
+static bool is_listed(const char *const *list, const char *name)
+{
+    while (*list != NULL && strcmp(*list, name) != 0) ++list;
+    return *list != NULL;
+}
+
+/** Column by name, else regardless of case, else by number from 1; -1 when there is none. */
+static int find_column(const hs_table *table, const char *word)
+{
+    int64_t number;
+    const int exact = hs_table_find(table, word);
+    if (exact >= 0) return exact;
+    for (int k = 0; k < table->n_columns; ++k)
+        if (strcasecmp(table->column[k].name, word) == 0) return k;
+    return hs_text_to_int64(word, &number) && number >= 1 && number <= table->n_columns ? (int)number - 1 : -1;
+}
+
+static hs_status refuse_column(const hs_table_file *file, const char *word, hs_error *err)
+{
+    hs_text names = {0};
+    const hs_table *table = &file->table[0];
+    const char **all;
+    HS_TRY(HS_ALLOC(all, (size_t)table->n_columns, err));
+    hs_status status = HS_OK;
+    for (int k = 0; k < table->n_columns && status == HS_OK; ++k) {
+        all[k] = table->column[k].name;
+        status = hs_text_printf(&names, err, "%s%s", k > 0 ? " " : "", all[k]);
+    }
+    const char *nearest = hs_text_nearest(word, all, (size_t)table->n_columns);
+    if (status == HS_OK && nearest != NULL)
+        status = hs_fail(err, HS_ERROR_INPUT, "'%s' has no column '%s'; did you mean '%s'?", file->path, word, nearest);
+    else if (status == HS_OK)
+        status = hs_fail(err, HS_ERROR_INPUT, "'%s' has no column '%s'; its columns are: %s", file->path, word,
+                         hs_text_get(&names));
+    hs_text_fini(&names);
+    HS_FREE(all);
+    return status;
+}
+
+static bool is_increasing(const hs_table_column *column, int64_t n)
+{
+    if (column->word != NULL) return false;
+    for (int64_t i = 1; i < n; ++i)
+        if (!(column->value[i] > column->value[i - 1])) return false;
+    return n > 1;
+}
+
+static int find_error_column(const hs_table *table, const char *y)
+{
+    for (const char *const *pattern = error_patterns; *pattern != NULL; ++pattern) {
+        char name[256];
+        const size_t slot = strcspn(*pattern, "%");
+        snprintf(name, sizeof name, "%.*s%s%s", (int)slot, *pattern, y, *pattern + slot + 2);
+        const int k = hs_table_find(table, name);
+        if (k >= 0) return k;
+    }
+    return -1;
+}
+
+/** Whether this column holds the standard errors of another one. */
+static bool is_error_column(const hs_table *table, int column)
+{
+    for (int k = 0; k < table->n_columns; ++k)
+        if (k != column && find_error_column(table, table->column[k].name) == column) return true;
+    return false;
+}
+
+/** The column that a file's rows go along when nobody says: known names; in an ave/time table a growing second column
+ *  (the distance in a pair correlation); else the first column of numbers. */
+static int default_x(const hs_table_file *file, const hs_table *table)
+{
+    static const char *const names[] = {"Time", "Step", "TimeStep", "TimeDelta", "Coord1", "Coord", NULL};
+    for (const char *const *name = names; *name != NULL; ++name)
+        if (hs_table_find(table, *name) >= 0) return hs_table_find(table, *name);
+    if (file->kind == HS_TABLE_BLOCKS && table->n_columns > 2 && is_increasing(&table->column[1], table->n_rows))
+        return 1;
+    for (int k = 0; k < table->n_columns; ++k)
+        if (table->column[k].word == NULL) return k;
+    return 0;
+}
+
+/** The horizontal axis of one table. */
+typedef struct axis {
+    int column;
+    double factor; /**< timestep where steps become times */
+} axis;
+
+static hs_status choose_x(const hs_table_file *file, const hs_table *table, const hs_plot_choice *choice,
+                          const hs_deck_facts *facts, axis *x, hs_error *err)
+{
+    static const char *const steps[] = {"Step", "TimeStep", "TimeDelta", NULL};
+    *x = (axis){.factor = 1.0};
+    if (choice->x == NULL) {
+        x->column = default_x(file, table);
+        return HS_OK;
+    }
+    x->column = find_column(table, choice->x);
+    if (x->column >= 0) return HS_OK;
+    if (strcmp(choice->x, "time") != 0) return refuse_column(file, choice->x, err);
+    for (const char *const *name = steps; *name != NULL && x->column < 0; ++name)
+        x->column = hs_table_find(table, *name);
+    if (x->column < 0) return refuse_column(file, choice->x, err);
+    if (facts->dt <= 0.0)
+        return hs_fail(err, HS_ERROR_INPUT,
+                       "'%s': steps cannot become times, because the timestep is not known; name the deck or log that "
+                       "says it with -deck",
+                       file->path);
+    x->factor = facts->dt;
+    return HS_OK;
+}
+
+static hs_status set_x_label(hs_figure *figure, const hs_table *table, const axis *x, const hs_deck_facts *facts,
+                             hs_error *err)
+{
+    hs_text label = {0};
+    const char *name = table->column[x->column].name;
+    if (figure->x_label != NULL) return HS_OK;
+    const bool is_lag = strcmp(name, "TimeDelta") == 0 && x->factor != 1.0;
+    hs_status status = hs_quantity_label(&label, x->factor != 1.0 ? "Time" : name, facts, err);
+    hs_text full = {0};
+    if (status == HS_OK) status = hs_text_printf(&full, err, "%s%s", is_lag ? "lag " : "", hs_text_get(&label));
+    if (status == HS_OK) status = hs_memory_strdup(&figure->x_label, hs_text_get(&full), err);
+    hs_text_fini(&full);
+    hs_text_fini(&label);
+    return status;
+}
+
+static bool is_constant(const hs_table_file *file, const char *name)
+{
+    double first = NAN;
+    for (int t = 0; t < file->n_tables; ++t) {
+        const int k = hs_table_find(&file->table[t], name);
+        for (int64_t i = 0; k >= 0 && i < file->table[t].n_rows; ++i) {
+            const double value = file->table[t].column[k].value[i];
+            if (isnan(first)) first = value;
+            if (value != first) return false;
+        }
+    }
+    return true;
+}
+
+/** Mark the columns of a table that become curves: wanted[n_columns]. */
+static hs_status choose_y(const hs_table_file *file, const hs_table *table, const hs_plot_choice *choice, int x,
+                          bool *wanted, hs_error *err)
+{
+    int n = 0;
+    for (int k = 0; k < table->n_columns && choice->y == NULL; ++k) {
+        const char *name = table->column[k].name;
+        wanted[k] = k != x && table->column[k].word == NULL && !is_listed(bookkeeping, name) &&
+                    !(strcmp(name, "Count") == 0 && hs_table_find(table, "Count/Total") >= 0) &&
+                    !is_error_column(table, k) && !(file->kind == HS_TABLE_LOG && is_constant(file, name));
+        n += wanted[k];
+    }
+    /* nothing moves: then show what there is */
+    for (int k = 0; k < table->n_columns && choice->y == NULL && n == 0; ++k)
+        wanted[k] = k != x && table->column[k].word == NULL && !is_error_column(table, k);
+    if (choice->y == NULL) return HS_OK;
+    char *list, *rest;
+    HS_TRY(hs_memory_strdup(&list, choice->y, err));
+    hs_status status = HS_OK;
+    rest = list;
+    for (char *word = strsep(&rest, ","); word != NULL && status == HS_OK; word = strsep(&rest, ",")) {
+        const int column = find_column(table, word);
+        bool found = column >= 0;
+        if (found) wanted[column] = true;
+        for (int k = 0; k < table->n_columns && column < 0; ++k)
+            if (strpbrk(word, "*?") != NULL && hs_text_glob(word, table->column[k].name)) found = wanted[k] = true;
+        if (!found) status = refuse_column(file, word, err);
+    }
+    HS_FREE(list);
+    return status;
+}
+
+/** Column of errors for the curve number @p number of column y: named in -errors, else found by its name; -1: none. */
+static hs_status choose_errors(const hs_table_file *file, const hs_table *table, const hs_plot_choice *choice, int y,
+                               int number, int *column, hs_error *err)
+{
+    *column = -1;
+    if (choice->errors == NULL) {
+        *column = find_error_column(table, table->column[y].name);
+        return HS_OK;
+    }
+    if (strcmp(choice->errors, "none") == 0) return HS_OK;
+    char *list, *rest;
+    HS_TRY(hs_memory_strdup(&list, choice->errors, err));
+    rest = list;
+    char *word = strsep(&rest, ",");
+    for (int k = 0; k < number && word != NULL; ++k) word = strsep(&rest, ",");
+    hs_status status = HS_OK;
+    if (word == NULL)
+        status = hs_fail(err, HS_ERROR_INPUT, "-errors names fewer columns than are drawn: none for '%s'",
+                         table->column[y].name);
+    else if ((*column = find_column(table, word)) < 0)
+        status = refuse_column(file, word, err);
+    HS_FREE(list);
+    return status;
+}
+
+/** Points of one curve while they are gathered. */
+typedef struct points {
+    hs_curve curve;
+    int64_t capacity;
+} points;
+
+static hs_status add_point(points *p, double x, double y, const double *error, hs_error *err)
+{
+    if (p->curve.n == p->capacity) {
+        const int64_t more = p->capacity > 0 ? 2 * p->capacity : 64;
+        HS_TRY(HS_GROW(p->curve.x, (size_t)p->curve.n, (size_t)more, err));
+        HS_TRY(HS_GROW(p->curve.y, (size_t)p->curve.n, (size_t)more, err));
+        HS_TRY(HS_GROW(p->curve.error, (size_t)p->curve.n, (size_t)more, err));
+        p->capacity = more;
+    }
+    p->curve.x[p->curve.n] = x;
+    p->curve.y[p->curve.n] = y;
+    p->curve.error[p->curve.n++] = error != NULL ? *error : 0.0;
+    return HS_OK;
+}
+
+static void clear_points(points *p)
+{
+    HS_FREE(p->curve.x);
+    HS_FREE(p->curve.y);
+    HS_FREE(p->curve.error);
+    p->curve.n = p->capacity = 0;
+}
+
+/** The words of a row, between blanks: rows with the same words are one curve. */
+static hs_status row_words(const hs_table *table, int64_t row, hs_text *words, hs_error *err)
+{
+    hs_text_clear(words);
+    for (int k = 0; k < table->n_columns; ++k)
+        if (table->column[k].word != NULL && table->column[k].word[row] != NULL)
+            HS_TRY(hs_text_printf(words, err, "%s%s", words->length > 0 ? " " : "", table->column[k].word[row]));
+    return HS_OK;
+}
+
+/** One column of one selection of tables on its way to the figure. */
+typedef struct request {
+    hs_figure *figure;
+    const hs_table_file *file;
+    const char *label; /**< of the file; NULL when it is the only one */
+    const hs_plot_choice *choice;
+    const hs_deck_facts *facts;
+    int first, end;   /**< tables that make one curve */
+    int n_columns;    /**< drawn columns: a single one needs no mention in the legend beside file or words */
+    const char *part; /**< "step 100" where several tables make curves of their own; "" */
+} request;
+
+static hs_status send(const request *r, points *p, const char *column, const char *words, bool has_errors,
+                      hs_error *err)
+{
+    hs_text label = {0}, title = {0};
+    hs_status status = hs_quantity_label(&label, column, r->facts, err);
+    const bool is_named = r->label != NULL || words[0] != '\0', has_column = !is_named || r->n_columns > 1;
+    if (status == HS_OK)
+        status =
+            hs_text_printf(&title, err, "%s%s%s%s%s%s%s", r->label != NULL ? r->label : "",
+                           r->label != NULL && words[0] != '\0' ? ": " : "", words, is_named && has_column ? ": " : "",
+                           has_column ? column : "", r->part[0] != '\0' ? ", " : "", r->part);
+    hs_curve curve = p->curve;
+    if (!has_errors) curve.error = NULL;
+    if (status == HS_OK) status = hs_figure_add_curve(r->figure, hs_text_get(&label), hs_text_get(&title), &curve, err);
+    hs_text_fini(&label);
+    hs_text_fini(&title);
+    return status;
+}
+
+/** All rows of a column over the request's tables; rows with different words are different curves. */
+static hs_status add_column(const request *r, const char *name, int number, hs_error *err)
+{
+    const hs_table *head = &r->file->table[r->first];
+    hs_text group = {0}, words = {0};
+    points p = {0};
+    hs_status status = HS_OK;
+    unsigned char *done = NULL; /* rows of the first table that are in a curve already */
+    bool has_words = false;
+    for (int k = 0; k < head->n_columns; ++k) has_words |= head->column[k].word != NULL;
+    status = HS_ALLOC(done, (size_t)head->n_rows + 1, err);
+    for (int64_t start = 0; start < (has_words ? head->n_rows : 1) && status == HS_OK; ++start) {
+        bool has_errors = false;
+        if (done[start]) continue;
+        p.curve.n = 0;
+        if (has_words) status = row_words(head, start, &group, err);
+        for (int t = r->first; t < r->end && status == HS_OK; ++t) {
+            const hs_table *table = &r->file->table[t];
+            const int y = hs_table_find(table, name);
+            axis x;
+            int error = -1;
+            if (y < 0) continue;
+            status = choose_x(r->file, table, r->choice, r->facts, &x, err);
+            if (status == HS_OK) status = choose_errors(r->file, table, r->choice, y, number, &error, err);
+            has_errors |= error >= 0;
+            for (int64_t i = 0; i < table->n_rows && status == HS_OK; ++i) {
+                if (has_words) status = row_words(table, i, &words, err);
+                if (has_words && strcmp(hs_text_get(&words), hs_text_get(&group)) != 0) continue;
+                if (has_words && t == r->first) done[i] = 1;
+                if (status == HS_OK)
+                    status = add_point(&p, table->column[x.column].value[i] * x.factor, table->column[y].value[i],
+                                       error >= 0 ? &table->column[error].value[i] : NULL, err);
+            }
+        }
+        if (status == HS_OK) status = send(r, &p, name, hs_text_get(&group), has_errors, err);
+    }
+    HS_FREE(done);
+    hs_text_fini(&group);
+    hs_text_fini(&words);
+    clear_points(&p);
+    return status;
+}
+
+static hs_status add_tables(request *r, hs_error *err)
+{
+    const hs_table *head = &r->file->table[r->first];
+    axis x;
+    bool *wanted;
+    int number = 0;
+    HS_TRY(choose_x(r->file, head, r->choice, r->facts, &x, err));
+    HS_TRY(set_x_label(r->figure, head, &x, r->facts, err));
+    HS_TRY(HS_ALLOC(wanted, (size_t)head->n_columns + 1, err));
+    hs_status status = choose_y(r->file, head, r->choice, x.column, wanted, err);
+    r->n_columns = 0;
+    for (int k = 0; k < head->n_columns; ++k) r->n_columns += wanted[k];
+    for (int k = 0; k < head->n_columns && status == HS_OK; ++k) {
+        if (!wanted[k]) continue;
+        if (head->column[k].word != NULL && head->n_rows > 0 && r->choice->y != NULL)
+            status = hs_fail(err, HS_ERROR_INPUT, "'%s': column '%s' holds words, not numbers", r->file->path,
+                             head->column[k].name);
+        if (status == HS_OK) status = add_column(r, head->column[k].name, number++, err);
+    }
+    if (status == HS_OK && number == 0)
+        status = hs_fail(err, HS_ERROR_INPUT, "'%s' has no column of numbers to plot against '%s'", r->file->path,
+                         head->column[x.column].name);
+    HS_FREE(wanted);
+    return status;
+}
+
+/** Tables that the word of -block asks for: [*first, *end). */
+static hs_status choose_tables(const hs_table_file *file, const char *block, int *first, int *end, hs_error *err)
+{
+    int64_t step;
+    *first = 0;
+    *end = file->n_tables;
+    while (*end > 1 && file->table[*end - 1].n_rows == 0) --*end; /* a run that was stopped at once */
+    if (block == NULL) block = file->kind == HS_TABLE_BLOCKS ? "last" : "all";
+    if (strcmp(block, "all") == 0) return HS_OK;
+    if (strcmp(block, "first") == 0) return *end = 1, HS_OK;
+    if (strcmp(block, "last") == 0) return *first = *end - 1, HS_OK;
+    for (int t = 0; hs_text_to_int64(block, &step) && t < file->n_tables; ++t)
+        if (file->table[t].step == step) {
+            *first = t;
+            *end = t + 1;
+            return HS_OK;
+        }
+    return hs_fail(err, HS_ERROR_INPUT, "'%s' has no %s '%s'; it has %lld to %lld, and the words all, first, last",
+                   file->path, file->kind == HS_TABLE_BLOCKS ? "step" : "run", block, (long long)file->table[0].step,
+                   (long long)file->table[file->n_tables - 1].step);
+}
+
+hs_status hs_figure_add_file(hs_figure *figure, const hs_table_file *file, const char *label,
+                             const hs_plot_choice *choice, const hs_deck_facts *facts, hs_error *err)
+{
+    request r = {.figure = figure, .file = file, .label = label, .choice = choice, .facts = facts, .part = ""};
+    int first, end;
+    HS_TRY(choose_tables(file, choice->block, &first, &end, err));
+    /* the runs of a log follow one another; the blocks of other files lie above each other */
+    if (file->kind != HS_TABLE_BLOCKS || end - first == 1) {
+        r.first = first;
+        r.end = end;
+        return add_tables(&r, err);
+    }
+    for (int t = first; t < end; ++t) {
+        char part[48];
+        snprintf(part, sizeof part, "step %lld", (long long)file->table[t].step);
+        r.first = t;
+        r.end = t + 1;
+        r.part = part;
+        HS_TRY(add_tables(&r, err));
+    }
+    return HS_OK;
+}
