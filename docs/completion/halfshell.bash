@@ -1,9 +1,10 @@
 # bash completion for halfshell
 _halfshell() {
-    local commands="run check bench help"
+    local commands="run check bench plot help"
     local options_run=" -in -var -log -screen -echo -threads -neigh -precision -isa -suffix -package --help --version"
     local options_check=" -in -var -threads -neigh -precision -isa -suffix -package"
     local options_bench=" -precision -isa -size -steps -repeat -threads -neigh"
+    local options_plot=" -out -x -y -errors -block -deck -units -logscale -xrange -yrange -style -title -legend -xlabel -ylabel -size"
     local options_help=""
     local methods=" cell cluster hash incremental linked nsq verlet"
     local topics="command-line exit-codes commands atom_modify atom_style boundary clear comm_modify comm_style compute create_atoms create_box dimension dump dump_modify echo fix fix_modify group if include info jump label lattice log mass neigh_modify neighbor neighbor_method newton next package pair_coeff pair_modify pair_style precision print processors quit read_data region reset_timestep run set shell suffix thermo thermo_modify thermo_style timestep uncompute undump unfix units variable velocity write_data write_dump pair lj/cut none wca zero fix brownian enforce2d nve compute ke pe pressure temp region block cylinder intersect plane prism sphere union dump atom custom xyz thermo angles atoms bonds cella cellalpha cellb cellbeta cellc cellgamma cpu cpuremain density dihedrals dt eangle ebond econserve ecoul ecouple edihed eimp elaplong elapsed elong emol enthalpy epair etail etotal evdwl fmax fnorm impropers ke lx ly lz nbuild ndanger part pe press pxx pxy pxz pyy pyz pzz spcpu step temp time timeremain tpcpu vol xhi xlat xlo xy xz yhi ylat ylo yz zhi zlat zlo neighbor cell cluster hash incremental linked nsq verlet"
@@ -15,9 +16,7 @@ _halfshell() {
     *)
         case $command in
         help) offered=$topics ;;
-        check) offered=$options_check ;;
-        bench) offered=$options_bench ;;
-        *) offered=$options_run ;;
+        *) offered=options_$command offered=${!offered} ;;
         esac
         [ "$COMP_CWORD" -eq 1 ] && offered="$offered $commands"
         ;;
