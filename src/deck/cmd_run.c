@@ -194,13 +194,18 @@ static hs_status reset_run(hs_deck *deck, const hs_args *args, hs_error *err)
     int64_t step;
     HS_TRY(hs_arg_int(args, 0, 0, step_max, &step, err));
     hs_sim *sim = deck->sim;
+    for (int i = 0; i < sim->n_fixes; ++i)
+        if (sim->fix[i]->style->is_time_dependent)
+            return hs_fail(err, HS_ERROR_INPUT,
+                           "reset_timestep: fix '%s' (%s) counts steps: 'unfix %s' first, and define it again after",
+                           sim->fix[i]->id, sim->fix[i]->style->about.name, sim->fix[i]->id);
     /* Energies of the present positions stay those of the present step; what was remembered for another step of the old
      * count must not be taken for this one's. */
     const bool has_energy = sim->env.energy_step == sim->env.step;
     keep_time(&sim->env, step, sim->env.dt);
     sim->env.energy_step = has_energy ? step : -1;
     sim->env.first_step = sim->env.last_step = step;
-    for (int i = 0; i < sim->n_computes; ++i) hs_compute_invalidate(sim->compute[i]);
+    hs_env_changed(&sim->env);
     for (int i = 0; i < sim->n_dumps; ++i) sim->dump[i]->last_written = -1;
     return HS_OK;
 }

@@ -1,11 +1,13 @@
 /** Evaluation of formulas: node by node, operands first. */
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "base/memory.h"
 #include "deck/formula_nodes.h"
 #include "deck/variables.h"
 #include "sim/thermo.h"
+#include "style/value.h"
 
 /** Value of a node: one number, or one for every local atom. */
 typedef struct result {
@@ -144,42 +146,71 @@ static hs_status eval_operation(const hs_formula *formula, const hs_node *node, 
     return hs_parallel_agree(&deck->sim->parallel, err);
 }
 
-static hs_status eval_compute(const hs_node *node, hs_deck *deck, const result *results, double *value, hs_error *err)
+/** The value of one atom, by its ID, from the rank that owns it. @p name is for messages. */
+static hs_status find_atom(const hs_sim *sim, double id, const double *values, const char *name, double *value,
+                           hs_error *err)
 {
-    hs_compute *compute = hs_sim_find_compute(deck->sim, node->text);
-    if (compute == NULL)
-        return hs_fail(err, HS_ERROR_INPUT, "c_%s: there is no compute '%s': the command 'compute' makes one",
-                       node->text, node->text);
-    if (node->n_args == 0) return hs_compute_scalar(compute, value, err);
-    if (node->n_args == 2)
-        return hs_fail(err, HS_ERROR_INPUT, "c_%s[i][j]: the compute has no array; its style is %s", node->text,
-                       compute->style->about.name);
-    const double index = results[node->arg[0]].number;
-    if (compute->style->vector == NULL || !(index >= 1.0) || index > (double)compute->n_vector)
-        return hs_fail(err, HS_ERROR_INPUT, "c_%s[%.0f]: the compute has %d elements", node->text, index,
-                       compute->style->vector == NULL ? 0 : compute->n_vector);
-    return hs_compute_vector(compute, (int)index - 1, value, err);
+    double found[2] = {0.0, 0.0};
+    for (int i = 0; i < sim->atoms.n_local; ++i) {
+        if ((double)sim->atoms.id[i] != id) continue;
+        found[0] = 1.0;
+        found[1] = values[i];
+    }
+    hs_parallel_sum_double(&sim->parallel, found, 2);
+    *value = found[1];
+    if (found[0] == 1.0) return HS_OK;
+    return hs_fail(err, HS_ERROR_INPUT, "%s[%.15g]: there is no atom of that ID", name, id);
 }
 
-static hs_status eval_fix(const hs_node *node, hs_deck *deck, const result *results, double *value, hs_error *err)
+/** c_ID[i] of a value per atom, or c_ID[i][j] of column j: atom i's. */
+static hs_status eval_atom_reference(hs_env *env, const hs_sim *sim, const hs_value *reference, double *value,
+                                     hs_error *err)
 {
-    hs_fix *fix = hs_sim_find_fix(deck->sim, node->text);
-    if (fix == NULL)
-        return hs_fail(err, HS_ERROR_INPUT, "f_%s: there is no fix '%s': the command 'fix' makes one", node->text,
-                       node->text);
-    if (node->n_args == 0) {
-        if (fix->style->scalar != NULL) return fix->style->scalar(fix, value, err);
-        return hs_fail(err, HS_ERROR_INPUT, "f_%s: the fix has no value; its style is %s", node->text,
-                       fix->style->about.name);
+    hs_value column = *reference;
+    column.n_indices = reference->n_indices - 1;
+    column.index[0] = reference->index[1];
+    double *values;
+    HS_TRY(HS_ALLOC(values, (size_t)sim->atoms.n_local, err));
+    hs_status status = hs_value_atoms(env, &column, values, err);
+    if (status == HS_OK) status = find_atom(sim, (double)reference->index[0], values, reference->id, value, err);
+    HS_FREE(values);
+    return status;
+}
+
+/** c_ID and f_ID with their indices. In LAMMPS's order: the global value, the value of one atom, the values per atom. */
+static hs_status eval_reference(const hs_formula *formula, const hs_node *node, hs_deck *deck, bool per_atom,
+                                const result *results, result *out, hs_error *err)
+{
+    hs_sim *sim = deck->sim;
+    hs_env *env = &sim->env;
+    char word[160];
+    hs_value value = {.kind = node->kind == HS_NODE_COMPUTE ? 'c' : 'f', .id = node->text, .n_indices = node->n_args};
+    int length = snprintf(word, sizeof word, "%c_%.80s", value.kind, node->text);
+    value.word = word;
+    for (int k = 0; k < node->n_args; ++k) {
+        const double index = results[node->arg[k]].number;
+        length += snprintf(word + length, sizeof word - (size_t)length, "[%.0f]", index);
+        if (!(index >= 1.0 && index <= 0x1p53))
+            return hs_fail(err, HS_ERROR_INPUT, "formula '%.400s': %s: indices count from 1", formula->text, word);
+        value.index[k] = (int64_t)index;
     }
-    if (node->n_args == 2)
-        return hs_fail(err, HS_ERROR_INPUT, "f_%s[i][j]: the fix has no array; its style is %s", node->text,
-                       fix->style->about.name);
-    const double index = results[node->arg[0]].number;
-    const int n = fix->style->vector == NULL ? 0 : fix->style->n_vector;
-    if (!(index >= 1.0) || index > (double)n)
-        return hs_fail(err, HS_ERROR_INPUT, "f_%s[%.0f]: the fix has %d elements", node->text, index, n);
-    return fix->style->vector(fix, (int)index - 1, value, err);
+    if (hs_value_has(env, &value, HS_VALUE_NUMBER)) return hs_value_number(env, &value, &out->number, err);
+    hs_value column = value;
+    column.n_indices = node->n_args - 1;
+    column.index[0] = value.index[1];
+    if (node->n_args > 0 && hs_value_has(env, &column, HS_VALUE_ATOMS))
+        return eval_atom_reference(env, sim, &value, &out->number, err);
+    if (!per_atom || !hs_value_has(env, &value, HS_VALUE_ATOMS)) {
+        if (!per_atom && hs_value_has(env, &value, HS_VALUE_ATOMS))
+            return hs_fail(
+                err, HS_ERROR_INPUT,
+                "formula '%.400s': %s has one value per atom: only atom-style variables may use it (%s[ID] is "
+                "that of one atom)",
+                formula->text, word, word);
+        return hs_value_check(env, &value, HS_VALUE_NUMBER, "formula", err);
+    }
+    HS_TRY(HS_ALLOC(out->array, (size_t)sim->atoms.n_local, err));
+    return hs_value_atoms(env, &value, out->array, err);
 }
 
 static hs_status eval_keyword(const hs_node *node, hs_deck *deck, double *value, hs_error *err)
@@ -202,18 +233,13 @@ static hs_status eval_atom_value(const hs_node *node, hs_deck *deck, const resul
                                  hs_error *err)
 {
     const hs_sim *sim = deck->sim;
-    const double id = results[node->arg[0]].number;
-    double found[2] = {0.0, 0.0};
-    for (int i = 0; i < sim->atoms.n_local; ++i) {
-        if ((double)sim->atoms.id[i] != id) continue;
-        found[0] = 1.0;
-        found[1] = hs_formula_attribute(sim, node->attribute, i);
-    }
-    hs_parallel_sum_double(&sim->parallel, found, 2);
-    *value = found[1];
-    if (found[0] == 1.0) return HS_OK;
-    return hs_fail(err, HS_ERROR_INPUT, "%s[%.15g]: there is no atom of that ID",
-                   hs_formula_attributes[node->attribute], id);
+    double *values;
+    HS_TRY(HS_ALLOC(values, (size_t)sim->atoms.n_local, err));
+    for (int i = 0; i < sim->atoms.n_local; ++i) values[i] = hs_formula_attribute(sim, node->attribute, i);
+    hs_status status =
+        find_atom(sim, results[node->arg[0]].number, values, hs_formula_attributes[node->attribute], value, err);
+    HS_FREE(values);
+    return status;
 }
 
 static hs_status eval_attribute(const hs_node *node, const hs_sim *sim, result *out, hs_error *err)
@@ -257,9 +283,8 @@ static hs_status eval_node(const hs_formula *formula, int n, hs_deck *deck, bool
     case HS_NODE_VARIABLE:
         return eval_variable(node, deck, per_atom, out, err);
     case HS_NODE_COMPUTE:
-        return eval_compute(node, deck, results, &out->number, err);
     case HS_NODE_FIX:
-        return eval_fix(node, deck, results, &out->number, err);
+        return eval_reference(formula, node, deck, per_atom, results, out, err);
     case HS_NODE_KEYWORD:
         return eval_keyword(node, deck, &out->number, err);
     case HS_NODE_ATTRIBUTE:

@@ -4,74 +4,52 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "base/memory.h"
 #include "deck/command.h"
 #include "deck/formula_nodes.h"
 #include "deck/variables.h"
+#include "style/value.h"
 
-/** A vector named c_ID or f_ID. */
-typedef struct vector {
-    hs_compute *compute;
-    hs_fix *fix;
-    int n;
-} vector;
-
-static hs_status find_vector(hs_deck *deck, const hs_node *node, vector *found, hs_error *err)
+/** One of the functions of a vector x of n elements. */
+static double of_vector(const char *name, int n_elements, const double *x)
 {
-    const char *word = node->words[0], *usage = node->words_of->usage;
-    memset(found, 0, sizeof *found);
-    if (strncmp(word, "c_", 2) == 0) {
-        found->compute = hs_sim_find_compute(deck->sim, word + 2);
-        if (found->compute == NULL)
-            return hs_fail(err, HS_ERROR_INPUT, "%s: there is no compute '%s'", usage, word + 2);
-        found->n = found->compute->style->vector != NULL ? found->compute->n_vector : 0;
-    } else if (strncmp(word, "f_", 2) == 0) {
-        found->fix = hs_sim_find_fix(deck->sim, word + 2);
-        if (found->fix == NULL) return hs_fail(err, HS_ERROR_INPUT, "%s: there is no fix '%s'", usage, word + 2);
-        found->n = found->fix->style->vector != NULL ? found->fix->style->n_vector : 0;
-    } else {
-        return hs_fail(err, HS_ERROR_INPUT, "%s: '%s' must be c_ID or f_ID, the vector of a compute or fix", usage,
-                       word);
+    double sum = 0.0, least = 0.0, greatest = 0.0, moment = 0.0;
+    const double n = n_elements;
+    for (int i = 0; i < n_elements; ++i) {
+        sum += x[i];
+        moment += x[i] * (i + 1);
+        if (i == 0 || x[i] < least) least = x[i];
+        if (i == 0 || x[i] > greatest) greatest = x[i];
     }
-    if (found->n > 0) return HS_OK;
-    return hs_fail(err, HS_ERROR_INPUT, "%s: '%s' has no vector", usage, word);
+    if (strcmp(name, "sum") == 0) return sum;
+    if (strcmp(name, "min") == 0) return least;
+    if (strcmp(name, "max") == 0) return greatest;
+    if (strcmp(name, "ave") == 0) return n_elements > 0 ? sum / n : 0.0;
+    if (strcmp(name, "trap") == 0) return n_elements > 1 ? sum - 0.5 * (x[0] + x[n_elements - 1]) : 0.0;
+    /* a single point has no slope: LAMMPS says 1e20 */
+    return n_elements > 1 ? (moment - 0.5 * (n + 1.0) * sum) / (n * (n * n - 1.0) / 12.0) : 1e20;
 }
 
-static hs_status element(const vector *from, int i, double *value, hs_error *err)
-{
-    return from->compute != NULL ? hs_compute_vector(from->compute, i, value, err)
-                                 : from->fix->style->vector(from->fix, i, value, err);
-}
-
+/** c_ID, f_ID: a vector; c_ID[j], f_ID[j]: column j of an array. */
 static hs_status do_vector(hs_deck *deck, const hs_node *node, double *value, hs_error *err)
 {
-    vector from;
-    HS_TRY(find_vector(deck, node, &from, err));
-    const char *name = node->words_of->name;
-    double sum = 0.0, least = 0.0, greatest = 0.0, first = 0.0, last = 0.0, moment = 0.0;
-    for (int i = 0; i < from.n; ++i) {
-        double x;
-        HS_TRY(element(&from, i, &x, err));
-        sum += x;
-        moment += x * (i + 1);
-        if (i == 0 || x < least) least = x;
-        if (i == 0 || x > greatest) greatest = x;
-        if (i == 0) first = x;
-        last = x;
-    }
-    const double n = from.n;
-    if (strcmp(name, "sum") == 0)
-        *value = sum;
-    else if (strcmp(name, "min") == 0)
-        *value = least;
-    else if (strcmp(name, "max") == 0)
-        *value = greatest;
-    else if (strcmp(name, "ave") == 0)
-        *value = sum / n;
-    else if (strcmp(name, "trap") == 0)
-        *value = from.n > 1 ? sum - 0.5 * (first + last) : 0.0;
-    else
-        *value = from.n > 1 ? (moment - 0.5 * (n + 1.0) * sum) / (n * (n * n - 1.0) / 12.0) : 0.0;
-    return HS_OK;
+    hs_env *env = &deck->sim->env;
+    const hs_args args = {.command = node->words_of->usage, .n = 1, .word = &node->words[0]};
+    hs_value vector = {0};
+    double *x = NULL;
+    if (node->words[0][0] == 'v')
+        return hs_fail(err, HS_ERROR_INPUT,
+                       "%s: '%s' must be c_ID or f_ID, the vector of a compute or fix, or c_ID[j] or "
+                       "f_ID[j], a column of an array",
+                       args.command, node->words[0]);
+    HS_TRY(hs_value_init(&vector, env, &args, 0, HS_VALUE_VECTOR, err));
+    const int n = hs_value_length(env, &vector);
+    hs_status status = HS_ALLOC(x, (size_t)n, err);
+    if (status == HS_OK) status = hs_value_vector(env, &vector, x, err);
+    if (status == HS_OK) *value = of_vector(node->words_of->name, n, x);
+    HS_FREE(x);
+    hs_value_fini(&vector);
+    return status;
 }
 
 static hs_status do_masks(hs_deck *deck, const hs_node *node, double *values, hs_error *err)
@@ -153,12 +131,12 @@ static hs_status do_is_file(hs_deck *deck, const hs_node *node, double *value, h
 }
 
 const hs_word_function hs_special_functions[] = {
-    {"sum", 1, 1, do_vector, NULL, "sum(c_ID|f_ID)", "sum of the elements of a vector"},
-    {"min", 1, 1, do_vector, NULL, "min(c_ID|f_ID)", "least element"},
-    {"max", 1, 1, do_vector, NULL, "max(c_ID|f_ID)", "greatest element"},
-    {"ave", 1, 1, do_vector, NULL, "ave(c_ID|f_ID)", "mean of the elements"},
-    {"trap", 1, 1, do_vector, NULL, "trap(c_ID|f_ID)", "integral by the trapezoidal rule, distance 1"},
-    {"slope", 1, 1, do_vector, NULL, "slope(c_ID|f_ID)", "slope of the line fitted to the elements"},
+    {"sum", 1, 1, do_vector, NULL, "sum(c_ID|f_ID|c_ID[j]|f_ID[j])", "sum of the elements of a vector"},
+    {"min", 1, 1, do_vector, NULL, "min(c_ID|f_ID|c_ID[j]|f_ID[j])", "least element"},
+    {"max", 1, 1, do_vector, NULL, "max(c_ID|f_ID|c_ID[j]|f_ID[j])", "greatest element"},
+    {"ave", 1, 1, do_vector, NULL, "ave(c_ID|f_ID|c_ID[j]|f_ID[j])", "mean of the elements"},
+    {"trap", 1, 1, do_vector, NULL, "trap(c_ID|f_ID|c_ID[j]|f_ID[j])", "integral by the trapezoidal rule, distance 1"},
+    {"slope", 1, 1, do_vector, NULL, "slope(c_ID|f_ID|c_ID[j]|f_ID[j])", "slope of the line fitted to the elements"},
     {"gmask", 1, 1, NULL, do_masks, "gmask(group)", "1 for atoms of the group, 0 for others (per atom)"},
     {"rmask", 1, 1, NULL, do_masks, "rmask(region)", "1 for atoms in the region (per atom)"},
     {"grmask", 2, 2, NULL, do_masks, "grmask(group,region)", "1 for atoms of the group in the region (per atom)"},

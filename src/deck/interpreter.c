@@ -22,11 +22,18 @@ static hs_status variable_atoms(void *deck, const char *name, double *values, hs
     return hs_variables_atoms(deck, name, values, err);
 }
 
+static int variable_kind(void *deck, const char *name)
+{
+    const hs_variable *variable = hs_variables_find(((hs_deck *)deck)->variables, name);
+    return variable == NULL ? 0 : variable->style == HS_VARIABLE_ATOM ? 2 : 1;
+}
+
 static void connect(hs_deck *deck)
 {
     deck->sim->env.deck = deck;
     deck->sim->env.variable_value = variable_value;
     deck->sim->env.variable_atoms = variable_atoms;
+    deck->sim->env.variable_kind = variable_kind;
 }
 
 hs_status hs_deck_create(hs_deck **deck, const hs_options *options, hs_sink *out, hs_error *err)

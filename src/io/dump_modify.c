@@ -127,6 +127,8 @@ static hs_status modify_thresh(hs_dump *dump, const hs_args *args, int *n_used, 
                        args->command);
     HS_TRY(hs_arg_double(args, 3, &condition.value, err));
     HS_TRY(HS_GROW(table->condition, (size_t)table->n_conditions, (size_t)table->n_conditions + 1, err));
+    if (strchr(args->word[1], '*') != NULL)
+        return hs_arg_refuse(args, 1, "one value: c_ID, c_ID[i], f_ID, f_ID[i] or v_name", NULL, err);
     HS_TRY(hs_dump_parse_column(args->word[1], &condition.column, err));
     if (condition.column.attribute == HS_ATTR_ELEMENT) {
         hs_dump_fini_column(&condition.column);

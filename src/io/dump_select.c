@@ -93,11 +93,9 @@ static hs_status fill_variable(hs_dump *dump, hs_dump_column *column, hs_error *
 {
     hs_env *env = dump->env;
     if (column->attribute != HS_ATTR_VARIABLE) return HS_OK;
-    if (env->variable_atoms == NULL)
-        return hs_fail(err, HS_ERROR_INPUT, "dump '%s': there is no variable '%s'", dump->id, column->name + 2);
     HS_FREE(column->values);
     HS_TRY(HS_ALLOC(column->values, (size_t)env->atoms->n_local, err));
-    return env->variable_atoms(env->deck, column->name + 2, column->values, err);
+    return hs_value_atoms(env, &column->reference, column->values, err);
 }
 
 hs_status hs_dump_select(hs_dump *dump, hs_error *err)

@@ -16,19 +16,38 @@ static void clear_columns(hs_dump_table *table)
     hs_text_clear(&table->header);
 }
 
+static hs_status add_column(hs_dump *dump, const hs_args *args, const char *word, hs_error *err)
+{
+    hs_dump_table *table = dump->state;
+    HS_TRY(HS_GROW(table->column, (size_t)table->n_columns, (size_t)table->n_columns + 1, err));
+    if (hs_dump_parse_column(word, &table->column[table->n_columns], err) != HS_OK) {
+        hs_error cause = *err;
+        hs_error_clear(err);
+        return hs_fail(err, cause.status, "%s: %s", args->command, cause.text);
+    }
+    const hs_dump_column *column = &table->column[table->n_columns++];
+    if (column->attribute == HS_ATTR_VARIABLE)
+        HS_TRY(hs_value_check(dump->env, &column->reference, HS_VALUE_ATOMS, args->command, err));
+    return hs_text_printf(&table->header, err, " %s", word);
+}
+
 hs_status hs_dump_set_columns(hs_dump *dump, const hs_args *args, hs_error *err)
 {
     hs_dump_table *table = dump->state;
     clear_columns(table);
-    HS_TRY(HS_ALLOC(table->column, (size_t)args->n, err));
     for (int i = 0; i < args->n; ++i) {
-        if (hs_dump_parse_column(args->word[i], &table->column[i], err) != HS_OK) {
-            hs_error cause = *err;
-            hs_error_clear(err);
-            return hs_fail(err, cause.status, "%s: %s", args->command, cause.text);
+        if (!hs_value_is_reference(args->word[i]) || strchr(args->word[i], '*') == NULL) {
+            HS_TRY(add_column(dump, args, args->word[i], err));
+            continue;
         }
-        table->n_columns = i + 1;
-        HS_TRY(hs_text_printf(&table->header, err, " %s", args->word[i]));
+        /* c_ID[*]: a column for each */
+        hs_value *values;
+        int n;
+        HS_TRY(hs_values_read(&values, &n, dump->env, args, i, 1, HS_VALUE_ATOMS, err));
+        hs_status status = HS_OK;
+        for (int k = 0; k < n && status == HS_OK; ++k) status = add_column(dump, args, values[k].word, err);
+        hs_values_destroy(&values, n);
+        HS_TRY(status);
     }
     return HS_OK;
 }
@@ -109,6 +128,15 @@ static bool is_file_per_step(const hs_dump *dump)
     return strchr(dump->file, '*') != NULL || ((const hs_dump_table *)dump->state)->is_single;
 }
 
+/** The compute, fix or variable must be there and have values per atom. */
+static hs_status check_reference(hs_dump *dump, const hs_dump_column *column, hs_error *err)
+{
+    char command[128];
+    if (column->attribute != HS_ATTR_VARIABLE) return HS_OK;
+    snprintf(command, sizeof command, "dump '%.80s'", dump->id);
+    return hs_value_check(dump->env, &column->reference, HS_VALUE_ATOMS, command, err);
+}
+
 hs_status hs_dump_table_init(hs_dump *dump, hs_error *err)
 {
     hs_dump_table *table = dump->state;
@@ -124,6 +152,8 @@ hs_status hs_dump_table_init(hs_dump *dump, hs_error *err)
     if (table->sort_column > table->n_columns)
         return hs_fail(err, HS_ERROR_INPUT, "dump '%s': dump_modify sort %d: a row has %d columns", dump->id,
                        table->sort_column, table->n_columns);
+    for (int k = 0; k < table->n_columns; ++k) HS_TRY(check_reference(dump, &table->column[k], err));
+    for (int k = 0; k < table->n_conditions; ++k) HS_TRY(check_reference(dump, &table->condition[k].column, err));
     HS_TRY(make_formats(dump, err));
     if (env->dry_run || is_file_per_step(dump) || table->writer != NULL) return HS_OK;
     return hs_writer_open(&table->writer, dump->file, dump->append ? HS_WRITE_APPEND : HS_WRITE_REPLACE, err);

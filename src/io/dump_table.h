@@ -5,51 +5,18 @@
 
 #include "base/text.h"
 #include "io/writer.h"
+#include "style/attribute.h"
 #include "style/dump.h"
-
-/** Attributes of an atom, in the order of hs_dump_attributes. */
-typedef enum {
-    HS_ATTR_ID,
-    HS_ATTR_TYPE,
-    HS_ATTR_ELEMENT,
-    HS_ATTR_MASS,
-    HS_ATTR_PROC,
-    HS_ATTR_PROCP1,
-    HS_ATTR_X,
-    HS_ATTR_Y,
-    HS_ATTR_Z,
-    HS_ATTR_XS,
-    HS_ATTR_YS,
-    HS_ATTR_ZS,
-    HS_ATTR_XU,
-    HS_ATTR_YU,
-    HS_ATTR_ZU,
-    HS_ATTR_XSU,
-    HS_ATTR_YSU,
-    HS_ATTR_ZSU,
-    HS_ATTR_IX,
-    HS_ATTR_IY,
-    HS_ATTR_IZ,
-    HS_ATTR_VX,
-    HS_ATTR_VY,
-    HS_ATTR_VZ,
-    HS_ATTR_FX,
-    HS_ATTR_FY,
-    HS_ATTR_FZ,
-    HS_N_ATTRIBUTES,
-    HS_ATTR_VARIABLE = HS_N_ATTRIBUTES /**< v_name: an atom-style variable */
-} hs_attribute;
-
-/** Names of the attributes, ended by NULL. */
-extern const char *const hs_dump_attributes[];
+#include "style/value.h"
 
 /** One value of an atom: a column of a row, or the left side of a condition. */
 typedef struct hs_dump_column {
     hs_attribute attribute;
-    char *name;        /**< owned; as in the deck */
-    double *values;    /**< owned [n_local]; of a variable, at the present step */
-    char *user_format; /**< owned; dump_modify format N, or NULL */
-    char *format;      /**< owned; made by init */
+    char *name;         /**< owned; as in the deck */
+    hs_value reference; /**< of HS_ATTR_VARIABLE */
+    double *values;     /**< owned [n_local]; of a reference, at the present step */
+    char *user_format;  /**< owned; dump_modify format N, or NULL */
+    char *format;       /**< owned; made by init */
 } hs_dump_column;
 
 /** dump_modify thresh: atoms are written only when the comparison holds. */

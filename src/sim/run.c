@@ -30,8 +30,8 @@ static hs_status init_styles(hs_sim *sim, hs_error *err)
     }
     if (n_integrators == 0)
         hs_warn(&*sim->env.out, "no fix moves the atoms: a time integrator such as 'fix nve' is missing");
+    hs_env_changed(&sim->env);
     for (int k = 0; k < sim->n_computes; ++k) {
-        hs_compute_invalidate(sim->compute[k]);
         if (sim->compute[k]->style->init != NULL) HS_TRY(sim->compute[k]->style->init(sim->compute[k], err));
     }
     for (int k = 0; k < sim->n_dumps; ++k)
@@ -51,6 +51,7 @@ hs_status hs_sim_setup(hs_sim *sim, hs_error *err)
     HS_TRY(hs_sim_exchange(sim, true, err));
     HS_TRY(hs_sim_pair_forces(sim, true, err));
     sim->env.with_energy = true;
+    hs_env_changed(&sim->env);
     for (int k = 0; k < sim->n_fixes; ++k)
         if (sim->fix[k]->style->setup != NULL) HS_TRY(sim->fix[k]->style->setup(sim->fix[k], err));
     HS_TRY(hs_sim_post_force(sim, err));
@@ -82,6 +83,15 @@ static bool is_output_due(const hs_sim *sim, int64_t step)
     if (hs_thermo_is_due(sim->thermo, step)) return true;
     for (int k = 0; k < sim->n_dumps; ++k)
         if (is_dump_due(sim->dump[k], step, false)) return true;
+    return false;
+}
+
+/** Whether output or a fix will ask for the pair energy or virial of a step. */
+static bool is_energy_due(const hs_sim *sim, int64_t step)
+{
+    for (int k = 0; k < sim->n_fixes; ++k)
+        if (sim->fix[k]->style->needs_energy != NULL && sim->fix[k]->style->needs_energy(sim->fix[k], step))
+            return true;
     return false;
 }
 
@@ -133,7 +143,7 @@ static hs_status run_steps(hs_sim *sim, const hs_run_plan *plan, hs_error *err)
     while (sim->env.step < sim->env.last_step) {
         const int64_t next = sim->env.step + 1;
         const bool is_due = next == sim->env.last_step || is_output_due(sim, next);
-        HS_TRY(hs_sim_step(sim, is_due, err));
+        HS_TRY(hs_sim_step(sim, is_due || is_energy_due(sim, next), err));
         if (is_due) HS_TRY(write_output(sim, err));
         hs_report_progress(sim);
         HS_TRY(run_commands(sim, plan, err));

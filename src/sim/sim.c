@@ -49,6 +49,7 @@ static hs_status create(hs_sim *sim, const hs_options *options, hs_sink *out, hs
                         .dry_run = options->dry_run,
                         .dt = units->dt,
                         .energy_step = -1,
+                        .revision = 1,
                         .find_compute = find_compute,
                         .find_fix = find_fix,
                         .find_region = find_region};
@@ -131,5 +132,5 @@ void hs_sim_atoms_changed(hs_sim *sim)
     ++sim->atoms.generation;
     sim->is_initialized = false;
     sim->env.energy_step = -1;
-    for (int k = 0; k < sim->n_computes; ++k) hs_compute_invalidate(sim->compute[k]);
+    hs_env_changed(&sim->env);
 }

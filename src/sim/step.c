@@ -4,6 +4,7 @@
 /** One hook of all fixes, in the deck's order. */
 #define CALL_FIXES(sim, hook, err)                                                                                     \
     do {                                                                                                               \
+        hs_env_changed(&(sim)->env);                                                                                   \
         for (int k_ = 0; k_ < (sim)->n_fixes; ++k_)                                                                    \
             if ((sim)->fix[k_]->style->hook != NULL) HS_TRY((sim)->fix[k_]->style->hook((sim)->fix[k_], (err)));       \
     } while (0)
@@ -37,6 +38,7 @@ hs_status hs_sim_step(hs_sim *sim, bool with_energy, hs_error *err)
     HS_TRY(hs_sim_pair_forces(sim, with_energy, err));
     hs_timer_mark(&sim->timer);
 
+    /* what a fix computes in one of these hooks is void in the next; a fix that changes atoms in end_of_step says so */
     HS_TRY(hs_sim_post_force(sim, err));
     CALL_FIXES(sim, final_integrate, err);
     CALL_FIXES(sim, end_of_step, err);

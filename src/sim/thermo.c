@@ -142,9 +142,7 @@ bool hs_thermo_needs_energy(const hs_thermo *thermo)
 {
     for (int k = 0; k < thermo->n_columns; ++k) {
         const hs_thermo_column *column = &thermo->column[k];
-        /* What a variable or a fix asks for is not known before it does. */
-        if (column->kind == 'v' || column->kind == 'f') return true;
-        if (column->kind == 'c' && (column->compute == NULL || column->compute->style->needs_energy)) return true;
+        if (column->entry == NULL && hs_value_needs_energy(&thermo->sim->env, &column->value)) return true;
         if (column->entry != NULL && column->entry->needs_energy) return true;
     }
     return false;

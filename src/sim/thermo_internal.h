@@ -3,6 +3,7 @@
 #define HS_SIM_THERMO_INTERNAL_H
 
 #include "sim/thermo.h"
+#include "style/value.h"
 
 /** One keyword of the table of keywords (thermo_keywords.c). */
 typedef struct hs_thermo_entry {
@@ -18,11 +19,7 @@ typedef struct hs_thermo_entry {
 typedef struct hs_thermo_column {
     const hs_thermo_entry *entry; /**< NULL: a compute, fix or variable */
     char *header;                 /**< owned */
-    char kind;                    /**< 'c', 'f', 'v' for those; 0 for keywords */
-    char *id;                     /**< owned; ID or name */
-    int index;                    /**< element from 1; 0: the scalar */
-    hs_compute *compute;          /**< borrowed until the next init */
-    hs_fix *fix;                  /**< borrowed until the next init */
+    hs_value value;               /**< which; empty for keywords */
     char *user_format;            /**< owned; thermo_modify format N, or NULL */
     char *format;                 /**< owned; made by init, with one conversion for a long long or a double */
 } hs_thermo_column;

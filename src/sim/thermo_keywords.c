@@ -283,22 +283,9 @@ const char *hs_thermo_quantity(const char *keyword)
     return entry != NULL ? entry->quantity : NULL;
 }
 
-/** Whether word is c_ID, f_ID (with [i] or [*]) or v_name; the ID may hold letters, digits and underscores. */
-static bool is_reference(const char *word)
-{
-    if (strchr("cfv", word[0]) == NULL || word[0] == '\0' || word[1] != '_') return false;
-    const size_t n_id = strspn(word + 2, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_");
-    const char *rest = word + 2 + n_id;
-    if (n_id == 0) return false;
-    if (*rest == '\0') return true;
-    if (*rest != '[') return false;
-    const size_t n_index = strspn(rest + 1, "0123456789*");
-    return n_index > 0 && strcmp(rest + 1 + n_index, "]") == 0;
-}
-
 const char *hs_thermo_check_word(const char *word)
 {
-    if (strchr(word, '$') != NULL || is_reference(word) || hs_thermo_find_entry(word) != NULL) return NULL;
+    if (strchr(word, '$') != NULL || hs_value_is_reference(word) || hs_thermo_find_entry(word) != NULL) return NULL;
     const char *nearest = hs_text_nearest(word, names, N_ENTRIES);
     return nearest != NULL ? nearest : "";
 }

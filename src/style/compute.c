@@ -1,5 +1,7 @@
 #include "style/compute.h"
 
+#include "base/memory.h"
+
 /** The pair energy and virial of this step exist only when the step was told to compute them. */
 static hs_status check_energy(const hs_compute *compute, hs_error *err)
 {
@@ -12,40 +14,77 @@ static hs_status check_energy(const hs_compute *compute, hs_error *err)
         compute->id, compute->style->about.name, (long long)env->step);
 }
 
+/** Whether a result of revision @p at still holds. */
+static bool is_current(const hs_compute *compute, uint64_t at) { return at != 0 && at == compute->env->revision; }
+
 hs_status hs_compute_scalar(hs_compute *compute, double *value, hs_error *err)
 {
-    if (compute->style->scalar == NULL)
+    if (!compute->has_scalar)
         return hs_fail(err, HS_ERROR_INPUT, "compute '%s' (%s) has no scalar value%s", compute->id,
-                       compute->style->about.name,
-                       compute->style->vector != NULL ? "; its elements are c_ID[1], ..." : "");
+                       compute->style->about.name, compute->has_vector ? "; its elements are c_ID[1], ..." : "");
     HS_TRY(check_energy(compute, err));
-    if (compute->scalar_step != compute->env->step) {
+    if (!is_current(compute, compute->scalar_at)) {
         HS_TRY(compute->style->scalar(compute, &compute->scalar, err));
-        compute->scalar_step = compute->env->step;
+        compute->scalar_at = compute->env->revision;
     }
     *value = compute->scalar;
     return HS_OK;
 }
 
+hs_status hs_compute_eval_vector(hs_compute *compute, hs_error *err)
+{
+    if (!compute->has_vector)
+        return hs_fail(err, HS_ERROR_INPUT, "compute '%s' (%s) has no vector", compute->id, compute->style->about.name);
+    HS_TRY(check_energy(compute, err));
+    if (is_current(compute, compute->vector_at)) return HS_OK;
+    HS_TRY(compute->style->vector(compute, err));
+    compute->vector_at = compute->env->revision;
+    return HS_OK;
+}
+
+hs_status hs_compute_eval_array(hs_compute *compute, hs_error *err)
+{
+    if (!compute->has_array)
+        return hs_fail(err, HS_ERROR_INPUT, "compute '%s' (%s) has no array", compute->id, compute->style->about.name);
+    HS_TRY(check_energy(compute, err));
+    if (is_current(compute, compute->array_at)) return HS_OK;
+    HS_TRY(compute->style->array(compute, err));
+    compute->array_at = compute->env->revision;
+    return HS_OK;
+}
+
+hs_status hs_compute_eval_atoms(hs_compute *compute, hs_error *err)
+{
+    if (!compute->has_atoms)
+        return hs_fail(err, HS_ERROR_INPUT, "compute '%s' (%s) has no values per atom", compute->id,
+                       compute->style->about.name);
+    HS_TRY(check_energy(compute, err));
+    if (is_current(compute, compute->atoms_at)) return HS_OK;
+    const size_t n =
+        (size_t)compute->env->atoms->n_local * (size_t)(compute->n_atom_columns + !compute->n_atom_columns);
+    if (n > compute->capacity_atoms || compute->atoms == NULL) {
+        HS_TRY(HS_GROW(compute->atoms, 0, n, err));
+        compute->capacity_atoms = n;
+    }
+    HS_TRY(compute->style->per_atom(compute, err));
+    compute->atoms_at = compute->env->revision;
+    return HS_OK;
+}
+
 hs_status hs_compute_vector(hs_compute *compute, int i, double *value, hs_error *err)
 {
-    if (compute->style->vector == NULL)
-        return hs_fail(err, HS_ERROR_INPUT, "compute '%s' (%s) has no vector; its value is c_%s", compute->id,
-                       compute->style->about.name, compute->id);
+    if (!compute->has_vector)
+        return hs_fail(err, HS_ERROR_INPUT, "compute '%s' (%s) has no vector%s", compute->id,
+                       compute->style->about.name, compute->has_scalar ? "; its value is c_ID" : "");
     if (i < 0 || i >= compute->n_vector)
         return hs_fail(err, HS_ERROR_INPUT, "c_%s[%d]: the vector of compute '%s' (%s) has the elements 1 to %d",
                        compute->id, i + 1, compute->id, compute->style->about.name, compute->n_vector);
-    HS_TRY(check_energy(compute, err));
-    if (compute->vector_step != compute->env->step) {
-        HS_TRY(compute->style->vector(compute, err));
-        compute->vector_step = compute->env->step;
-    }
+    HS_TRY(hs_compute_eval_vector(compute, err));
     *value = compute->vector[i];
     return HS_OK;
 }
 
 void hs_compute_invalidate(hs_compute *compute)
 {
-    compute->scalar_step = -1;
-    compute->vector_step = -1;
+    compute->scalar_at = compute->vector_at = compute->array_at = compute->atoms_at = 0;
 }

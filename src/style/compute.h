@@ -19,6 +19,13 @@ typedef struct hs_compute_style {
                                     hs_error *err); /**< NULL: has no scalar */
     /** Fill compute->vector[n_vector]; NULL: has no vector. */
     HS_MUST_USE hs_status (*vector)(struct hs_compute *compute, hs_error *err);
+    /** Fill compute->array[n_rows * n_columns], row by row; NULL: has no array. */
+    HS_MUST_USE hs_status (*array)(struct hs_compute *compute, hs_error *err);
+    /** Fill compute->atoms for the local atoms: column k of atom i is atoms[k * n_local + i]; room for n_atom_columns (at
+     *  least one) columns is made before the call. Atoms outside the group get 0. NULL: has no values per atom. */
+    HS_MUST_USE hs_status (*per_atom)(struct hs_compute *compute, hs_error *err);
+    /** A keyword of compute_modify and what follows it; *n_used = words taken, 0 when it is not the style's. */
+    HS_MUST_USE hs_status (*modify)(struct hs_compute *compute, const hs_args *args, int *n_used, hs_error *err);
     /** Take the temperature from another compute (thermo_modify temp, fix_modify temp); NULL: uses none. */
     HS_MUST_USE hs_status (*set_temperature)(struct hs_compute *compute, const char *id, hs_error *err);
     /** Global values that outlive a step (a history), moved into a checkpoint or back (collective). Reading comes after
@@ -26,11 +33,12 @@ typedef struct hs_compute_style {
     HS_MUST_USE hs_status (*keep_state)(struct hs_compute *compute, hs_state *state, hs_error *err);
     bool needs_energy;        /**< the pair energy or virial must have been computed on the step it is asked for */
     bool is_extensive;        /**< scalar grows with the number of atoms: divided by N under thermo_modify norm yes */
-    bool is_vector_extensive; /**< the same for the elements of the vector */
+    bool is_vector_extensive; /**< the same for the elements of the vector; both are copied to the compute */
     bool is_temperature, is_pressure; /**< may serve fix_modify temp / press */
 } hs_compute_style;
 
-/** One compute of a simulation. Results are remembered for a step: hs_compute_scalar evaluates at most once a step. */
+/** One compute of a simulation. Results are remembered until atoms change (env->revision): hs_compute_scalar and the others
+ *  evaluate at most once. */
 typedef struct hs_compute {
     const hs_compute_style *style;
     char *id; /**< owned by hs_sim */
@@ -39,17 +47,29 @@ typedef struct hs_compute {
     hs_env *env;
     void *state;
     double scalar;
-    int64_t scalar_step; /**< -1: not evaluated yet */
-    double *vector;      /**< [n_vector], allocated by create, freed by destroy of the style */
+    double *vector; /**< [n_vector], allocated by create, freed by destroy of the style */
     int n_vector;
-    int64_t vector_step;
-    double n_dof; /**< temperature computes: degrees of freedom */
+    double *array; /**< [n_rows * n_columns], the same */
+    int n_rows, n_columns;
+    double *atoms;      /**< values per atom, by columns; owned by the interface, made and freed for the style */
+    int n_atom_columns; /**< 0: one value per atom, c_ID; n: c_ID[1] ... c_ID[n]; set by create */
+    size_t capacity_atoms;
+    uint64_t scalar_at, vector_at, array_at, atoms_at; /**< revision of the results; 0: not evaluated yet */
+    bool is_extensive, is_vector_extensive;
+    /** What there is: at first what the style has functions for; create may clear some. */
+    bool has_scalar, has_vector, has_array, has_atoms;
+    bool may_need_energy; /**< made from other values that may need the pair energy or virial; set by create */
+    double n_dof;         /**< temperature computes: degrees of freedom */
 } hs_compute;
 
-/** Evaluate if needed; an error when the style has none, or needs an energy that this step did not compute. */
+/** Evaluate if needed (collective); an error when the style has none, or needs an energy that this step did not compute. */
 HS_MUST_USE hs_status hs_compute_scalar(hs_compute *compute, double *value, hs_error *err);
 /** Element i (from 0) of the vector. */
 HS_MUST_USE hs_status hs_compute_vector(hs_compute *compute, int i, double *value, hs_error *err);
+/** Bring the whole vector, array, or values per atom up to date: then compute->vector, ->array, ->atoms hold them. */
+HS_MUST_USE hs_status hs_compute_eval_vector(hs_compute *compute, hs_error *err);
+HS_MUST_USE hs_status hs_compute_eval_array(hs_compute *compute, hs_error *err);
+HS_MUST_USE hs_status hs_compute_eval_atoms(hs_compute *compute, hs_error *err);
 /** Forget remembered results (positions or velocities were changed between steps). */
 void hs_compute_invalidate(hs_compute *compute);
 

@@ -36,6 +36,9 @@ typedef struct hs_env {
     int64_t ramp_stop;   /**< step at which the series ends (run stop); else last_step */
     int64_t clock_ahead; /**< step + clock_ahead counts all steps ever made: what reset_timestep took off the step */
     double dt;           /**< timestep, time */
+    /** Raised whenever positions, velocities, forces or the order of atoms change: results of computes are remembered for
+     *  one revision. Who changes atoms outside of the hooks before end_of_step raises it (hs_env_changed). */
+    uint64_t revision;
     double time_origin;  /**< simulated time at step time_origin_step: set when dt changes, so that time goes on */
     int64_t time_origin_step;
 
@@ -57,7 +60,12 @@ typedef struct hs_env {
     hs_status (*variable_value)(void *deck, const char *name, double *value, hs_error *err);
     /** Values of an atom-style variable for the local atoms: values[n_local]. */
     hs_status (*variable_atoms)(void *deck, const char *name, double *values, hs_error *err);
+    /** 0: there is no variable of that name, 1: it has one value, 2: one for each atom. */
+    int (*variable_kind)(void *deck, const char *name);
     void *deck;
 } hs_env;
+
+/** Atoms were changed: remembered results of computes are void. */
+static inline void hs_env_changed(hs_env *env) { ++env->revision; }
 
 #endif

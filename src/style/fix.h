@@ -31,11 +31,21 @@ typedef struct hs_fix_style {
     /** f_ID and f_ID[i] in formulas and thermo output; NULL when the style has no such value. */
     HS_MUST_USE hs_status (*scalar)(struct hs_fix *fix, double *value, hs_error *err);
     HS_MUST_USE hs_status (*vector)(struct hs_fix *fix, int i, double *value, hs_error *err); /**< i from 0 */
+    /** f_ID[i][j]: row i, column j, from 0. */
+    HS_MUST_USE hs_status (*array)(struct hs_fix *fix, int i, int j, double *value, hs_error *err);
+    /** One column (from 0) of the values per atom: values[n_local]. */
+    HS_MUST_USE hs_status (*per_atom)(struct hs_fix *fix, int column, double *values, hs_error *err);
     /** What the future depends on and the deck does not say, for restarts: append it to @p state, or take it from there.
      *  NULL for the many fixes that remember nothing. */
     HS_MUST_USE hs_status (*write_state)(struct hs_fix *fix, hs_text *state, hs_error *err);
     HS_MUST_USE hs_status (*read_state)(struct hs_fix *fix, const char *state, hs_error *err);
-    int n_vector;
+    int n_vector;                           /**< copied to fix->n_vector; create may set that to another number */
+    bool is_extensive, is_vector_extensive; /**< as for computes; copied to the fix */
+    /** Whether end_of_step of that step will ask for a pair energy or virial; NULL: never. */
+    bool (*needs_energy)(const struct hs_fix *fix, int64_t step);
+    /** A keyword of fix_modify and what follows it; *n_used = words taken, 0 when it is not the style's. */
+    HS_MUST_USE hs_status (*modify)(struct hs_fix *fix, const hs_args *args, int *n_used, hs_error *err);
+    bool is_time_dependent; /**< counts steps: reset_timestep is refused while there is one */
     bool is_integrator; /**< moves its atoms: two of them on one atom are warned about */
     bool has_energy;    /**< `fix_modify energy yes` adds the scalar to the potential energy */
     bool has_virial;    /**< `fix_modify virial yes` adds virial[] to the pressure */
@@ -52,6 +62,12 @@ typedef struct hs_fix {
     bool adds_energy, adds_virial; /**< fix_modify energy, virial */
     double virial[6];              /**< sum of r_a F_b over the atoms of this rank: xx yy zz xy xz yz; energy. Set by
                                         post_force when hs_fix_needs_virial. */
+    int n_vector;
+    int n_rows, n_columns; /**< of the array */
+    int n_atom_columns;    /**< 0: one value per atom, f_ID; n: f_ID[1] ... f_ID[n] */
+    bool is_extensive, is_vector_extensive, is_array_extensive;
+    /** What there is: at first what the style has functions for; create may clear some. */
+    bool has_scalar, has_vector, has_array, has_atoms;
 } hs_fix;
 
 /** Whether post_force must fill fix->virial at this step. */

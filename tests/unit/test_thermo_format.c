@@ -188,11 +188,11 @@ START_TEST(test_refusals)
     expect_error("thermo_style one step\n", "unexpected word 'step'");
     expect_error("thermo_style fancy\n", "'fancy' is not one of one, multi, custom");
     expect_error("thermo_style custom\n", "at least one keyword");
-    expect_error("thermo_style custom step c_nope\nrun 0\n", "there is no compute 'nope' for the column c_nope");
-    expect_error("thermo_style custom step c_thermo_temp[7]\nrun 0\n", "has no value c_thermo_temp[7]");
-    expect_error("thermo_style custom step c_thermo_pe[1]\nrun 0\n", "has no value c_thermo_pe[1]");
+    expect_error("thermo_style custom step c_nope\nrun 0\n", "there is no compute 'nope' for c_nope");
+    expect_error("thermo_style custom step c_thermo_temp[7]\nrun 0\n", "c_thermo_temp[7] is not a number");
+    expect_error("thermo_style custom step c_thermo_pe[1]\nrun 0\n", "c_thermo_pe[1] is not a number");
     expect_error("thermo_style custom c_nope[*]\n", "needs the compute 'nope' to exist");
-    expect_error("thermo_style custom step f_1\nrun 0\n", "has no value f_1");
+    expect_error("thermo_style custom step f_1\nrun 0\n", "f_1 is not a number; fix '1' (nve) has no values");
     expect_error("thermo_modify flux yes\n", "unknown keyword 'flux'; did you mean 'flush'?");
     expect_error("thermo_modify lost maybe\n", "'maybe'");
     expect_error("thermo_modify format 9 %d\n", "the columns are 1 to 6");

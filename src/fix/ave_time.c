@@ -1,0 +1,264 @@
+/* Averages over time of numbers or vectors. */
+#include <string.h>
+
+#include "base/memory.h"
+#include "io/average.h"
+#include "style/value.h"
+
+typedef struct ave_state {
+    hs_schedule schedule;
+    hs_value *values; /**< owned [n_values] */
+    int n_values;
+    bool is_vector; /**< mode vector: each value is a vector of n_rows elements */
+    int n_rows;     /**< 1 in mode scalar */
+    bool *is_off;   /**< owned [n_values]: keyword off: the last sample counts, not the mean */
+    double *sum;    /**< owned [n_rows][n_values]: of the present window */
+    double *sample; /**< owned [n_rows] */
+    hs_fold fold;
+    hs_average_file file;
+    char *head; /**< owned; the names of the columns */
+} ave_state;
+
+static const hs_keyword keywords[] = {
+    HS_AVERAGE_KEYWORDS,
+    {"mode", 1, "scalar|vector", "values are numbers, or vectors of equal length (default: scalar)"},
+    {"off", 1, "<M>", "value M is not averaged: its last sample is taken"},
+    {NULL, 0, NULL, NULL},
+};
+
+static hs_status read_mode(ave_state *state, const hs_args *args, int first, hs_error *err)
+{
+    static const char *const modes[] = {"scalar", "vector", NULL};
+    for (int i = first; i + 1 < args->n; ++i) {
+        int mode;
+        if (strcmp(args->word[i], "mode") != 0) continue;
+        HS_TRY(hs_arg_choice(args, i + 1, modes, &mode, err));
+        state->is_vector = mode == 1;
+    }
+    return HS_OK;
+}
+
+static hs_status read_keywords(ave_state *state, const hs_args *args, int first, hs_error *err)
+{
+    for (int i = first, n_used; i < args->n; i += n_used) {
+        HS_TRY(hs_average_keyword(&state->schedule, &state->fold, &state->file, args, i, &n_used, err));
+        if (n_used > 0) continue;
+        n_used = 2;
+        if (strcmp(args->word[i], "mode") == 0) continue;
+        if (strcmp(args->word[i], "off") != 0) return hs_arg_refuse(args, i, "a keyword here", NULL, err);
+        int64_t m;
+        HS_TRY(hs_arg_int(args, i + 1, 1, state->n_values, &m, err));
+        state->is_off[m - 1] = true;
+    }
+    return HS_OK;
+}
+
+/** Length of the vectors, which must agree. */
+static hs_status find_length(hs_fix *fix, const char *command, hs_error *err)
+{
+    ave_state *state = fix->state;
+    state->n_rows = state->is_vector ? hs_value_length(fix->env, &state->values[0]) : 1;
+    for (int k = 1; k < state->n_values && state->is_vector; ++k) {
+        const int n = hs_value_length(fix->env, &state->values[k]);
+        if (n != state->n_rows)
+            return hs_fail(err, HS_ERROR_INPUT, "%s: the vectors must be equally long, and %s has %d elements, %s %d",
+                           command, state->values[0].word, state->n_rows, state->values[k].word, n);
+    }
+    const size_t n = (size_t)state->n_rows * (size_t)state->n_values;
+    HS_TRY(HS_GROW(state->sum, 0, n, err));
+    HS_TRY(HS_GROW(state->sample, 0, (size_t)state->n_rows, err));
+    HS_TRY(hs_fold_reserve(&state->fold, (int)n, err));
+    fix->has_scalar = !state->is_vector && state->n_values == 1;
+    fix->has_vector = state->is_vector ? state->n_values == 1 : state->n_values > 1;
+    fix->has_array = state->is_vector && state->n_values > 1;
+    fix->n_vector = state->is_vector ? state->n_rows : state->n_values;
+    fix->n_rows = state->n_rows;
+    fix->n_columns = fix->has_array ? state->n_values : 0;
+    return HS_OK;
+}
+
+static hs_status make_head(ave_state *state, hs_error *err)
+{
+    hs_text head = {0};
+    hs_status status = hs_text_printf(&head, err, state->is_vector ? "# Row" : "# TimeStep");
+    for (int k = 0; k < state->n_values && status == HS_OK; ++k)
+        status = hs_text_printf(&head, err, " %s", state->values[k].word);
+    if (status == HS_OK) status = hs_memory_strdup(&state->head, hs_text_get(&head), err);
+    hs_text_fini(&head);
+    return status;
+}
+
+/** Whether the means grow with the number of atoms, as the first value does. */
+static bool is_extensive(const hs_fix *fix)
+{
+    const ave_state *state = fix->state;
+    hs_value element = state->values[0];
+    if (state->is_vector) element.index[element.n_indices++] = 1; /* any element of the vector */
+    return hs_value_is_extensive(fix->env, &element);
+}
+
+static hs_status create(hs_fix *fix, const hs_args *args, hs_error *err)
+{
+    ave_state *state = fix->state;
+    const int first = hs_syntax_first_keyword(&fix->style->about.syntax, args);
+    HS_TRY(hs_schedule_init(&state->schedule, args, 0, err));
+    HS_TRY(read_mode(state, args, first, err));
+    HS_TRY(hs_values_create(&state->values, &state->n_values, fix->env, args, 3, first - 3,
+                            state->is_vector ? HS_VALUE_VECTOR : HS_VALUE_NUMBER, err));
+    HS_TRY(HS_ALLOC(state->is_off, (size_t)state->n_values, err));
+    HS_TRY(read_keywords(state, args, first, err));
+    HS_TRY(find_length(fix, args->command, err));
+    fix->is_extensive = fix->is_vector_extensive = fix->is_array_extensive = is_extensive(fix);
+    hs_schedule_begin(&state->schedule, fix->env->step);
+    return make_head(state, err);
+}
+
+static void destroy(hs_fix *fix)
+{
+    ave_state *state = fix->state;
+    hs_values_destroy(&state->values, state->n_values);
+    HS_FREE(state->is_off);
+    HS_FREE(state->sum);
+    HS_FREE(state->sample);
+    HS_FREE(state->head);
+    hs_fold_fini(&state->fold);
+    hs_average_file_fini(&state->file);
+}
+
+static hs_status init(hs_fix *fix, hs_error *err)
+{
+    ave_state *state = fix->state;
+    char command[128], title[160];
+    snprintf(command, sizeof command, "fix '%.80s' (ave/time)", fix->id);
+    for (int k = 0; k < state->n_values; ++k)
+        HS_TRY(hs_value_check(fix->env, &state->values[k], state->is_vector ? HS_VALUE_VECTOR : HS_VALUE_NUMBER,
+                              command, err));
+    snprintf(title, sizeof title, "# Time-averaged data for fix %.100s", fix->id);
+    const char *const head[3] = {title, state->is_vector ? "# TimeStep Number-of-rows" : state->head,
+                                 state->is_vector ? state->head : NULL};
+    return hs_average_file_open(&state->file, fix->env, head, err);
+}
+
+static bool needs_energy(const hs_fix *fix, int64_t step)
+{
+    const ave_state *state = fix->state;
+    bool is_needed = false;
+    if (!hs_schedule_is_due(&state->schedule, step)) return false;
+    for (int k = 0; k < state->n_values; ++k) is_needed |= hs_value_needs_energy(fix->env, &state->values[k]);
+    return is_needed;
+}
+
+static hs_status take_sample(hs_fix *fix, hs_error *err)
+{
+    ave_state *state = fix->state;
+    const int n = state->n_values;
+    for (int k = 0; k < n; ++k) {
+        const hs_value *value = &state->values[k];
+        if (state->is_vector && hs_value_length(fix->env, value) != state->n_rows)
+            return hs_fail(err, HS_ERROR_RUN, "fix '%s' (ave/time): the vector %s had %d elements and has %d now",
+                           fix->id, value->word, state->n_rows, hs_value_length(fix->env, value));
+        HS_TRY(state->is_vector ? hs_value_vector(fix->env, value, state->sample, err)
+                                : hs_value_number(fix->env, value, state->sample, err));
+        for (int i = 0; i < state->n_rows; ++i) {
+            double *sum = &state->sum[i * n + k];
+            *sum = state->is_off[k] ? state->sample[i] : *sum + state->sample[i];
+        }
+    }
+    return HS_OK;
+}
+
+static double result(const ave_state *state, int i, int k)
+{
+    const double count = hs_fold_count(&state->fold);
+    if (count == 0.0) return 0.0;
+    return state->fold.sum[i * state->n_values + k] / count;
+}
+
+static hs_status write_window(hs_fix *fix, hs_error *err)
+{
+    ave_state *state = fix->state;
+    hs_average_file *file = &state->file;
+    if (hs_average_file_is_open(file)) {
+        HS_TRY(hs_text_printf(&file->text, err, "%lld", (long long)fix->env->step));
+        if (state->is_vector) HS_TRY(hs_text_printf(&file->text, err, " %d\n", state->n_rows));
+        for (int i = 0; i < state->n_rows; ++i) {
+            if (state->is_vector) HS_TRY(hs_text_printf(&file->text, err, "%d", i + 1));
+            for (int k = 0; k < state->n_values; ++k) HS_TRY(hs_average_file_number(file, result(state, i, k), err));
+            HS_TRY(hs_text_append(&file->text, "\n", 1, err));
+        }
+    }
+    return hs_average_file_commit(file, fix->env, err);
+}
+
+static hs_status end_of_step(hs_fix *fix, hs_error *err)
+{
+    ave_state *state = fix->state;
+    if (!hs_schedule_is_due(&state->schedule, fix->env->step)) return HS_OK;
+    const int n = state->n_rows * state->n_values;
+    if (state->schedule.n_taken == 0) memset(state->sum, 0, (size_t)n * sizeof *state->sum);
+    HS_TRY(take_sample(fix, err));
+    if (!hs_schedule_advance(&state->schedule, fix->env->step)) return HS_OK;
+    for (int i = 0; i < n; ++i)
+        if (!state->is_off[i % state->n_values]) state->sum[i] /= (double)state->schedule.repeat;
+    hs_fold_add(&state->fold, state->sum);
+    /* what is not averaged over samples is not averaged over windows either */
+    for (int i = 0; i < n; ++i)
+        if (state->is_off[i % state->n_values]) state->fold.sum[i] = state->sum[i] * hs_fold_count(&state->fold);
+    return write_window(fix, err);
+}
+
+static hs_status scalar(hs_fix *fix, double *value, hs_error *err)
+{
+    (void)err;
+    *value = result(fix->state, 0, 0);
+    return HS_OK;
+}
+
+static hs_status vector(hs_fix *fix, int i, double *value, hs_error *err)
+{
+    const ave_state *state = fix->state;
+    (void)err;
+    *value = state->is_vector ? result(state, i, 0) : result(state, 0, i);
+    return HS_OK;
+}
+
+static hs_status array(hs_fix *fix, int i, int j, double *value, hs_error *err)
+{
+    (void)err;
+    *value = result(fix->state, i, j);
+    return HS_OK;
+}
+
+const hs_fix_style hs_fix_style_ave_time = {
+    .about =
+        {.name = "ave/time",
+         .syntax = {.usage = "<Nevery> <Nrepeat> <Nfreq> <value> ... [keyword value ...]",
+                    .n_min = 4,
+                    .n_max = -1,
+                    .keywords = keywords},
+         .summary = "average numbers or vectors over time",
+         .details =
+             "Samples are taken every Nevery steps; Nrepeat of them make a window, whose mean is there at each "
+             "multiple "
+             "of Nfreq steps: `10 5 100` averages the steps 60, 70, 80, 90, 100; then 160 and so on. Nfreq must be a "
+             "multiple of Nevery, and Nrepeat samples must fit into it.\n\n"
+             "In `mode scalar` a value is a number, `c_ID`, `c_ID[i]`, `f_ID`, `f_ID[i]` or `v_name`; in `mode vector` "
+             "a vector, `c_ID` or `f_ID`, or a column of an array, `c_ID[j]` or `f_ID[j]`, all equally long. "
+             "`c_ID[*]` stands for all elements or columns.\n\n"
+             "`f_ID` is the mean in mode scalar with one value, with several `f_ID[i]`; in mode vector `f_ID` is the "
+             "mean vector, with several values `f_ID[i][j]` an array whose columns they are. Before the first window "
+             "is complete they are 0. The group has no meaning.",
+         .example = "fix 1 all ave/time 100 5 1000 c_myTemp c_thermo_temp file temp.profile\n"
+                    "fix 2 all ave/time 100 10 1000 c_myRDF[*] file tmp.rdf mode vector"},
+    .state_size = sizeof(ave_state),
+    .create = create,
+    .destroy = destroy,
+    .init = init,
+    .setup = end_of_step,
+    .end_of_step = end_of_step,
+    .scalar = scalar,
+    .vector = vector,
+    .array = array,
+    .needs_energy = needs_energy,
+    .is_time_dependent = true,
+};

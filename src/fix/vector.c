@@ -1,0 +1,110 @@
+/* Values stored every few steps: one growing vector, or an array with a column for each value. */
+#include "base/memory.h"
+#include "style/value.h"
+
+typedef struct vector_state {
+    int64_t every, next; /**< next: step of the next row, -1 before the first run */
+    hs_value *values;    /**< owned [n] */
+    int n;
+    double *row; /**< owned [n_rows][n] */
+    int64_t capacity;
+} vector_state;
+
+static hs_status create(hs_fix *fix, const hs_args *args, hs_error *err)
+{
+    vector_state *state = fix->state;
+    HS_TRY(hs_arg_int(args, 0, 1, INT32_MAX, &state->every, err));
+    HS_TRY(hs_values_create(&state->values, &state->n, fix->env, args, 1, args->n - 1, HS_VALUE_NUMBER, err));
+    const int64_t step = fix->env->step;
+    state->next = (step + state->every - 1) / state->every * state->every;
+    fix->has_vector = state->n == 1;
+    fix->has_array = state->n > 1;
+    fix->n_columns = fix->has_array ? state->n : 0;
+    fix->is_vector_extensive = hs_value_is_extensive(fix->env, &state->values[0]);
+    return HS_OK;
+}
+
+static void destroy(hs_fix *fix)
+{
+    vector_state *state = fix->state;
+    hs_values_destroy(&state->values, state->n);
+    HS_FREE(state->row);
+}
+
+static hs_status init(hs_fix *fix, hs_error *err)
+{
+    const vector_state *state = fix->state;
+    char command[128];
+    snprintf(command, sizeof command, "fix '%.80s' (vector)", fix->id);
+    for (int k = 0; k < state->n; ++k)
+        HS_TRY(hs_value_check(fix->env, &state->values[k], HS_VALUE_NUMBER, command, err));
+    return HS_OK;
+}
+
+static bool needs_energy(const hs_fix *fix, int64_t step)
+{
+    const vector_state *state = fix->state;
+    bool is_needed = false;
+    for (int k = 0; k < state->n; ++k) is_needed |= hs_value_needs_energy(fix->env, &state->values[k]);
+    return step == state->next && is_needed;
+}
+
+static hs_status end_of_step(hs_fix *fix, hs_error *err)
+{
+    vector_state *state = fix->state;
+    if (fix->env->step != state->next) return HS_OK;
+    const int64_t n_rows = fix->has_array ? fix->n_rows : fix->n_vector;
+    if (n_rows == INT32_MAX)
+        return hs_fail(err, HS_ERROR_RUN, "fix '%s' (vector): more rows than %d cannot be counted", fix->id, INT32_MAX);
+    if (n_rows == state->capacity) {
+        const int64_t capacity = state->capacity == 0 ? 1024 : 2 * state->capacity;
+        HS_TRY(HS_GROW(state->row, (size_t)(n_rows * state->n), (size_t)(capacity * state->n), err));
+        state->capacity = capacity;
+    }
+    for (int k = 0; k < state->n; ++k)
+        HS_TRY(hs_value_number(fix->env, &state->values[k], &state->row[n_rows * state->n + k], err));
+    state->next += state->every;
+    *(fix->has_array ? &fix->n_rows : &fix->n_vector) = (int)n_rows + 1;
+    return HS_OK;
+}
+
+static hs_status vector(hs_fix *fix, int i, double *value, hs_error *err)
+{
+    const vector_state *state = fix->state;
+    (void)err;
+    *value = state->row[i];
+    return HS_OK;
+}
+
+static hs_status array(hs_fix *fix, int i, int j, double *value, hs_error *err)
+{
+    const vector_state *state = fix->state;
+    (void)err;
+    *value = state->row[(int64_t)i * state->n + j];
+    return HS_OK;
+}
+
+const hs_fix_style hs_fix_style_vector = {
+    .about =
+        {.name = "vector",
+         .syntax = {.usage = "<Nevery> <value> ...", .n_min = 2, .n_max = -1},
+         .summary = "store values every few steps",
+         .details =
+             "Values are numbers: `c_ID`, `c_ID[i]`, `f_ID`, `f_ID[i]`, `v_name`, ranges as in `c_ID[*]`. They are "
+             "stored at steps that are multiples of Nevery, from the first step of the run on. With one value `f_ID` "
+             "is a vector, which grows, with several an array whose columns they are. `slope(f_ID)`, `trap(f_ID)` and "
+             "the like in formulas take such a vector, or a column `f_ID[j]`. The group has no meaning. 8 bytes are "
+             "kept for each number.",
+         .example = "compute msd all msd com yes\nfix 9 all vector 10 c_msd[4]\nvariable D equal "
+                    "slope(f_9)/6/(10*dt)"},
+    .state_size = sizeof(vector_state),
+    .create = create,
+    .destroy = destroy,
+    .init = init,
+    .setup = end_of_step,
+    .end_of_step = end_of_step,
+    .vector = vector,
+    .array = array,
+    .needs_energy = needs_energy,
+    .is_time_dependent = true,
+};

@@ -1,0 +1,87 @@
+/** What the averaging fixes share: when samples are taken, how windows follow one another, and the text files. */
+#ifndef HS_IO_AVERAGE_H
+#define HS_IO_AVERAGE_H
+
+#include "base/text.h"
+#include "io/writer.h"
+#include "style/args.h"
+#include "style/env.h"
+
+/** Samples every `every` steps; `repeat` of them make a window that ends at each multiple of `freq`. */
+typedef struct hs_schedule {
+    int64_t every, repeat, freq;
+    int64_t start;   /**< no window ends before this step */
+    int64_t next;    /**< step of the next sample */
+    int64_t n_taken; /**< samples of the present window */
+} hs_schedule;
+
+/** Read Nevery Nrepeat Nfreq from words first, first + 1, first + 2; windows that do not fit are refused. */
+HS_MUST_USE hs_status hs_schedule_init(hs_schedule *schedule, const hs_args *args, int first, hs_error *err);
+/** Set the first sample at or after a step. */
+void hs_schedule_begin(hs_schedule *schedule, int64_t step);
+/** Whether a sample is due on that step. */
+static inline bool hs_schedule_is_due(const hs_schedule *schedule, int64_t step) { return step == schedule->next; }
+/** A sample was taken now: sets the next; true when the window is complete. */
+bool hs_schedule_advance(hs_schedule *schedule, int64_t step);
+
+typedef enum { HS_FOLD_ONE, HS_FOLD_RUNNING, HS_FOLD_WINDOW } hs_fold_mode;
+
+/** Sums of windows that follow one another: of the last, of all, or of the last few. */
+typedef struct hs_fold {
+    hs_fold_mode mode;
+    int64_t n_window; /**< windows kept in mode HS_FOLD_WINDOW */
+    int64_t n_added;  /**< windows so far */
+    int n;            /**< values of a window */
+    double *sum;      /**< owned [n] */
+    double *ring;     /**< owned [n_window][n] */
+} hs_fold;
+
+/** Make room for windows of n values; forgets what was there when n changes. */
+HS_MUST_USE hs_status hs_fold_reserve(hs_fold *fold, int n, hs_error *err);
+/** Add a window; sum[] then holds the sums over the windows that count, hs_fold_count how many these are. */
+void hs_fold_add(hs_fold *fold, const double *values);
+double hs_fold_count(const hs_fold *fold);
+void hs_fold_fini(hs_fold *fold);
+
+/** The output file of an averaging fix and its settings. */
+typedef struct hs_average_file {
+    char *name; /**< owned; NULL: none */
+    hs_write_mode mode;
+    bool overwrite; /**< the file holds the last window only */
+    char *title[3]; /**< owned; NULL: the fix's own */
+    char *format;   /**< owned; of one number, with a blank before it */
+    hs_writer *writer;
+    hs_text text;       /**< lines of the present piece */
+    size_t head_length; /**< with overwrite: of the heads, which every piece begins with */
+} hs_average_file;
+
+/** Common keywords: ave, start, file, append, overwrite, format, title1, title2, title3. *n_used = words taken, 0 when the
+ *  keyword is another. Pieces may be NULL when the fix has none. */
+HS_MUST_USE hs_status hs_average_keyword(hs_schedule *schedule, hs_fold *fold, hs_average_file *file,
+                                         const hs_args *args, int i, int *n_used, hs_error *err);
+/** These keywords, and after them the style's own, for its syntax. */
+#define HS_AVERAGE_KEYWORDS                                                                                            \
+    {"ave", -1, "one|running|window <M>", "average each window alone, all so far, or the last M (default: one)"},      \
+        {"start", 1, "<step>", "no window ends before this step (default: 0)"},                                        \
+        {"file", 1, "<name>", "write windows to this file"},                                                           \
+        {"append", 1, "<name>", "the same, added to what is there"},                                                   \
+        {"overwrite", 0, "", "the file holds the last window only"},                                                   \
+        {"format", 1, "<format>", "of a number, as for printf (default: %g)"},                                         \
+        {"title1", 1, "<text>", "first line of the file"}, {"title2", 1, "<text>", "second line"},                     \
+    {                                                                                                                  \
+        "title3", 1, "<text>", "third line"                                                                            \
+    }
+
+/** Open the file and write its heads (title or, when none was given, head; NULL: no such line). Once; nothing in a dry run
+ *  or on other ranks than the first. */
+HS_MUST_USE hs_status hs_average_file_open(hs_average_file *file, const hs_env *env, const char *const head[3],
+                                           hs_error *err);
+/** Whether this rank writes. */
+static inline bool hs_average_file_is_open(const hs_average_file *file) { return file->writer != NULL; }
+/** Append to the present piece. */
+HS_MUST_USE hs_status hs_average_file_number(hs_average_file *file, double value, hs_error *err);
+/** The piece is complete: write it. Collective: a failure stops all ranks. */
+HS_MUST_USE hs_status hs_average_file_commit(hs_average_file *file, const hs_env *env, hs_error *err);
+void hs_average_file_fini(hs_average_file *file);
+
+#endif

@@ -1,0 +1,345 @@
+#include "style/value.h"
+
+#include <string.h>
+
+#include "base/memory.h"
+#include "base/text.h"
+
+static const char id_letters[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_";
+
+bool hs_value_is_reference(const char *word)
+{
+    if (word[0] == '\0' || strchr("cfv", word[0]) == NULL || word[1] != '_') return false;
+    const size_t n_id = strspn(word + 2, id_letters);
+    const char *rest = word + 2 + n_id;
+    if (n_id == 0) return false;
+    for (int k = 0; k < 2 && *rest == '[' && word[0] != 'v'; ++k) {
+        const size_t n_index = strspn(rest + 1, "0123456789*");
+        if (n_index == 0 || rest[1 + n_index] != ']') return false;
+        rest += n_index + 2;
+    }
+    return *rest == '\0';
+}
+
+int hs_value_count(const hs_args *args, int first)
+{
+    int n = 0;
+    while (first + n < args->n &&
+           (hs_value_is_reference(args->word[first + n]) || strchr(args->word[first + n], '$') != NULL))
+        ++n;
+    return n;
+}
+
+void hs_value_fini(hs_value *value)
+{
+    HS_FREE(value->word);
+    HS_FREE(value->id);
+}
+
+void hs_values_destroy(hs_value **values, int n)
+{
+    for (int i = 0; *values != NULL && i < n; ++i) hs_value_fini(&(*values)[i]);
+    HS_FREE(*values);
+}
+
+static hs_compute *compute_of(hs_env *env, const hs_value *value)
+{
+    return value->kind == 'c' ? env->find_compute(env, value->id) : NULL;
+}
+
+static hs_fix *fix_of(hs_env *env, const hs_value *value)
+{
+    return value->kind == 'f' ? env->find_fix(env, value->id) : NULL;
+}
+
+/** How many elements, columns or rows an index may count: of index 0, or 1 (the second). 0: the shape has none. */
+static int limit_of(hs_env *env, const hs_value *value, hs_value_shape shape, int which)
+{
+    const hs_compute *compute = compute_of(env, value);
+    const hs_fix *fix = fix_of(env, value);
+    if (compute == NULL && fix == NULL) return 0;
+    const bool has_array = compute != NULL ? compute->has_array : fix->has_array;
+    const bool has_vector = compute != NULL ? compute->has_vector : fix->has_vector;
+    const bool has_atoms = compute != NULL ? compute->has_atoms : fix->has_atoms;
+    const int n_columns = compute != NULL ? compute->n_columns : fix->n_columns;
+    if (shape == HS_VALUE_VECTOR) return has_array ? n_columns : 0;
+    if (shape == HS_VALUE_ATOMS)
+        return has_atoms ? (compute != NULL ? compute->n_atom_columns : fix->n_atom_columns) : 0;
+    if (value->n_indices < 2) return has_vector ? (compute != NULL ? compute->n_vector : fix->n_vector) : 0;
+    if (!has_array) return 0;
+    return which == 1 ? n_columns : compute != NULL ? compute->n_rows : fix->n_rows;
+}
+
+bool hs_value_has(hs_env *env, const hs_value *value, hs_value_shape shape)
+{
+    if (value->kind == 'v') {
+        const int kind = env->variable_kind != NULL ? env->variable_kind(env->deck, value->id) : 0;
+        return shape == HS_VALUE_NUMBER ? kind == 1 : shape == HS_VALUE_ATOMS && kind > 0;
+    }
+    const hs_compute *compute = compute_of(env, value);
+    const hs_fix *fix = fix_of(env, value);
+    if (compute == NULL && fix == NULL) return false;
+    for (int k = 0; k < value->n_indices; ++k)
+        if (value->index[k] > limit_of(env, value, shape, k)) return false;
+    if (value->n_indices > 0) return shape == HS_VALUE_NUMBER || value->n_indices == 1;
+    switch (shape) {
+    case HS_VALUE_NUMBER:
+        return compute != NULL ? compute->has_scalar : fix->has_scalar;
+    case HS_VALUE_VECTOR:
+        return compute != NULL ? compute->has_vector : fix->has_vector;
+    default:
+        return compute != NULL ? compute->has_atoms && compute->n_atom_columns == 0
+                               : fix->has_atoms && fix->n_atom_columns == 0;
+    }
+}
+
+/** What the compute or fix does have, for messages: "a scalar, a vector of 6". */
+static void describe(hs_env *env, const hs_value *value, char *text, size_t size)
+{
+    const hs_compute *compute = compute_of(env, value);
+    const hs_fix *fix = fix_of(env, value);
+    const char *id = value->id;
+    char part[3][160] = {"", "", ""}, scalar[160] = "";
+    const char k = value->kind;
+    const bool has_scalar = compute != NULL ? compute->has_scalar : fix->has_scalar;
+    hs_value number = *value;
+    number.n_indices = 1;
+    const int n_vector = limit_of(env, &number, HS_VALUE_NUMBER, 0);
+    number.n_indices = 2;
+    const int n_rows = limit_of(env, &number, HS_VALUE_NUMBER, 0),
+              n_columns = limit_of(env, &number, HS_VALUE_NUMBER, 1);
+    const bool has_array = compute != NULL ? compute->has_array : fix->has_array;
+    const bool has_atoms = compute != NULL ? compute->has_atoms : fix->has_atoms;
+    const int n_atoms = limit_of(env, value, HS_VALUE_ATOMS, 0);
+    if (has_scalar) snprintf(scalar, sizeof scalar, "; the value %c_%.60s", k, id);
+    if (n_vector > 0) snprintf(part[0], sizeof part[0], "; the vector %c_%.60s of %d elements", k, id, n_vector);
+    if (has_array)
+        snprintf(part[1], sizeof part[1], "; the array %c_%.60s of %d rows and %d columns", k, id, n_rows, n_columns);
+    if (has_atoms && n_atoms == 0) snprintf(part[2], sizeof part[2], "; values per atom %c_%.60s", k, id);
+    if (has_atoms && n_atoms > 0)
+        snprintf(part[2], sizeof part[2], "; %d values per atom, %c_%.60s[1] and so on", n_atoms, k, id);
+    snprintf(text, size, "%s%s%s%s", scalar, part[0], part[1], part[2]);
+}
+
+hs_status hs_value_check(hs_env *env, const hs_value *value, hs_value_shape shape, const char *command, hs_error *err)
+{
+    static const char *const wanted[] = {"a number", "a vector", "a value for each atom"};
+    if (hs_value_has(env, value, shape)) return HS_OK;
+    const char *kind = value->kind == 'c' ? "compute" : value->kind == 'f' ? "fix" : "variable";
+    if (value->kind == 'v') {
+        if (env->variable_kind == NULL || env->variable_kind(env->deck, value->id) == 0)
+            return hs_fail(err, HS_ERROR_INPUT,
+                           "%s: there is no variable '%s' for %s: the command 'variable' makes one", command, value->id,
+                           value->word);
+        return hs_fail(err, HS_ERROR_INPUT, "%s: %s is needed here, and the variable %s has %s", command, wanted[shape],
+                       value->word, shape == HS_VALUE_VECTOR ? "no vector" : "one for each atom");
+    }
+    if (compute_of(env, value) == NULL && fix_of(env, value) == NULL)
+        return hs_fail(err, HS_ERROR_INPUT, "%s: there is no %s '%s' for %s: the command '%s' makes one", command, kind,
+                       value->id, value->word, kind);
+    char has[600];
+    describe(env, value, has, sizeof has);
+    const char *style =
+        value->kind == 'c' ? compute_of(env, value)->style->about.name : fix_of(env, value)->style->about.name;
+    return hs_fail(err, HS_ERROR_INPUT, "%s: %s is not %s; %s '%s' (%s) has %s", command, value->word, wanted[shape],
+                   kind, value->id, style, has[0] != '\0' ? has + 2 : "no values");
+}
+
+int hs_value_length(hs_env *env, const hs_value *value)
+{
+    const hs_compute *compute = compute_of(env, value);
+    const hs_fix *fix = fix_of(env, value);
+    if (compute == NULL && fix == NULL) return 0;
+    if (value->n_indices > 0) return compute != NULL ? compute->n_rows : fix->n_rows;
+    return compute != NULL ? compute->n_vector : fix->n_vector;
+}
+
+hs_status hs_value_number(hs_env *env, const hs_value *value, double *number, hs_error *err)
+{
+    if (value->kind == 'v') {
+        if (env->variable_value != NULL) return env->variable_value(env->deck, value->id, number, err);
+        return hs_fail(err, HS_ERROR_INPUT, "there is no variable '%s'", value->id);
+    }
+    HS_TRY(hs_value_check(env, value, HS_VALUE_NUMBER, value->word, err));
+    hs_compute *compute = compute_of(env, value);
+    hs_fix *fix = fix_of(env, value);
+    const int i = (int)value->index[0] - 1, j = (int)value->index[1] - 1;
+    switch (value->n_indices) {
+    case 0:
+        return compute != NULL ? hs_compute_scalar(compute, number, err) : fix->style->scalar(fix, number, err);
+    case 1:
+        return compute != NULL ? hs_compute_vector(compute, i, number, err) : fix->style->vector(fix, i, number, err);
+    default:
+        if (fix != NULL) return fix->style->array(fix, i, j, number, err);
+        HS_TRY(hs_compute_eval_array(compute, err));
+        /* the number of rows may be another now */
+        *number = i < compute->n_rows ? compute->array[(size_t)i * (size_t)compute->n_columns + (size_t)j] : 0.0;
+        return HS_OK;
+    }
+}
+
+hs_status hs_value_vector(hs_env *env, const hs_value *value, double *out, hs_error *err)
+{
+    HS_TRY(hs_value_check(env, value, HS_VALUE_VECTOR, value->word, err));
+    hs_compute *compute = compute_of(env, value);
+    hs_fix *fix = fix_of(env, value);
+    const int j = (int)value->index[0] - 1, n = hs_value_length(env, value);
+    if (fix != NULL) {
+        for (int i = 0; i < n; ++i)
+            HS_TRY(value->n_indices > 0 ? fix->style->array(fix, i, j, &out[i], err)
+                                        : fix->style->vector(fix, i, &out[i], err));
+    } else if (value->n_indices > 0) {
+        HS_TRY(hs_compute_eval_array(compute, err));
+        for (int i = 0; i < n; ++i) out[i] = compute->array[(size_t)i * (size_t)compute->n_columns + (size_t)j];
+    } else {
+        HS_TRY(hs_compute_eval_vector(compute, err));
+        memcpy(out, compute->vector, (size_t)n * sizeof *out);
+    }
+    return HS_OK;
+}
+
+hs_status hs_value_atoms(hs_env *env, const hs_value *value, double *out, hs_error *err)
+{
+    if (value->kind == 'v' && env->variable_atoms != NULL) return env->variable_atoms(env->deck, value->id, out, err);
+    HS_TRY(hs_value_check(env, value, HS_VALUE_ATOMS, value->word, err));
+    const int column = value->n_indices > 0 ? (int)value->index[0] - 1 : 0;
+    hs_fix *fix = fix_of(env, value);
+    if (fix != NULL) return fix->style->per_atom(fix, column, out, err);
+    hs_compute *compute = compute_of(env, value);
+    HS_TRY(hs_compute_eval_atoms(compute, err));
+    const size_t n = (size_t)env->atoms->n_local;
+    if (n > 0) memcpy(out, compute->atoms + (size_t)column * n, n * sizeof *out);
+    return HS_OK;
+}
+
+bool hs_value_needs_energy(hs_env *env, const hs_value *value)
+{
+    const hs_compute *compute = compute_of(env, value);
+    return value->kind != 'c' || compute == NULL || compute->style->needs_energy || compute->may_need_energy;
+}
+
+bool hs_value_is_extensive(hs_env *env, const hs_value *value)
+{
+    const hs_compute *compute = compute_of(env, value);
+    const hs_fix *fix = fix_of(env, value);
+    if (compute != NULL)
+        return value->n_indices == 0 ? compute->is_extensive : value->n_indices == 1 && compute->is_vector_extensive;
+    if (fix == NULL) return false;
+    return value->n_indices == 0   ? fix->is_extensive
+           : value->n_indices == 1 ? fix->is_vector_extensive
+                                   : fix->is_array_extensive;
+}
+
+/** One reference without a range from its text. */
+static hs_status parse(hs_value *value, const hs_args *args, const char *word, hs_error *err)
+{
+    const size_t n_id = strspn(word + 2, id_letters);
+    value->kind = word[0];
+    HS_TRY(hs_memory_strdup(&value->word, word, err));
+    HS_TRY(hs_memory_strdup(&value->id, word + 2, err));
+    value->id[n_id] = '\0';
+    for (const char *at = word + 2 + n_id; *at == '[';) {
+        char number[24] = "";
+        const size_t n = strspn(at + 1, "0123456789");
+        int64_t index = 0;
+        if (n < sizeof number) memcpy(number, at + 1, n);
+        if (!hs_text_to_int64(number, &index) || index < 1)
+            return hs_fail(err, HS_ERROR_INPUT, "%s: '%s': indices count from 1", args->command, word);
+        value->index[value->n_indices++] = index;
+        at += n + 2;
+    }
+    return HS_OK;
+}
+
+static hs_status add(hs_value **values, int *n, const hs_args *args, const char *word, hs_error *err)
+{
+    HS_TRY(HS_GROW(*values, (size_t)*n, (size_t)*n + 1, err));
+    return parse(&(*values)[(*n)++], args, word, err);
+}
+
+/** The words that c_ID[2*4] (or c_ID[2*4][3]) stands for. */
+static hs_status add_range(hs_value **values, int *n, hs_env *env, const hs_args *args, const char *word,
+                           hs_value_shape shape, hs_error *err)
+{
+    const char *open = strchr(word, '['), *close = strchr(word, ']');
+    if (strchr(close, '*') != NULL)
+        return hs_fail(err, HS_ERROR_INPUT, "%s: '%s': only the first index may be a range", args->command, word);
+    hs_value whole = {.n_indices = strchr(close, '[') != NULL ? 2 : 1};
+    hs_text text = {0};
+    char *range = NULL;
+    int lo = 0, hi = -1;
+    whole.kind = word[0];
+    HS_TRY(hs_memory_strdup(&whole.id, word + 2, err));
+    whole.id[open - word - 2] = '\0';
+    hs_status status = hs_memory_strdup(&range, open + 1, err);
+    if (status == HS_OK) {
+        range[close - open - 1] = '\0';
+        const int limit = limit_of(env, &whole, shape, 0);
+        const char *range_word = range;
+        const hs_args one = {.command = args->command, .n = 1, .word = &range_word};
+        if (compute_of(env, &whole) == NULL && fix_of(env, &whole) == NULL)
+            status = hs_fail(err, HS_ERROR_INPUT, "%s: %s needs the %s '%s' to exist already", args->command, word,
+                             whole.kind == 'c' ? "compute" : "fix", whole.id);
+        else if (limit == 0) {
+            whole.word = range;
+            status = hs_fail(err, HS_ERROR_INPUT, "%s: %s: '%s' has nothing that the range could count", args->command,
+                             word, whole.id);
+        } else if (hs_arg_range(&one, 0, limit, &lo, &hi, err) != HS_OK) {
+            hs_error_clear(err);
+            status = hs_fail(err, HS_ERROR_INPUT, "%s: %s: the elements are 1 to %d", args->command, word, limit);
+        }
+    }
+    for (int i = lo; i <= hi && status == HS_OK; ++i) {
+        hs_text_clear(&text);
+        status = hs_text_printf(&text, err, "%.*s[%d%s", (int)(open - word), word, i, close);
+        if (status == HS_OK) status = add(values, n, args, hs_text_get(&text), err);
+    }
+    HS_FREE(whole.id);
+    HS_FREE(range);
+    hs_text_fini(&text);
+    return status;
+}
+
+hs_status hs_values_read(hs_value **values, int *n, hs_env *env, const hs_args *args, int first, int n_words,
+                         hs_value_shape shape, hs_error *err)
+{
+    *values = NULL;
+    *n = 0;
+    hs_status status = HS_OK;
+    for (int i = first; i < first + n_words && status == HS_OK; ++i) {
+        const char *word = args->word[i];
+        if (!hs_value_is_reference(word))
+            status = hs_arg_refuse(args, i, "a value: c_ID, c_ID[i], f_ID, f_ID[i] or v_name", NULL, err);
+        else
+            status = strchr(word, '*') != NULL ? add_range(values, n, env, args, word, shape, err)
+                                               : add(values, n, args, word, err);
+    }
+    if (status != HS_OK) hs_values_destroy(values, *n);
+    return status;
+}
+
+hs_status hs_values_create(hs_value **values, int *n, hs_env *env, const hs_args *args, int first, int n_words,
+                           hs_value_shape shape, hs_error *err)
+{
+    HS_TRY(hs_values_read(values, n, env, args, first, n_words, shape, err));
+    hs_status status = HS_OK;
+    for (int i = 0; i < *n && status == HS_OK; ++i)
+        status = hs_value_check(env, &(*values)[i], shape, args->command, err);
+    if (status != HS_OK) hs_values_destroy(values, *n);
+    return status;
+}
+
+hs_status hs_value_init(hs_value *value, hs_env *env, const hs_args *args, int i, hs_value_shape shape, hs_error *err)
+{
+    hs_value *one;
+    int n;
+    HS_TRY(hs_values_create(&one, &n, env, args, i, 1, shape, err));
+    if (n != 1) {
+        hs_values_destroy(&one, n);
+        return hs_fail(err, HS_ERROR_INPUT, "%s: '%s' stands for %d values, and one is needed", args->command,
+                       args->word[i], n);
+    }
+    *value = one[0];
+    HS_FREE(one);
+    return HS_OK;
+}

@@ -1,0 +1,64 @@
+/** Values that a deck names: c_ID, c_ID[i], c_ID[i][j] of computes, f_ID... of fixes, v_name of variables. Thermo output,
+ *  formulas, dumps, averages and reductions read them all through here.
+ *
+ *  What a reference means depends on who asks, as in LAMMPS:
+ *    number   c_ID the scalar, c_ID[i] an element of the vector, c_ID[i][j] one of the array (row i, column j)
+ *    vector   c_ID the vector, c_ID[j] column j of the array
+ *    atoms    c_ID the value of each atom, c_ID[j] column j of the values of each atom */
+#ifndef HS_STYLE_VALUE_H
+#define HS_STYLE_VALUE_H
+
+#include "style/compute.h"
+#include "style/fix.h"
+
+typedef enum { HS_VALUE_NUMBER, HS_VALUE_VECTOR, HS_VALUE_ATOMS } hs_value_shape;
+
+typedef struct hs_value {
+    char kind;  /**< 'c', 'f', 'v' */
+    char *word; /**< owned; as in the deck, with ranges expanded */
+    char *id;   /**< owned */
+    int n_indices;
+    int64_t index[2]; /**< from 1 */
+} hs_value;
+
+/** Whether a word has the form of a reference: c_ID, f_ID with up to two [i] (each a number, or a range with *), or v_name.
+ *  For the first pass over a deck. */
+bool hs_value_is_reference(const char *word);
+/** Length of the longest beginning of @p words that all are references (words with `$` count too). */
+int hs_value_count(const hs_args *args, int first);
+
+/** Read references; those with a range, c_ID[*] or c_ID[2*4], become several. Fails when a word is no reference, or what
+ *  it names does not exist or has no such shape. (*values)[*n] is the caller's: hs_values_destroy. Not collective. */
+HS_MUST_USE hs_status hs_values_create(hs_value **values, int *n, hs_env *env, const hs_args *args, int first,
+                                       int n_words, hs_value_shape shape, hs_error *err);
+/** The same for values that need not exist yet, unless a range asks for their length. */
+HS_MUST_USE hs_status hs_values_read(hs_value **values, int *n, hs_env *env, const hs_args *args, int first,
+                                     int n_words, hs_value_shape shape, hs_error *err);
+void hs_values_destroy(hs_value **values, int n);
+/** The same for one word, which may not have a range. Zero it before; free with hs_value_fini. */
+HS_MUST_USE hs_status hs_value_init(hs_value *value, hs_env *env, const hs_args *args, int i, hs_value_shape shape,
+                                    hs_error *err);
+void hs_value_fini(hs_value *value);
+
+/** Fail, naming @p command, unless the value exists and has that shape (computes and fixes may have been removed since).
+ *  Elements beyond the end are refused. */
+HS_MUST_USE hs_status hs_value_check(hs_env *env, const hs_value *value, hs_value_shape shape, const char *command,
+                                     hs_error *err);
+/** Whether the shape is there at all: no error. */
+bool hs_value_has(hs_env *env, const hs_value *value, hs_value_shape shape);
+
+/** Elements of a vector (or rows of an array, when a column is named); 0 when there is none. */
+int hs_value_length(hs_env *env, const hs_value *value);
+/** The number now (collective). */
+HS_MUST_USE hs_status hs_value_number(hs_env *env, const hs_value *value, double *number, hs_error *err);
+/** out[hs_value_length] (collective). */
+HS_MUST_USE hs_status hs_value_vector(hs_env *env, const hs_value *value, double *out, hs_error *err);
+/** out[n_local]: the value of each local atom (collective). */
+HS_MUST_USE hs_status hs_value_atoms(hs_env *env, const hs_value *value, double *out, hs_error *err);
+
+/** Whether the value may ask for the pair energy or virial. What a variable asks for is not known before it does: yes. */
+bool hs_value_needs_energy(hs_env *env, const hs_value *value);
+/** Whether the number grows with the number of atoms. */
+bool hs_value_is_extensive(hs_env *env, const hs_value *value);
+
+#endif
