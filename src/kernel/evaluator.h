@@ -13,12 +13,17 @@
  *      ... descriptor, with .evaluator = &hs_evaluator_name ...
  *      #endif
  *
- *  Where r is beyond the cutoff the results are not used, so r2 may be anything; no branches, no libm calls on vectors. */
+ *  Where r is beyond the cutoff the results are not used, so r2 may be anything; no branches, no libm calls on vectors:
+ *  kernel/vector_math.h has exponential, sine and cosine. */
 #ifndef HS_KERNEL_EVALUATOR_H
 #define HS_KERNEL_EVALUATOR_H
 
 #include "kernel/kernel.h"
 #include "kernel/simd.h"
+
+/** A squared distance that counts as none, in float too: potentials that are finite at r = 0 divide by at least its root,
+ *  so that the force of atoms at one place is zero, not undefined. */
+#define HS_TINY_R2 1e-30
 
 #define HS_EVALUATE(...) static inline __attribute__((always_inline)) void evaluate(__VA_ARGS__)
 

@@ -32,6 +32,7 @@ static inline uint32_t hs_mask_to_bits(hs_msk m) { return (uint32_t)_mm256_movem
 static inline hs_msk hs_mask_and(hs_msk m, hs_msk n) { return _mm256_and_pd(m, n); }
 static inline hs_msk hs_less(hs_vec a, hs_vec b) { return _mm256_cmp_pd(a, b, _CMP_LT_OQ); }
 static inline hs_vec hs_keep(hs_msk m, hs_vec a) { return _mm256_and_pd(m, a); }
+static inline hs_vec hs_select(hs_msk m, hs_vec a, hs_vec b) { return _mm256_blendv_pd(b, a, m); }
 
 static inline double hs_sum(hs_vec a)
 {

@@ -25,6 +25,7 @@ static inline hs_msk hs_masks_row(hs_masks masks, int row) { return (hs_msk)(mas
 static inline hs_msk hs_mask_and(hs_msk m, hs_msk n) { return m & n; }
 static inline hs_msk hs_less(hs_vec a, hs_vec b) { return _mm256_cmp_ps_mask(a, b, _CMP_LT_OQ); }
 static inline hs_vec hs_keep(hs_msk m, hs_vec a) { return _mm256_maskz_mov_ps(m, a); }
+static inline hs_vec hs_select(hs_msk m, hs_vec a, hs_vec b) { return _mm256_mask_mov_ps(b, m, a); }
 
 static inline double hs_sum(hs_vec a)
 {

@@ -1,0 +1,40 @@
+#include "style/pair_coeffs.h"
+
+#include "base/memory.h"
+
+hs_status hs_pair_coeffs_set_cutoff(hs_pair *pair, double cutoff, hs_error *err)
+{
+    hs_pair_coeffs *coeffs = pair->state;
+    const size_t n = (size_t)(pair->n_types + 1) * (size_t)(pair->n_types + 1);
+    coeffs->cutoff = cutoff;
+    if (coeffs->at == NULL) return HS_ALLOC(coeffs->at, n, err);
+    for (size_t k = 0; k < n; ++k)
+        if (pair->is_set[k]) coeffs->at[k].cutoff = cutoff;
+    return HS_OK;
+}
+
+hs_status hs_pair_coeffs_settings(hs_pair *pair, const hs_args *args, hs_error *err)
+{
+    double cutoff;
+    HS_TRY(hs_arg_positive(args, 0, &cutoff, err));
+    return hs_pair_coeffs_set_cutoff(pair, cutoff, err);
+}
+
+hs_status hs_pair_coeffs_read_cutoff(const hs_pair *pair, const hs_args *args, int i, double *cutoff, hs_error *err)
+{
+    *cutoff = ((hs_pair_coeffs *)pair->state)->cutoff;
+    return args->n > i ? hs_arg_not_negative(args, i, cutoff, err) : HS_OK;
+}
+
+hs_status hs_pair_coeffs_write(const hs_pair *pair, int i, int j, int n, hs_text *words, hs_error *err)
+{
+    const hs_pair_coeff *coeff = hs_pair_coeffs_at(pair, i, j);
+    for (int k = 0; k < n; ++k) HS_TRY(hs_text_printf(words, err, "%.17g ", coeff->c[k]));
+    return hs_text_printf(words, err, "%.17g", coeff->cutoff);
+}
+
+void hs_pair_coeffs_destroy(hs_pair *pair)
+{
+    hs_pair_coeffs *coeffs = pair->state;
+    HS_FREE(coeffs->at);
+}

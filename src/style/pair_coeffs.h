@@ -1,0 +1,39 @@
+/** Coefficients of pair styles whose pair_coeff line is some numbers and perhaps a cutoff: most of them. */
+#ifndef HS_STYLE_PAIR_COEFFS_H
+#define HS_STYLE_PAIR_COEFFS_H
+
+#include "style/pair.h"
+
+enum { HS_COEFFS_MAX = 8 };
+
+/** Of one pair of types. */
+typedef struct hs_pair_coeff {
+    double c[HS_COEFFS_MAX]; /**< in the order of the words; what they mean is the style's */
+    double cutoff;           /**< distance; 0: no interaction */
+} hs_pair_coeff;
+
+/** State of such a style (or its first member). */
+typedef struct hs_pair_coeffs {
+    double cutoff;     /**< of pairs that are given none of their own, distance */
+    hs_pair_coeff *at; /**< owned, by hs_pair_index */
+} hs_pair_coeffs;
+
+static inline hs_pair_coeff *hs_pair_coeffs_at(const hs_pair *pair, int i, int j)
+{
+    return &((hs_pair_coeffs *)pair->state)->at[hs_pair_index(pair, i, j)];
+}
+
+/** Set the cutoff of all pairs that are given none of their own. When pair_style is given again, also the cutoffs that
+ *  earlier pair_coeffs set become this one. */
+HS_MUST_USE hs_status hs_pair_coeffs_set_cutoff(hs_pair *pair, double cutoff, hs_error *err);
+/** A pair_style whose only word is that cutoff: ->settings of most styles. */
+HS_MUST_USE hs_status hs_pair_coeffs_settings(hs_pair *pair, const hs_args *args, hs_error *err);
+/** Cutoff of a pair from word @p i, or the one of all pairs when there is no such word. */
+HS_MUST_USE hs_status hs_pair_coeffs_read_cutoff(const hs_pair *pair, const hs_args *args, int i, double *cutoff,
+                                                 hs_error *err);
+/** Append the first n coefficients and the cutoff, with all digits. */
+HS_MUST_USE hs_status hs_pair_coeffs_write(const hs_pair *pair, int i, int j, int n, hs_text *words, hs_error *err);
+/** ->destroy of such a style. */
+void hs_pair_coeffs_destroy(hs_pair *pair);
+
+#endif
