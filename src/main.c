@@ -38,11 +38,7 @@ static void report(const hs_parallel *parallel, const hs_error *err)
     /* The ranks agreed on one error; the first of them tells it. */
     if (parallel->rank != 0) return;
     fflush(stdout);
-    if (err->file[0] != '\0' && err->line > 0)
-        fprintf(stderr, "%s:%ld: ", err->file, err->line);
-    else
-        fprintf(stderr, "%s: ", err->file[0] != '\0' ? err->file : "halfshell");
-    fprintf(stderr, "%s%s\n", err->status == HS_INTERRUPTED ? "" : "error: ", err->text);
+    hs_error_print(err, stderr);
 }
 
 static bool is_word(const char *word, const char *a, const char *b, const char *c)
@@ -84,6 +80,8 @@ int main(int argc, char **argv)
     catch_signals();
     hs_status status = hs_parallel_init(&parallel, &err);
     if (status == HS_OK) status = run_subcommand(&cli, name, &exit_code, &err);
+    bool stop = stop_requested;
+    status = hs_parallel_settle(&parallel, &stop, &err);
     if (status != HS_OK) {
         report(&parallel, &err);
         exit_code = hs_exit_code(status);

@@ -21,6 +21,15 @@ void hs_error_locate(hs_error *err, const char *file, long line)
     err->line = line;
 }
 
+void hs_error_print(const hs_error *err, FILE *stream)
+{
+    if (err->file[0] != '\0' && err->line > 0)
+        fprintf(stream, "%s:%ld: ", err->file, err->line);
+    else
+        fprintf(stream, "%s: ", err->file[0] != '\0' ? err->file : "halfshell");
+    fprintf(stream, "%s%s\n", err->status == HS_INTERRUPTED ? "" : "error: ", err->text);
+}
+
 void hs_error_clear(hs_error *err) { memset(err, 0, sizeof *err); }
 
 int hs_exit_code(hs_status status)

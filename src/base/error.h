@@ -4,6 +4,7 @@
 
 #include <stdarg.h>
 #include <stdbool.h>
+#include <stdio.h>
 
 #define HS_MUST_USE          __attribute__((warn_unused_result))
 #define HS_PRINTF(fmt, args) __attribute__((format(printf, fmt, args)))
@@ -42,6 +43,9 @@ static inline hs_status hs_failed(hs_status status)
 /** Add the place to an error that has none yet. Does nothing when @p err holds no error or has a place. */
 void hs_error_locate(hs_error *err, const char *file, long line);
 
+/** Tell the error in one line: `DECK:LINE: error: what, why, what would be right`. */
+void hs_error_print(const hs_error *err, FILE *stream);
+
 /** Forget the error. */
 void hs_error_clear(hs_error *err);
 
@@ -53,6 +57,16 @@ int hs_exit_code(hs_status status);
     do {                                                                                                               \
         hs_status hs_try_ = (expression);                                                                              \
         if (hs_try_ != HS_OK) return hs_try_;                                                                          \
+    } while (0)
+
+/** Evaluate @p expression unless @p err holds an error already. For ranks that must go on together to the place where they
+ *  agree on errors: what went wrong stays in @p err. */
+#define HS_UNLESS_FAILED(err, expression)                                                                              \
+    do {                                                                                                               \
+        if ((err)->status == HS_OK) {                                                                                  \
+            const hs_status hs_unused_ = (expression);                                                                 \
+            (void)hs_unused_;                                                                                          \
+        }                                                                                                              \
     } while (0)
 
 #endif

@@ -1,231 +1,253 @@
+/* Making the halo: which atoms go where. */
 #include "comm/halo.h"
 
-#include <math.h>
 #include <string.h>
 
 #include "base/memory.h"
-#include "parallel/parallel.h"
+#include "comm/halo_plan.h"
 
-/* Parts into which the atoms are cut to find those with images: many more than threads. */
+/* Parts into which the atoms are cut to find those that go to a halo: many more than threads. */
 enum { N_PARTS = 64 };
 
-/** Which shifts an atom needs, per axis: it has images at shifts lo..hi box lengths that fall within reach. */
-typedef struct shift_range {
+/** Layers lo..hi along every axis that need an atom. */
+typedef struct layer_range {
     int lo[3], hi[3];
-} shift_range;
+} layer_range;
 
-/** How images are numbered: direction (a, b, c) has the number ((a + m0) * (2 m1 + 1) + b + m1) * (2 m2 + 1) + c + m2,
- *  so that the "upper half" are the numbers above the middle one, in lexicographic order. */
-typedef struct image_space {
-    int max_shift[3];
-    double lo[3], hi[3], length[3];
-    double inner_lo[3]; /**< atoms from here on need no image at a positive shift along this axis */
-    double reach;
-    int middle, n_directions;
-} image_space;
-
-static hs_status image_space_init(image_space *space, const hs_box *box, double reach, hs_error *err)
+/** Whether an atom goes anywhere: atoms go down only (in lexicographic order), so it must be near a lower face. */
+static inline bool is_near_lower_face(const hs_halo_plan *plan, const double x[3])
 {
-    int64_t n = 1;
-    space->reach = reach;
-    for (int axis = 0; axis < 3; ++axis) {
-        const bool has_images = box->periodic[axis] && axis < box->dimension;
-        space->lo[axis] = box->lo[axis];
-        space->hi[axis] = box->hi[axis];
-        space->length[axis] = hs_box_length(box, axis);
-        const double layers = has_images ? ceil(reach / space->length[axis]) : 0.0;
-        if (layers > 100.0)
-            return hs_fail(err, HS_ERROR_RUN,
-                           "the box is %g long in %c, less than a hundredth of the reach %g of the "
-                           "forces: make the box larger or the cutoff shorter",
-                           space->length[axis], "xyz"[axis], reach);
-        space->max_shift[axis] = (int)layers;
-        space->inner_lo[axis] = has_images ? space->lo[axis] + reach : -INFINITY;
-        n *= 2 * space->max_shift[axis] + 1;
-    }
-    space->middle = (int)(n / 2);
-    space->n_directions = (int)(n - 1 - n / 2);
-    return HS_OK;
+    return x[0] < plan->inner_lo[0] || x[1] < plan->inner_lo[1] || x[2] < plan->inner_lo[2];
 }
 
-/** Whether an atom has an image in the upper half of directions: only if it is near a lower face. */
-static inline bool needs_images(const image_space *space, const double x[3])
+static layer_range layers_of(const hs_halo_plan *plan, const double x[3])
 {
-    return x[0] < space->inner_lo[0] || x[1] < space->inner_lo[1] || x[2] < space->inner_lo[2];
-}
-
-static shift_range shifts_of(const image_space *space, const double x[3])
-{
-    shift_range range;
+    layer_range range;
     for (int axis = 0; axis < 3; ++axis) {
-        range.lo[axis] = range.hi[axis] = 0;
-        const double length = space->length[axis];
-        while (range.hi[axis] < space->max_shift[axis] &&
-               x[axis] + (range.hi[axis] + 1) * length < space->hi[axis] + space->reach)
-            ++range.hi[axis];
-        while (-range.lo[axis] < space->max_shift[axis] &&
-               x[axis] + (range.lo[axis] - 1) * length >= space->lo[axis] - space->reach)
-            --range.lo[axis];
+        const hs_halo_layers *layers = &plan->layers[axis];
+        const double *shift = layers->shift + layers->below, *limit = layers->limit + layers->below;
+        int lo = 0, hi = 0;
+        while (-lo < layers->below && x[axis] + shift[lo - 1] < limit[lo - 1]) --lo;
+        while (hi < layers->above && x[axis] + shift[hi + 1] >= limit[hi + 1]) ++hi;
+        range.lo[axis] = lo;
+        range.hi[axis] = hi;
     }
     return range;
 }
 
-/** Count (source == NULL) or write the images of local atoms [begin, end): next[d] is the place of the next image of
- *  direction d, or the count so far. */
-static void list_images(const image_space *space, const hs_atoms *atoms, int64_t begin, int64_t end, int *next,
-                        int32_t *source)
+/** Count (source == NULL) or write the local atoms [begin, end) that go to other bricks: next[b] is the place of the next
+ *  atom of block b, or the count so far. */
+static void list_atoms(const hs_halo_plan *plan, const hs_atoms *atoms, int64_t begin, int64_t end, int *next,
+                       int32_t *source)
 {
-    const int *m = space->max_shift;
     for (int64_t i = begin; i < end; ++i) {
         const double x[3] = {atoms->x[0][i], atoms->x[1][i], atoms->x[2][i]};
-        if (!needs_images(space, x)) continue;
-        const shift_range range = shifts_of(space, x);
-        for (int a = 0; a <= range.hi[0]; ++a)
-            for (int b = range.lo[1]; b <= range.hi[1]; ++b)
-                for (int c = range.lo[2]; c <= range.hi[2]; ++c) {
-                    const int number = ((a + m[0]) * (2 * m[1] + 1) + b + m[1]) * (2 * m[2] + 1) + c + m[2];
-                    if (number <= space->middle) continue;
-                    const int d = number - space->middle - 1;
-                    if (source != NULL) source[next[d]] = (int32_t)i;
-                    ++next[d];
+        if (!is_near_lower_face(plan, x)) continue;
+        const layer_range range = layers_of(plan, x);
+        for (int j0 = range.lo[0]; j0 <= 0; ++j0)
+            for (int j1 = range.lo[1]; j1 <= range.hi[1]; ++j1)
+                for (int j2 = range.lo[2]; j2 <= range.hi[2]; ++j2) {
+                    const int b = plan->block_of[hs_halo_plan_index(plan, j0, j1, j2)];
+                    if (b < 0) continue;
+                    if (source != NULL) source[next[b]] = (int32_t)i;
+                    ++next[b];
                 }
     }
 }
 
-/** list_images for all parts of the local atoms. Atoms near lower faces, which have the images, stand together in the
- *  arrays; parts handed out in turn give every thread its share of them. */
-static void list_parts(const image_space *space, const hs_atoms *atoms, int *next, int32_t *source)
+/** list_atoms for all parts of the local atoms. Atoms near lower faces, which go to halos, stand together in the arrays;
+ *  parts handed out in turn give every thread its share of them. */
+static void list_parts(const hs_halo_plan *plan, const hs_halo *halo, const hs_atoms *atoms, int *next, int32_t *source)
 {
 #pragma omp parallel for schedule(static, 1)
     for (int part = 0; part < N_PARTS; ++part) {
         int64_t begin, end;
         hs_thread_range(atoms->n_local, 1, part, N_PARTS, &begin, &end);
-        list_images(space, atoms, begin, end, next + (size_t)part * (size_t)space->n_directions, source);
+        list_atoms(plan, atoms, begin, end, next + (size_t)part * (size_t)halo->out.n_blocks, source);
     }
 }
 
-static void set_directions(hs_halo *halo, const image_space *space)
+/** Turn the counts of all parts into places: next[part * n_blocks + b]. Blocks in order, parts within. */
+static hs_status places_from_counts(hs_halo_side *out, int *next, hs_error *err)
 {
-    const int *m = space->max_shift;
-    for (int d = 0; d < halo->n_directions; ++d) {
-        const int number = d + space->middle + 1;
-        const int c = number % (2 * m[2] + 1) - m[2];
-        const int b = number / (2 * m[2] + 1) % (2 * m[1] + 1) - m[1];
-        const int a = number / (2 * m[2] + 1) / (2 * m[1] + 1) - m[0];
-        halo->direction[d].shift[0] = a * space->length[0];
-        halo->direction[d].shift[1] = b * space->length[1];
-        halo->direction[d].shift[2] = c * space->length[2];
+    int64_t n = 0;
+    const size_t n_blocks = (size_t)out->n_blocks;
+    for (size_t b = 0; b < n_blocks; ++b) {
+        out->block[b].begin = (int)n;
+        for (size_t part = 0; part < N_PARTS; ++part) {
+            const int count = next[part * n_blocks + b];
+            next[part * n_blocks + b] = (int)n;
+            n += count;
+        }
+        if (n > INT32_C(1) << 30)
+            return hs_fail(err, HS_ERROR_RUN, "%lld periodic images are more than a rank can hold", (long long)n);
+        out->block[b].end = (int)n;
     }
-}
-
-static hs_status reserve(hs_halo *halo, int64_t n, hs_error *err)
-{
-    if (n <= halo->capacity) return HS_OK;
-    const int64_t limit = INT32_C(1) << 30;
-    if (n > limit)
-        return hs_fail(err, HS_ERROR_RUN, "%lld periodic images are more than a rank can hold", (long long)n);
-    const size_t capacity = (size_t)(n + n / 8 + 64);
-    HS_TRY(HS_GROW(halo->source, 0, capacity, err));
-    HS_TRY(HS_GROW(halo->slot, 0, capacity, err));
-    halo->capacity = (int)capacity;
+    out->n = (int)n;
+    out->n_self_atoms = out->n_self > 0 ? out->block[out->n_self - 1].end : 0;
     return HS_OK;
 }
 
-/** Turn the counts of all parts into places: next[part * n_directions + d]. Directions in order, parts within. */
-static int64_t places_from_counts(hs_halo *halo, int *next)
+/** Choose the atoms to send. */
+static hs_status choose_atoms(hs_halo *halo, const hs_halo_plan *plan, const hs_atoms *atoms, hs_error *err)
 {
-    int64_t n = 0;
-    for (int d = 0; d < halo->n_directions; ++d) {
-        halo->direction[d].begin = (int)n;
-        for (int part = 0; part < N_PARTS; ++part) {
-            const int count = next[(size_t)part * (size_t)halo->n_directions + (size_t)d];
-            next[(size_t)part * (size_t)halo->n_directions + (size_t)d] = (int)n;
-            n += count;
-        }
-        halo->direction[d].end = (int)n;
-    }
-    return n;
-}
-
-hs_status hs_halo_build(hs_halo *halo, const hs_box *box, hs_atoms *atoms, double reach, hs_error *err)
-{
-    image_space space;
-    HS_TRY(image_space_init(&space, box, reach, err));
-    halo->n_directions = space.n_directions;
-    if (space.n_directions > halo->capacity_directions) {
-        HS_TRY(HS_GROW(halo->direction, 0, (size_t)space.n_directions, err));
-        halo->capacity_directions = space.n_directions;
-    }
-    set_directions(halo, &space);
-
     int *next;
-    HS_TRY(HS_ALLOC(next, (size_t)N_PARTS * (size_t)space.n_directions, err));
-    list_parts(&space, atoms, next, NULL);
-    const int64_t n = places_from_counts(halo, next);
-    hs_status status = reserve(halo, n, err);
-    if (status == HS_OK && n > atoms->capacity_halo)
-        status = hs_atoms_reserve(atoms, atoms->n_local, n + n / 8 + 64, err);
-    if (status == HS_OK) {
-        list_parts(&space, atoms, next, halo->source);
-        halo->n = (int)n;
-        atoms->n_halo = (int)n;
-        halo->generation = atoms->generation;
-#pragma omp parallel for schedule(static)
-        for (int k = 0; k < halo->n; ++k) halo->slot[k] = k;
-        hs_halo_forward(halo, atoms);
-        hs_halo_forward_int(halo, atoms, atoms->type);
+    HS_TRY(HS_ALLOC(next, (size_t)N_PARTS * (size_t)halo->out.n_blocks, err));
+    list_parts(plan, halo, atoms, next, NULL);
+    hs_status status = places_from_counts(&halo->out, next, err);
+    if (status == HS_OK && halo->out.n > halo->capacity_source) {
+        const size_t capacity = (size_t)halo->out.n + (size_t)halo->out.n / 8 + 64;
+        status = HS_GROW(halo->source, 0, capacity, err);
+        if (status == HS_OK) halo->capacity_source = (int)capacity;
     }
+    if (status == HS_OK) list_parts(plan, halo, atoms, next, halo->source);
     HS_FREE(next);
     return status;
 }
 
-void hs_halo_reorder(hs_halo *halo, hs_atoms *atoms, const int32_t *order)
+/** First block after `b` that has another partner. */
+static int end_of_group(const hs_halo_side *side, int b)
 {
+    const int rank = side->block[b].rank;
+    while (b < side->n_blocks && side->block[b].rank == rank) ++b;
+    return b;
+}
+
+/** Tell every partner how many atoms of each block it will get: count[b] of blocks sent, incoming[b] of blocks received. */
+static hs_status describe_counts(const hs_halo *halo, const int32_t *count, int32_t *incoming, hs_messages *messages,
+                                 hs_error *err)
+{
+    for (int b = halo->out.n_self, end; b < halo->out.n_blocks; b = end) {
+        end = end_of_group(&halo->out, b);
+        HS_TRY(hs_messages_send(messages, halo->out.block[b].rank, count + b, end - b, sizeof *count, err));
+    }
+    for (int b = halo->in.n_self, end; b < halo->in.n_blocks; b = end) {
+        end = end_of_group(&halo->in, b);
+        HS_TRY(hs_messages_receive(messages, halo->in.block[b].rank, incoming + b, end - b, sizeof *incoming, err));
+    }
+    return HS_OK;
+}
+
+static hs_status set_incoming(hs_halo *halo, const int32_t *incoming, hs_error *err)
+{
+    int64_t n = 0;
+    hs_halo_side *in = &halo->in;
+    for (int b = 0; b < in->n_blocks; ++b) {
+        const hs_halo_block *own = &halo->out.block[b];
+        in->block[b].begin = (int)n;
+        n += b < in->n_self ? own->end - own->begin : incoming[b];
+        if (n > INT32_C(1) << 30)
+            return hs_fail(err, HS_ERROR_RUN, "%lld halo atoms are more than a rank can hold", (long long)n);
+        in->block[b].end = (int)n;
+    }
+    in->n = (int)n;
+    in->n_self_atoms = halo->out.n_self_atoms;
+    return HS_OK;
+}
+
+/** Exchange the numbers of atoms (collective). Errors up to here are agreed first, since messages need both sides. */
+static void exchange_counts(hs_halo *halo, const hs_parallel *parallel, hs_error *err)
+{
+    hs_messages messages = {0};
+    int32_t *count = NULL, *incoming = NULL;
+    HS_UNLESS_FAILED(err, HS_ALLOC(count, (size_t)halo->out.n_blocks, err));
+    HS_UNLESS_FAILED(err, HS_ALLOC(incoming, (size_t)halo->in.n_blocks, err));
+    if (err->status == HS_OK) {
+        for (int b = 0; b < halo->out.n_blocks; ++b) count[b] = halo->out.block[b].end - halo->out.block[b].begin;
+        (void)describe_counts(halo, count, incoming, &messages, err);
+    }
+    if (hs_parallel_agree(parallel, err) == HS_OK) {
+        hs_messages_start(&messages);
+        hs_messages_wait(&messages);
+        (void)set_incoming(halo, incoming, err);
+    }
+    hs_messages_fini(&messages);
+    HS_FREE(count);
+    HS_FREE(incoming);
+}
+
+static hs_status reserve_buffer(hs_halo_side *side, hs_error *err)
+{
+    const int n = side->n - side->n_self_atoms;
+    if (n <= side->capacity_buffer) return HS_OK;
+    const size_t capacity = (size_t)n + (size_t)n / 8 + 64;
+    HS_TRY(HS_GROW(side->buffer, 0, capacity * HS_HALO_WORDS, err));
+    side->capacity_buffer = (int)capacity;
+    return HS_OK;
+}
+
+/** Messages of one side, from or into its buffer: one for each partner, none for partners without atoms. */
+static hs_status describe_side(const hs_halo_side *side, bool is_sent, hs_messages *messages, hs_error *err)
+{
+    for (int b = side->n_self, end; b < side->n_blocks; b = end) {
+        end = end_of_group(side, b);
+        const int64_t begin = side->block[b].begin, n = side->block[end - 1].end - begin;
+        double *words = side->buffer + (begin - side->n_self_atoms) * HS_HALO_WORDS;
+        const size_t size = HS_HALO_WORDS * sizeof(double);
+        if (n == 0) continue;
+        HS_TRY(is_sent ? hs_messages_send(messages, side->block[b].rank, words, n, size, err)
+                       : hs_messages_receive(messages, side->block[b].rank, words, n, size, err));
+    }
+    return HS_OK;
+}
+
+static hs_status describe_messages(hs_halo *halo, hs_error *err)
+{
+    HS_TRY(reserve_buffer(&halo->out, err));
+    HS_TRY(reserve_buffer(&halo->in, err));
+    HS_TRY(describe_side(&halo->in, false, &halo->forward, err));
+    HS_TRY(describe_side(&halo->out, true, &halo->forward, err));
+    HS_TRY(describe_side(&halo->out, false, &halo->reverse, err));
+    return describe_side(&halo->in, true, &halo->reverse, err);
+}
+
+/** Room for the halo atoms. */
+static hs_status reserve_atoms(hs_halo *halo, hs_atoms *atoms, hs_error *err)
+{
+    const int64_t n = halo->in.n;
+    if (n > halo->capacity) {
+        const size_t capacity = (size_t)(n + n / 8 + 64);
+        HS_TRY(HS_GROW(halo->slot, 0, capacity, err));
+        halo->capacity = (int)capacity;
+    }
+    if (n > atoms->capacity_halo) return hs_atoms_reserve(atoms, atoms->n_local, n + n / 8 + 64, err);
+    return HS_OK;
+}
+
+hs_status hs_halo_build(hs_halo *halo, const hs_domain *domain, const hs_parallel *parallel, const hs_box *box,
+                        hs_atoms *atoms, double reach, hs_error *err)
+{
+    hs_halo_plan plan = {0};
+    hs_messages_clear(&halo->forward);
+    hs_messages_clear(&halo->reverse);
+    HS_UNLESS_FAILED(err, hs_halo_plan_make(&plan, halo, domain, box, reach, err));
+    HS_UNLESS_FAILED(err, choose_atoms(halo, &plan, atoms, err));
+    hs_halo_plan_fini(&plan);
+    exchange_counts(halo, parallel, err);
+    HS_UNLESS_FAILED(err, reserve_atoms(halo, atoms, err));
+    HS_UNLESS_FAILED(err, describe_messages(halo, err));
+    HS_TRY(hs_parallel_agree(parallel, err));
+    halo->n = halo->in.n;
+    atoms->n_halo = halo->n;
+    halo->generation = atoms->generation;
 #pragma omp parallel for schedule(static)
-    for (int q = 0; q < halo->n; ++q) halo->slot[order[q]] = q;
+    for (int k = 0; k < halo->n; ++k) halo->slot[k] = k;
     hs_halo_forward(halo, atoms);
-    hs_halo_forward_int(halo, atoms, atoms->type);
+    return HS_OK;
 }
 
-void hs_halo_forward_positions(const hs_halo *halo, const hs_atoms *atoms, double *const position[3])
+static void fini_side(hs_halo_side *side)
 {
-    const int n_local = atoms->n_local;
-#pragma omp parallel
-    for (int d = 0; d < halo->n_directions; ++d) {
-        const hs_halo_direction *direction = &halo->direction[d];
-#pragma omp for schedule(static) nowait
-        for (int k = direction->begin; k < direction->end; ++k)
-            for (int axis = 0; axis < 3; ++axis)
-                position[axis][n_local + halo->slot[k]] = position[axis][halo->source[k]] + direction->shift[axis];
-    }
-}
-
-void hs_halo_forward(const hs_halo *halo, hs_atoms *atoms) { hs_halo_forward_positions(halo, atoms, atoms->x); }
-
-void hs_halo_forward_int(const hs_halo *halo, const hs_atoms *atoms, int32_t *values)
-{
-    const int n_local = atoms->n_local;
-#pragma omp parallel for schedule(static)
-    for (int k = 0; k < halo->n; ++k) values[n_local + halo->slot[k]] = values[halo->source[k]];
-}
-
-void hs_halo_reverse(const hs_halo *halo, hs_atoms *atoms)
-{
-    const int n_local = atoms->n_local;
-    /* Within one direction a source occurs once at most, so threads never meet; directions follow one another. */
-#pragma omp parallel
-    for (int d = 0; d < halo->n_directions; ++d) {
-        const hs_halo_direction *direction = &halo->direction[d];
-#pragma omp for schedule(static)
-        for (int k = direction->begin; k < direction->end; ++k)
-            for (int axis = 0; axis < 3; ++axis)
-                atoms->f[axis][halo->source[k]] += atoms->f[axis][n_local + halo->slot[k]];
-    }
+    HS_FREE(side->block);
+    HS_FREE(side->buffer);
 }
 
 void hs_halo_fini(hs_halo *halo)
 {
-    HS_FREE(halo->direction);
+    hs_messages_fini(&halo->forward);
+    hs_messages_fini(&halo->reverse);
+    fini_side(&halo->out);
+    fini_side(&halo->in);
     HS_FREE(halo->source);
     HS_FREE(halo->slot);
     memset(halo, 0, sizeof *halo);

@@ -1,44 +1,67 @@
-/** Halo atoms: copies of periodic images (and of other ranks' atoms) within reach of this rank's brick.
+/** Halo atoms: copies of other ranks' atoms and of periodic images within reach of this rank's brick.
  *
- *  Only the images in the "upper half" of directions are made: shifts (a, b, c) whose first nonzero number is positive.
- *  A pair across a boundary is then met exactly once, by the lower of its two atoms, and half the halo is enough
- *  (half-shell method: D. E. Shaw, J. Comput. Chem. 26, 1318 (2005), doi:10.1002/jcc.20267). The force on a halo atom
- *  goes back to its owner with hs_halo_reverse. Boxes smaller than the reach get several layers of images. */
+ *  Only bricks and images in the "upper half" of directions are copied: offsets (a, b, c) from this brick whose first nonzero
+ *  number is positive. A pair across a boundary is then met exactly once, by the lower of its two atoms, and half the halo
+ *  is enough (half-shell method: D. E. Shaw, J. Comput. Chem. 26, 1318 (2005), doi:10.1002/jcc.20267). The force on a halo
+ *  atom goes back to its owner with hs_halo_reverse. Bricks thinner than the reach get several layers. Offsets that lead
+ *  around the box to this rank itself are copied without messages; all others that lead to one rank share one message. */
 #ifndef HS_COMM_HALO_H
 #define HS_COMM_HALO_H
 
+#include "comm/domain.h"
 #include "core/atoms.h"
-#include "core/box.h"
+#include "parallel/messages.h"
 
-/** One direction: where its atoms stand in the lists, and the shift to add to their positions. */
-typedef struct hs_halo_direction {
-    int begin, end;  /**< range of source[] and slot[] */
-    double shift[3]; /**< distance */
-} hs_halo_direction;
+/** Atoms that go one way, or come from one way. */
+typedef struct hs_halo_block {
+    int offset[3];   /**< of the brick they come from, seen from the brick they go to */
+    int rank;        /**< partner */
+    int begin, end;  /**< blocks to send: range of source[]; blocks received: range of slot[] */
+    double shift[3]; /**< blocks to send: what to add to positions, distance */
+} hs_halo_block;
+
+/** All blocks sent, or all received: first those of this rank itself, then rank by rank, each in lexicographic order of
+ *  offsets, which is the same on both sides. */
+typedef struct hs_halo_side {
+    hs_halo_block *block; /**< owned [n_blocks] */
+    int n_blocks, n_self; /**< blocks [0, n_self) stay on this rank: the same on both sides */
+    int n, n_self_atoms;  /**< atoms of all blocks, and of the first n_self */
+    double *buffer;       /**< owned: HS_HALO_WORDS words for each atom of another rank's blocks */
+    int capacity_blocks, capacity_buffer;
+} hs_halo_side;
+
+enum { HS_HALO_WORDS = 3 }; /**< words of 8 bytes that a message carries for each atom */
 
 typedef struct hs_halo {
     int n; /**< halo atoms */
-    int n_directions;
-    hs_halo_direction *direction; /**< owned [n_directions], in lexicographic order of shifts */
-    int32_t *source;              /**< owned [n]: local index of the atom copied */
-    int32_t *slot;                /**< owned [n]: halo atom k stands at index n_local + slot[k] */
-    int capacity, capacity_directions;
+    hs_halo_side out, in;
+    int32_t *source; /**< owned [out.n]: local index of the atom copied */
+    int32_t *slot;   /**< owned [n]: halo atom k stands at index n_local + slot[k] */
+    hs_messages forward, reverse;
+    int capacity, capacity_source;
     uint64_t generation; /**< of the atoms this halo belongs to */
 } hs_halo;
 
-/** Choose the halo of the local atoms (which must lie in the box along periodic axes), sized to reach, and fill positions
- *  and types, in order of direction (slot[k] = k). Threaded; the result does not depend on the number of threads. */
-HS_MUST_USE hs_status hs_halo_build(hs_halo *halo, const hs_box *box, hs_atoms *atoms, double reach, hs_error *err);
-/** Put halo atom order[q] at place q (a permutation of [0, n)); positions and types are filled anew. */
+/** Choose the halo of the local atoms (which must lie in this rank's brick), sized to reach, and fill positions, in order
+ *  of blocks (slot[k] = k). Threaded; the result does not depend on the number of threads. Collective; an error that one
+ *  rank holds in @p err already, or meets here, stops all. */
+HS_MUST_USE hs_status hs_halo_build(hs_halo *halo, const hs_domain *domain, const hs_parallel *parallel,
+                                    const hs_box *box, hs_atoms *atoms, double reach, hs_error *err);
+/** Put halo atom order[q] at place q (a permutation of [0, n)); positions are filled anew. Directly after a build; not
+ *  collective. */
 void hs_halo_reorder(hs_halo *halo, hs_atoms *atoms, const int32_t *order);
-/** Positions of halo atoms from those of their sources. */
+/** Fill the halo part of all fields that go to the halo when it is made (hs_atom_field.goes_to_halo). Collective. */
+void hs_halo_forward_fields(const hs_halo *halo, hs_atoms *atoms);
+/** Positions of halo atoms from those of their sources. Collective. */
 void hs_halo_forward(const hs_halo *halo, hs_atoms *atoms);
-/** The same for any per-atom array of positions [3] with room for the halo (reference positions of lists). */
+/** The same for any per-atom array of positions [3] with room for the halo (reference positions of lists). Collective. */
 void hs_halo_forward_positions(const hs_halo *halo, const hs_atoms *atoms, double *const position[3]);
-/** Copy an integer per-atom array to the halo. */
-void hs_halo_forward_int(const hs_halo *halo, const hs_atoms *atoms, int32_t *values);
-/** Add forces of halo atoms to their sources. The order of additions does not depend on the number of threads. */
+/** Copy any per-atom array of @p size bytes an atom, with room for the halo, to the halo. Collective. */
+void hs_halo_forward_array(const hs_halo *halo, const hs_atoms *atoms, void *values, size_t size);
+/** Add forces of halo atoms to their sources. The order of additions does not depend on the number of threads. Collective. */
 void hs_halo_reverse(const hs_halo *halo, hs_atoms *atoms);
+/** The same for any three per-atom arrays (torques). Collective. */
+void hs_halo_reverse_arrays(const hs_halo *halo, const hs_atoms *atoms, double *const values[3]);
 void hs_halo_fini(hs_halo *halo);
 
 #endif

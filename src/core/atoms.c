@@ -21,8 +21,12 @@ static hs_status add_field(hs_atoms *atoms, const char *name, void **array, size
         atoms->capacity_fields = capacity;
     }
     HS_TRY(hs_memory_alloc(array, room(atoms->capacity_local, atoms->capacity_halo), size, err));
-    atoms->field[atoms->n_fields++] =
-        (hs_atom_field){.name = name, .array = array, .size = size, .has_halo = has_halo, .is_force = is_force};
+    atoms->field[atoms->n_fields++] = (hs_atom_field){.name = name,
+                                                      .array = array,
+                                                      .size = size,
+                                                      .has_halo = has_halo,
+                                                      .is_force = is_force,
+                                                      .goes_to_halo = has_halo && !is_force};
     return HS_OK;
 }
 
@@ -34,6 +38,7 @@ hs_status hs_atoms_init(hs_atoms *atoms, hs_error *err)
     atoms->generation = 1;
     for (int axis = 0; axis < 3; ++axis) {
         HS_TRY(add_field(atoms, x_name[axis], (void **)&atoms->x[axis], sizeof(double), true, false, err));
+        hs_atoms_keep_from_halo(atoms, (void **)&atoms->x[axis]);
         HS_TRY(add_field(atoms, v_name[axis], (void **)&atoms->v[axis], sizeof(double), false, false, err));
         HS_TRY(add_field(atoms, f_name[axis], (void **)&atoms->f[axis], sizeof(double), true, true, err));
         HS_TRY(add_field(atoms, image_name[axis], (void **)&atoms->image[axis], sizeof(int32_t), false, false, err));
@@ -223,6 +228,61 @@ hs_status hs_atoms_permute(hs_atoms *atoms, const int32_t *order, hs_error *err)
 hs_status hs_atoms_add_field(hs_atoms *atoms, const char *name, void **array, size_t size, bool has_halo, hs_error *err)
 {
     return add_field(atoms, name, array, size, has_halo, false, err);
+}
+
+void hs_atoms_keep_from_halo(hs_atoms *atoms, void **array)
+{
+    for (int k = 0; k < atoms->n_fields; ++k)
+        if (atoms->field[k].array == array) atoms->field[k].goes_to_halo = false;
+}
+
+size_t hs_atoms_record_size(const hs_atoms *atoms)
+{
+    size_t size = 0;
+    for (int k = 0; k < atoms->n_fields; ++k)
+        if (!atoms->field[k].is_force) size += atoms->field[k].size;
+    return (size + 7) / 8 * 8;
+}
+
+void hs_atoms_pack(const hs_atoms *atoms, int i, char *record)
+{
+    for (int k = 0; k < atoms->n_fields; ++k) {
+        const hs_atom_field *field = &atoms->field[k];
+        if (field->is_force) continue;
+        memcpy(record, (const char *)*field->array + field->size * (size_t)i, field->size);
+        record += field->size;
+    }
+}
+
+void hs_atoms_unpack(hs_atoms *atoms, const char *record)
+{
+    for (int k = 0; k < atoms->n_fields; ++k) {
+        const hs_atom_field *field = &atoms->field[k];
+        if (field->is_force) continue;
+        memcpy((char *)*field->array + field->size * (size_t)atoms->n_local, record, field->size);
+        record += field->size;
+    }
+    ++atoms->n_local;
+    atoms->n_halo = 0;
+    ++atoms->generation;
+}
+
+void hs_atoms_take_out(hs_atoms *atoms, const int32_t *leavers, int n)
+{
+    int last = atoms->n_local, final = n - 1;
+    for (int k = 0; k < n && leavers[k] < last; ++k) {
+        /* the last atom that stays goes to this place */
+        for (--last; final > k && leavers[final] == last; --final) --last;
+        if (last == leavers[k]) break;
+        for (int f = 0; f < atoms->n_fields; ++f) {
+            char *array = *atoms->field[f].array;
+            const size_t size = atoms->field[f].size;
+            memcpy(array + size * (size_t)leavers[k], array + size * (size_t)last, size);
+        }
+    }
+    atoms->n_local -= n;
+    atoms->n_halo = 0;
+    ++atoms->generation;
 }
 
 void hs_atoms_remove_field(hs_atoms *atoms, void **array)

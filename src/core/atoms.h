@@ -16,11 +16,12 @@ enum { HS_ATOMS_PAD = 16 };
 
 /** An array that belongs to atoms and travels with them: sorted, migrated, grown with them. */
 typedef struct hs_atom_field {
-    const char *name; /**< borrowed: a literal, or owned by the style that added the field */
-    void **array;     /**< where the owner keeps the pointer; hs_atoms updates it when the array moves */
-    size_t size;      /**< bytes per atom */
-    bool has_halo;    /**< also has room for halo atoms */
-    bool is_force;    /**< recomputed every step: not carried along by the sort */
+    const char *name;  /**< borrowed: a literal, or owned by the style that added the field */
+    void **array;      /**< where the owner keeps the pointer; hs_atoms updates it when the array moves */
+    size_t size;       /**< bytes per atom */
+    bool has_halo;     /**< also has room for halo atoms */
+    bool is_force;     /**< recomputed every step: not carried along by the sort */
+    bool goes_to_halo; /**< copied to halo atoms whenever the halo is made */
 } hs_atom_field;
 
 typedef struct hs_atoms {
@@ -57,6 +58,13 @@ HS_MUST_USE hs_status hs_atoms_add(hs_atoms *atoms, int64_t id, int type, const 
 /** Remove local atoms whose flag is nonzero (drop[n_local]), keeping the order of the rest; halo atoms are forgotten.
  *  Not collective: the caller brings n_all up to date. */
 void hs_atoms_remove(hs_atoms *atoms, const unsigned char *drop);
+/** Bytes of one atom's record: all its fields but forces. */
+size_t hs_atoms_record_size(const hs_atoms *atoms);
+/** Copy a local atom's fields into a record; append an atom from a record (there must be room). Not collective. */
+void hs_atoms_pack(const hs_atoms *atoms, int i, char *record);
+void hs_atoms_unpack(hs_atoms *atoms, const char *record);
+/** Take out the local atoms leavers[n] (ascending): the last ones move into their places. Halo atoms are forgotten. */
+void hs_atoms_take_out(hs_atoms *atoms, const int32_t *leavers, int n);
 /** Reorder the local atoms: new atom k is old atom order[k]. Threaded; halo atoms and forces are forgotten (they are
  *  computed anew; their memory is used for the sort). */
 HS_MUST_USE hs_status hs_atoms_permute(hs_atoms *atoms, const int32_t *order, hs_error *err);
@@ -65,6 +73,9 @@ HS_MUST_USE hs_status hs_atoms_permute(hs_atoms *atoms, const int32_t *order, hs
  *  @p size must be 4 or a multiple of 8 bytes. */
 HS_MUST_USE hs_status hs_atoms_add_field(hs_atoms *atoms, const char *name, void **array, size_t size, bool has_halo,
                                          hs_error *err);
+/** Fields with room for halo atoms are copied to them whenever the halo is made, unless this says no: positions, which are
+ *  shifted, and fields that their owner brings to the halo himself. */
+void hs_atoms_keep_from_halo(hs_atoms *atoms, void **array);
 void hs_atoms_remove_field(hs_atoms *atoms, void **array);
 /** Largest id on this rank, 0 without atoms. */
 int64_t hs_atoms_max_id(const hs_atoms *atoms);

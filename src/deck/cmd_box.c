@@ -229,7 +229,8 @@ static hs_status create_box_run(hs_deck *deck, const hs_args *args, hs_error *er
     box->exists = true;
     hs_say(deck->out, "Created orthogonal box = (%#.8g %#.8g %#.8g) to (%#.8g %#.8g %#.8g)\n", box->lo[0], box->lo[1],
            box->lo[2], box->hi[0], box->hi[1], box->hi[2]);
-    hs_say(deck->out, "  %d by 1 by 1 MPI processor grid\n", sim->parallel.n_ranks > 1 ? sim->parallel.n_ranks : 1);
+    HS_TRY(hs_domain_divide(&sim->domain, box, err));
+    hs_say(deck->out, "  %d by %d by %d MPI processor grid\n", sim->domain.n[0], sim->domain.n[1], sim->domain.n[2]);
     hs_box_settle_faces(box);
     hs_sim_atoms_changed(sim);
     return HS_OK;

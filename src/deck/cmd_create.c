@@ -203,18 +203,13 @@ static bool is_within(const creation *c, const double x[3])
     return true;
 }
 
-/** Add an atom with the next ID. All ranks see all atoms; each keeps those of its slice along x until the first
- *  exchange brings them to their owners, so that IDs do not depend on the number of ranks. */
+/** Add an atom with the next ID. All ranks see all atoms, and each keeps those of its brick, so that IDs do not depend on
+ *  the number of ranks. */
 static hs_status add_atom(creation *c, int type, const double x[3], hs_error *err)
 {
-    const hs_parallel *parallel = &c->sim->parallel;
     const int64_t id = c->next_id++;
     ++c->n_created;
-    if (parallel->n_ranks > 1) {
-        const double share = (x[0] - c->sim->box.lo[0]) / hs_box_length(&c->sim->box, 0) * parallel->n_ranks;
-        const int owner = share < 0.0 ? 0 : share >= parallel->n_ranks ? parallel->n_ranks - 1 : (int)share;
-        if (owner != parallel->rank) return HS_OK;
-    }
+    if (c->sim->parallel.n_ranks > 1 && !hs_domain_owns(&c->sim->domain, &c->sim->box, x)) return HS_OK;
     return hs_atoms_add(&c->sim->atoms, id, type, x, err);
 }
 
@@ -389,8 +384,9 @@ static hs_status create_atoms_run(hs_deck *deck, const hs_args *args, hs_error *
     HS_TRY(hs_sim_need_box(sim, args->command, err));
     HS_TRY(create_check(args, false, err));
     creation c = {.deck = deck, .sim = sim, .is_lattice_units = true, .ratio = -1.0, .n_subset = -1};
-    hs_status status = create_all(&c, args, err);
+    (void)create_all(&c, args, err);
     HS_FREE(c.basis_type);
+    const hs_status status = hs_parallel_agree(&sim->parallel, err);
     hs_sim_atoms_changed(sim);
     HS_TRY(status);
     const hs_box *box = &sim->box;

@@ -173,9 +173,11 @@ static hs_status processors_run(hs_deck *deck, const hs_args *args, hs_error *er
     const int64_t n_ranks = deck->sim->parallel.n_ranks;
     int64_t product = 1;
     bool is_free = false;
+    int wanted[3];
     for (int axis = 0; axis < 3; ++axis) {
         if (strcmp(args->word[axis], "*") == 0) {
             is_free = true;
+            wanted[axis] = 0;
             continue;
         }
         int64_t n;
@@ -184,12 +186,14 @@ static hs_status processors_run(hs_deck *deck, const hs_args *args, hs_error *er
             return hs_fail(err, HS_ERROR_INPUT, "processors: in two dimensions Pz must be 1 or *, not %s",
                            args->word[axis]);
         product *= n;
+        wanted[axis] = (int)n;
     }
     if (is_free ? n_ranks % product != 0 : product != n_ranks)
         return hs_fail(err, HS_ERROR_INPUT,
                        "processors: a grid of %s x %s x %s does not fit this run's %lld MPI "
                        "rank%s",
                        args->word[0], args->word[1], args->word[2], (long long)n_ranks, n_ranks == 1 ? "" : "s");
+    memcpy(deck->sim->domain.wanted, wanted, sizeof wanted);
     return HS_OK;
 }
 

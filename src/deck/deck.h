@@ -20,6 +20,7 @@ typedef struct hs_deck {
     char *label_wanted; /**< owned; skipping to this label (jump); NULL: not skipping */
     bool jump_skipped;  /**< `next` has come to its end: the next jump does nothing */
     bool quit;          /**< the command quit was met */
+    bool is_stopping;   /**< several ranks: one of them was asked to stop; agreed after every line */
     int exit_code;      /**< given with quit */
     bool is_running;    /**< within hs_sim_run: functions of time since the run's start have a value */
     int depth;          /**< commands within commands (if, run every) being carried out */

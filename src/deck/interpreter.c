@@ -101,7 +101,7 @@ void hs_deck_make_printable(char *text)
 
 static hs_status stop_if_asked(const hs_deck *deck, hs_error *err)
 {
-    if (deck->sim->stop_requested == NULL || !*deck->sim->stop_requested) return HS_OK;
+    if (deck->sim->parallel.n_ranks > 1 ? !deck->is_stopping : !hs_sim_is_asked_to_stop(deck->sim)) return HS_OK;
     return hs_fail(err, HS_INTERRUPTED, "stopped by a signal before this command");
 }
 
@@ -177,6 +177,13 @@ static hs_status fail_label(hs_deck *deck, hs_error *err)
     return status;
 }
 
+/** After every line all ranks agree whether it went well, and whether to stop. */
+static hs_status settle(hs_deck *deck, hs_error *err)
+{
+    deck->is_stopping = hs_sim_is_asked_to_stop(deck->sim);
+    return hs_parallel_settle(&deck->sim->parallel, &deck->is_stopping, err);
+}
+
 hs_status hs_source_run(hs_deck *deck, hs_error *err)
 {
     hs_text line = {0};
@@ -193,6 +200,7 @@ hs_status hs_source_run(hs_deck *deck, hs_error *err)
         if (status == HS_OK) status = stop_if_asked(deck, err);
         if (status == HS_OK) status = run_line(deck, hs_text_get(&line), err);
         if (status != HS_OK) hs_error_locate(err, source->name, source->line);
+        status = settle(deck, err);
     }
     hs_text_fini(&line);
     return status;

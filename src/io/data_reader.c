@@ -5,6 +5,7 @@
 
 #include "base/memory.h"
 #include "base/timer.h"
+#include "comm/domain.h"
 #include "io/data_internal.h"
 
 /** Make the box and the types, or widen the box to hold the file's. */
@@ -44,7 +45,8 @@ static hs_status make_box(hs_data_reader *reader, hs_error *err)
     }
     box.exists = true;
     *env->box = box;
-    hs_say(env->out, "  1 by 1 by 1 MPI processor grid\n");
+    if (!options->is_added) HS_TRY(hs_domain_divide(env->domain, &box, err));
+    hs_say(env->out, "  %d by %d by %d MPI processor grid\n", env->domain->n[0], env->domain->n[1], env->domain->n[2]);
     return HS_OK;
 }
 

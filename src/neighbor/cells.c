@@ -68,19 +68,19 @@ static int64_t count_cells(const double extent[3], const double pitch[3], int n[
     return total < 1e15 ? (int64_t)total : INT64_MAX;
 }
 
-hs_status hs_cells_set_grid(hs_cells *cells, const hs_box *box, double reach, double width, int64_t n_atoms,
-                            hs_error *err)
+hs_status hs_cells_set_grid(hs_cells *cells, const double brick_lo[3], const double brick_hi[3], int dimension,
+                            double reach, double width, int64_t n_atoms, hs_error *err)
 {
     static const int axes[2][3] = {{0, 2, 1}, {0, 1, 2}};
-    const bool is_3d = box->dimension == 3;
+    const bool is_3d = dimension == 3;
     double extent[3], pitch[3], lo[3];
     int n[3];
     for (int a = 0; a < 3; ++a) {
         const int axis = axes[is_3d][a];
         const bool is_flat = !is_3d && axis == 2;
         const double margin = is_flat ? 0.0 : reach;
-        lo[a] = box->lo[axis] - margin;
-        extent[a] = hs_box_length(box, axis) + 2.0 * margin;
+        lo[a] = brick_lo[axis] - margin;
+        extent[a] = brick_hi[axis] - brick_lo[axis] + 2.0 * margin;
         pitch[a] = is_flat ? extent[a] : a == 2 ? width / 3.0 : width;
     }
     const int64_t most = 4 * n_atoms + 4096;
@@ -93,7 +93,7 @@ hs_status hs_cells_set_grid(hs_cells *cells, const hs_box *box, double reach, do
     for (int a = 0; a < 3; ++a) {
         cells->axis[a] = axes[is_3d][a];
         cells->lo[a] = lo[a];
-        cells->box_hi[a] = box->hi[cells->axis[a]] - lo[a];
+        cells->brick_hi[a] = brick_hi[cells->axis[a]] - lo[a];
         cells->pitch[a] = pitch[a];
         cells->inv_pitch[a] = 1.0 / pitch[a];
         cells->n[a] = n[a];

@@ -10,13 +10,13 @@
 #include "core/box.h"
 #include "neighbor/grid.h"
 
-/** Grid over the box and a margin of `reach` around it. Index 0, 1: column axes; 2: run axis (`axis` maps to x, y, z). */
+/** Grid over this rank's brick of the box and a margin of `reach` around it. Index 0, 1: column axes; 2: run axis (`axis` maps to x, y, z). */
 typedef struct hs_cells {
     int axis[3];
     double lo[3]; /**< lower corner of cell 0 */
     double pitch[3], inv_pitch[3];
-    int n[3];         /**< cells per axis */
-    double box_hi[3]; /**< upper faces of the box, relative to lo: halo atoms lie beyond one of them at least */
+    int n[3];           /**< cells per axis */
+    double brick_hi[3]; /**< upper faces of the brick, relative to lo: halo atoms lie beyond one of them at least */
     int n_columns;
     hs_cell_order curve;        /**< of the columns, set by the caller: along the Morton curve, or row by row */
     hs_cell_order ranked_curve; /**< the one that column_rank is for */
@@ -30,10 +30,10 @@ typedef struct hs_cells {
     int64_t capacity_atoms, capacity_histogram;
 } hs_cells;
 
-/** Lay a grid over the box and its margin, with columns `width` wide and cells about a third of that high. Cells are
- *  made larger where there would be many more of them than atoms. cells->curve must be set. */
-HS_MUST_USE hs_status hs_cells_set_grid(hs_cells *cells, const hs_box *box, double reach, double width, int64_t n_atoms,
-                                        hs_error *err);
+/** Lay a grid over this rank's brick of the box, from lo to hi, and its margin, with columns `width` wide and cells about a
+ *  third of that high. Cells are made larger where there would be many more of them than atoms. cells->curve must be set. */
+HS_MUST_USE hs_status hs_cells_set_grid(hs_cells *cells, const double brick_lo[3], const double brick_hi[3],
+                                        int dimension, double reach, double width, int64_t n_atoms, hs_error *err);
 /** Counting sort of the local atoms by cell; within a cell by place along the run axis, then by id. Computes
  *  cells->order and start_local; the caller permutes the arrays. Threaded; independent of the number of threads. */
 HS_MUST_USE hs_status hs_cells_sort_local(hs_cells *cells, const hs_atoms *atoms, hs_error *err);

@@ -158,11 +158,11 @@ static hs_status test_columns(const hs_search *search, const hs_cluster_part *pa
     return HS_OK;
 }
 
-/** Whether halo atoms can be near: they all lie beyond an upper face of the box. */
+/** Whether halo atoms can be near: they all lie beyond an upper face of the brick. */
 static bool is_near_halo(const hs_cells *cells, const probe *p)
 {
     for (int a = 0; a < 3; ++a)
-        if (p->hi[a] + p->reach >= (float)cells->box_hi[a]) return true;
+        if (p->hi[a] + p->reach >= (float)cells->brick_hi[a]) return true;
     return false;
 }
 

@@ -14,8 +14,10 @@ hs_status hs_neighbor_init(hs_neighbor *neighbor, hs_atoms *atoms, double skin, 
     memset(neighbor, 0, sizeof *neighbor);
     neighbor->settings =
         (hs_neighbor_settings){.skin = skin, .every = 1, .delay = 10, .check = true, .method = HS_METHOD_CLUSTER};
-    for (int axis = 0; axis < 3; ++axis)
+    for (int axis = 0; axis < 3; ++axis) {
         HS_TRY(hs_atoms_add_field(atoms, names[axis], (void **)&neighbor->x_listed[axis], sizeof(double), true, err));
+        hs_atoms_keep_from_halo(atoms, (void **)&neighbor->x_listed[axis]); /* needed there on late steps only */
+    }
     hs_neighbor_start(neighbor);
     return HS_OK;
 }
@@ -84,15 +86,17 @@ static hs_status report_bad_position(const hs_atoms *atoms, int64_t step, hs_err
 }
 
 hs_status hs_neighbor_is_due(hs_neighbor *neighbor, const hs_atoms *atoms, const hs_parallel *parallel, int64_t step,
-                             bool *is_due, hs_error *err)
+                             bool *is_due, bool *stop, hs_error *err)
 {
     const hs_neighbor_settings *settings = &neighbor->settings;
     double largest2 = largest_displacement2(neighbor, atoms);
     if (largest2 == INFINITY) (void)report_bad_position(atoms, step, err);
-    HS_TRY(hs_parallel_agree(parallel, err));
-    hs_parallel_max_double(parallel, &largest2, 1);
+    double most[3] = {largest2, err->status != HS_OK, *stop};
+    hs_parallel_max_double(parallel, most, 3);
+    if (most[1] > 0.0) HS_TRY(hs_parallel_agree(parallel, err));
+    *stop = most[2] > 0.0;
 
-    const bool has_moved = largest2 > 0.25 * settings->skin * settings->skin;
+    const bool has_moved = most[0] > 0.25 * settings->skin * settings->skin;
     ++neighbor->ago;
     if (settings->exact) {
         *is_due = has_moved;

@@ -58,7 +58,7 @@ typedef struct hs_neighbor_counters {
         n_dangerous; /**< builds with check yes at which an atom had moved half the skin as soon as one was allowed */
     int64_t n_late_steps;    /**< steps on which an atom was more than half the skin from its listed place */
     int64_t first_late_step; /**< the first of them, -1 for none */
-    int64_t n_pairs;         /**< pairs in the lists of the last build, all ranks; 0 for methods without lists */
+    int64_t n_pairs;         /**< pairs in this rank's lists of the last build; 0 for methods without lists */
 } hs_neighbor_counters;
 
 typedef struct hs_neighbor {
@@ -85,9 +85,10 @@ void hs_neighbor_start(hs_neighbor *neighbor);
 void hs_neighbor_continue(hs_neighbor *neighbor);
 /** Once per step after the drift (collective): measure displacements, bring is_late up to date, and tell whether lists are
  *  due: by LAMMPS's schedule, or with `pairs exact` when an atom has moved more than half the skin. An error when a position
- *  is not a number. */
+ *  is not a number, or when a rank holds one in @p err already. The one agreement of all ranks in a step, so *stop, whether
+ *  this rank was asked to stop, becomes whether any was. */
 HS_MUST_USE hs_status hs_neighbor_is_due(hs_neighbor *neighbor, const hs_atoms *atoms, const hs_parallel *parallel,
-                                         int64_t step, bool *is_due, hs_error *err);
+                                         int64_t step, bool *is_due, bool *stop, hs_error *err);
 /** A scheduled build happens now: remember the positions. */
 void hs_neighbor_list_now(hs_neighbor *neighbor, const hs_atoms *atoms);
 

@@ -1,8 +1,19 @@
-/* Ranks over MPI. */
+/* Ranks over MPI: start and end, agreement on errors, collective operations. */
 #include <mpi.h>
 #include <stdlib.h>
+#include <string.h>
+#include <time.h>
 
+#include "base/memory.h"
+#include "base/timer.h"
 #include "parallel/parallel.h"
+
+/** MPI itself is one per process. Errors are settled over a communicator of their own, so that ranks that come to different
+ *  places of the program never take each other's messages for something else. */
+static struct {
+    MPI_Comm settle;
+    bool has_settle, may_abort; /**< may_abort: MPI was started by this program, not by a library's caller */
+} process;
 
 /* Open MPI takes a tenth of a second to start and opens sockets even for one rank: a program that was not started by a
    launcher does without it. */
@@ -38,13 +49,18 @@ hs_status hs_parallel_init(hs_parallel *parallel, hs_error *err)
     if (MPI_Init_thread(NULL, NULL, MPI_THREAD_FUNNELED, &provided) != MPI_SUCCESS)
         return hs_fail(err, HS_ERROR_RUN, "MPI could not be started");
     hs_parallel_world(parallel);
+    process.has_settle = parallel->n_ranks > 1 && MPI_Comm_dup(MPI_COMM_WORLD, &process.settle) == MPI_SUCCESS;
+    process.may_abort = true;
     return HS_OK;
 }
 
 void hs_parallel_fini(hs_parallel *parallel)
 {
     (void)parallel;
-    if (is_running()) MPI_Finalize();
+    if (!is_running()) return;
+    if (process.has_settle) MPI_Comm_free(&process.settle);
+    process.has_settle = false;
+    MPI_Finalize();
 }
 
 void hs_parallel_abort(const hs_parallel *parallel, int exit_code)
@@ -52,15 +68,60 @@ void hs_parallel_abort(const hs_parallel *parallel, int exit_code)
     if (parallel->n_ranks > 1 && is_running()) MPI_Abort(MPI_COMM_WORLD, exit_code);
 }
 
+static hs_status share_error(const hs_parallel *parallel, MPI_Comm ranks, int first, hs_error *err)
+{
+    if (first >= parallel->n_ranks) return HS_OK;
+    MPI_Bcast(err, sizeof *err, MPI_BYTE, first, ranks);
+    return err->status;
+}
+
+/** This rank, if it holds an error; else a number beyond all ranks. */
+static int place_of_error(const hs_parallel *parallel, hs_error *err)
+{
+    err->rank = parallel->rank;
+    return err->status != HS_OK ? parallel->rank : parallel->n_ranks;
+}
+
 hs_status hs_parallel_agree(const hs_parallel *parallel, hs_error *err)
 {
     if (parallel->n_ranks <= 1) return err->status;
-    err->rank = parallel->rank;
-    int first = err->status != HS_OK ? parallel->rank : parallel->n_ranks;
+    int first = place_of_error(parallel, err);
     MPI_Allreduce(MPI_IN_PLACE, &first, 1, MPI_INT, MPI_MIN, MPI_COMM_WORLD);
-    if (first == parallel->n_ranks) return HS_OK;
-    MPI_Bcast(err, sizeof *err, MPI_BYTE, first, MPI_COMM_WORLD);
-    return err->status;
+    return share_error(parallel, MPI_COMM_WORLD, first, err);
+}
+
+/** Wait for the others; a rank with an error only so long as they may just be late. */
+static bool wait_for_all(MPI_Request *request, bool has_error)
+{
+    const double patience_s = 2.0, start_s = hs_time_now_s();
+    const struct timespec nap = {.tv_nsec = 1000000};
+    int is_done = 0;
+    if (!has_error || !process.may_abort) {
+        MPI_Wait(request, MPI_STATUS_IGNORE);
+        return true;
+    }
+    for (;;) {
+        MPI_Test(request, &is_done, MPI_STATUS_IGNORE);
+        if (is_done) return true;
+        if (hs_time_now_s() - start_s > patience_s) return false;
+        nanosleep(&nap, NULL);
+    }
+}
+
+hs_status hs_parallel_settle(const hs_parallel *parallel, bool *stop, hs_error *err)
+{
+    if (parallel->n_ranks <= 1 || !process.has_settle) return hs_parallel_agree(parallel, err);
+    MPI_Request request;
+    /* the largest of: minus the lowest rank that holds an error; whether to stop */
+    int mine[2] = {-place_of_error(parallel, err), *stop}, all[2];
+    MPI_Iallreduce(mine, all, 2, MPI_INT, MPI_MAX, process.settle, &request);
+    if (!wait_for_all(&request, err->status != HS_OK)) {
+        hs_error_print(err, stderr);
+        fflush(NULL);
+        hs_parallel_abort(parallel, hs_exit_code(err->status));
+    }
+    *stop = all[1] != 0;
+    return share_error(parallel, process.settle, -all[0], err);
 }
 
 static void allreduce(const hs_parallel *parallel, void *values, int n, MPI_Datatype type, MPI_Op operation)
@@ -87,4 +148,95 @@ void hs_parallel_min_double(const hs_parallel *p, double *values, int n)
 void hs_parallel_max_int64(const hs_parallel *p, int64_t *values, int n)
 {
     allreduce(p, values, n, MPI_INT64_T, MPI_MAX);
+}
+
+/* Counts of MPI are of 31 bits: longer messages go in pieces. */
+enum { PIECE_BYTES = 1 << 30 };
+#define FOR_PIECES(n, at, length)                                                                                      \
+    for (size_t at = 0, length; at < (n); at += length)                                                                \
+        if ((length = (n)-at < PIECE_BYTES ? (n)-at : PIECE_BYTES) > 0)
+
+void hs_parallel_broadcast(const hs_parallel *parallel, int root, void *bytes, size_t n)
+{
+    if (parallel->n_ranks <= 1) return;
+    FOR_PIECES(n, at, length) MPI_Bcast((char *)bytes + at, (int)length, MPI_BYTE, root, MPI_COMM_WORLD);
+}
+
+void hs_parallel_gather_int64(const hs_parallel *parallel, int64_t value, int64_t *values)
+{
+    hs_parallel_gather(parallel, &value, sizeof value, values);
+}
+
+void hs_parallel_gather(const hs_parallel *parallel, const void *mine, size_t n, void *all)
+{
+    if (parallel->n_ranks <= 1)
+        memcpy(all, mine, n);
+    else
+        MPI_Allgather(mine, (int)n, MPI_BYTE, all, (int)n, MPI_BYTE, MPI_COMM_WORLD);
+}
+
+/* Messages of the halo have the tag 0 (messages.c). */
+enum { TAG_BYTES = 1, TAG_ALL_TO_ALL = 2 };
+
+void hs_parallel_send(const hs_parallel *parallel, int to, const void *bytes, size_t n)
+{
+    (void)parallel;
+    FOR_PIECES(n, at, length)
+    MPI_Send((const char *)bytes + at, (int)length, MPI_BYTE, to, TAG_BYTES, MPI_COMM_WORLD);
+}
+
+void hs_parallel_receive(const hs_parallel *parallel, int from, void *bytes, size_t n)
+{
+    (void)parallel;
+    FOR_PIECES(n, at, length)
+    MPI_Recv((char *)bytes + at, (int)length, MPI_BYTE, from, TAG_BYTES, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
+}
+
+static hs_status reserve_incoming(const hs_parallel *parallel, const int64_t *receive_bytes, void **receive,
+                                  MPI_Request **request, size_t n_requests, hs_error *err)
+{
+    int64_t total = 0;
+    for (int rank = 0; rank < parallel->n_ranks; ++rank) total += receive_bytes[rank];
+    HS_TRY(hs_memory_alloc(receive, (size_t)total, 1, err));
+    return HS_ALLOC(*request, n_requests, err);
+}
+
+static size_t n_pieces(int64_t n_bytes) { return ((size_t)n_bytes + PIECE_BYTES - 1) / PIECE_BYTES; }
+
+hs_status hs_parallel_all_to_all(const hs_parallel *parallel, const void *send, const int64_t *send_bytes,
+                                 void **receive, int64_t *receive_bytes, hs_error *err)
+{
+    MPI_Request *request = NULL;
+    size_t n_requests = 0;
+    int n = 0;
+    *receive = NULL;
+    if (parallel->n_ranks > 1)
+        MPI_Alltoall(send_bytes, 1, MPI_INT64_T, receive_bytes, 1, MPI_INT64_T, MPI_COMM_WORLD);
+    else
+        receive_bytes[0] = send_bytes[0];
+    for (int rank = 0; rank < parallel->n_ranks; ++rank)
+        n_requests += n_pieces(send_bytes[rank]) + n_pieces(receive_bytes[rank]);
+    (void)reserve_incoming(parallel, receive_bytes, receive, &request, n_requests, err);
+    if (hs_parallel_agree(parallel, err) != HS_OK) {
+        HS_FREE(*receive);
+        HS_FREE(request);
+        return err->status;
+    }
+    char *in = *receive;
+    const char *out = send;
+    for (int rank = 0; rank < parallel->n_ranks; ++rank) {
+        if (rank == parallel->rank) {
+            memcpy(in, out, (size_t)send_bytes[rank]);
+        } else {
+            FOR_PIECES((size_t)receive_bytes[rank], at, length)
+            MPI_Irecv(in + at, (int)length, MPI_BYTE, rank, TAG_ALL_TO_ALL, MPI_COMM_WORLD, &request[n++]);
+            FOR_PIECES((size_t)send_bytes[rank], at, length)
+            MPI_Isend(out + at, (int)length, MPI_BYTE, rank, TAG_ALL_TO_ALL, MPI_COMM_WORLD, &request[n++]);
+        }
+        in += receive_bytes[rank];
+        out += send_bytes[rank];
+    }
+    if (n > 0) MPI_Waitall(n, request, MPI_STATUSES_IGNORE);
+    HS_FREE(request);
+    return HS_OK;
 }

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "base/memory.h"
+#include "comm/migrate.h"
 #include "sim/methods.h"
 #include "sim/thermo.h"
 
@@ -130,38 +131,53 @@ static void renew_kernel_types(hs_sim *sim)
 {
     if (sim->kernel_type == NULL) return;
     hs_sim_set_kernel_types(sim);
-    hs_halo_forward_int(&sim->halo, &sim->atoms, sim->kernel_type);
+    hs_halo_forward_array(&sim->halo, &sim->atoms, sim->kernel_type, sizeof *sim->kernel_type);
 }
 
 hs_status hs_sim_make_halo(hs_sim *sim, double reach, hs_error *err)
 {
-    HS_TRY(hs_halo_build(&sim->halo, &sim->box, &sim->atoms, reach, err));
+    HS_TRY(hs_halo_build(&sim->halo, &sim->domain, &sim->parallel, &sim->box, &sim->atoms, reach, err));
+    hs_halo_forward_fields(&sim->halo, &sim->atoms);
     renew_kernel_types(sim);
     hs_timer_add(&sim->timer, HS_PHASE_COMM);
     return HS_OK;
 }
 
 /** Width of columns: the deck's, or the one that makes clusters cubic. */
-static double column_width(const hs_sim *sim, double reach)
+static double column_width(const hs_sim *sim, const double lo[3], const double hi[3], double reach)
 {
     const double fraction = sim->neighbor.settings.cell;
     if (fraction > 0.0) return fraction * sim->pair->cutoff_max;
-    return hs_clusters_width(sim->box.dimension, (double)sim->atoms.n_local / hs_box_volume(&sim->box), reach);
+    const double area = (hi[0] - lo[0]) * (hi[1] - lo[1]),
+                 volume = sim->box.dimension == 2 ? area : area * (hi[2] - lo[2]);
+    return hs_clusters_width(sim->box.dimension, (double)sim->atoms.n_local / volume, reach);
+}
+
+/** Sort the local atoms into cells laid over this rank's brick. */
+static hs_status sort_local(hs_sim *sim, double reach, hs_error *err)
+{
+    hs_neighbor *neighbor = &sim->neighbor;
+    hs_atoms *atoms = &sim->atoms;
+    double lo[3], hi[3];
+    hs_domain_brick(&sim->domain, &sim->box, lo, hi);
+    neighbor->cells.curve = neighbor->settings.order;
+    HS_TRY(hs_cells_set_grid(&neighbor->cells, lo, hi, sim->box.dimension, reach, column_width(sim, lo, hi, reach),
+                             atoms->n_local, err));
+    HS_TRY(hs_cells_sort_local(&neighbor->cells, atoms, err));
+    return hs_atoms_permute(atoms, neighbor->cells.order, err);
 }
 
 hs_status hs_sim_sort_and_cluster(hs_sim *sim, double reach, hs_error *err)
 {
     hs_neighbor *neighbor = &sim->neighbor;
     hs_atoms *atoms = &sim->atoms;
-    neighbor->cells.curve = neighbor->settings.order;
-    HS_TRY(hs_cells_set_grid(&neighbor->cells, &sim->box, reach, column_width(sim, reach), atoms->n_local, err));
-    HS_TRY(hs_cells_sort_local(&neighbor->cells, atoms, err));
-    HS_TRY(hs_atoms_permute(atoms, neighbor->cells.order, err));
+    (void)sort_local(sim, reach, err); /* the ranks agree on errors when they make the halo */
     hs_timer_add(&sim->timer, HS_PHASE_NEIGH);
-    HS_TRY(hs_halo_build(&sim->halo, &sim->box, atoms, reach, err));
+    HS_TRY(hs_halo_build(&sim->halo, &sim->domain, &sim->parallel, &sim->box, atoms, reach, err));
     hs_timer_add(&sim->timer, HS_PHASE_COMM);
     HS_TRY(hs_cells_sort_halo(&neighbor->cells, atoms, err));
     hs_halo_reorder(&sim->halo, atoms, neighbor->cells.order);
+    hs_halo_forward_fields(&sim->halo, atoms);
     HS_TRY(hs_clusters_build(&neighbor->clusters, &neighbor->cells, atoms, err));
     renew_kernel_types(sim);
     hs_timer_add(&sim->timer, HS_PHASE_NEIGH);
@@ -172,16 +188,19 @@ hs_status hs_sim_exchange(hs_sim *sim, bool is_listing, hs_error *err)
 {
     hs_timer_mark(&sim->timer);
     const bool is_wrapped = wrap(sim);
+    const bool is_periodic = sim->box.periodic[0] && sim->box.periodic[1] && sim->box.periodic[2];
     (void)find_lost(sim, is_wrapped, err);
-    HS_TRY(hs_parallel_agree(&sim->parallel, err));
-    if (is_listing) hs_sim_shrink_box(sim);
+    if (is_listing && !is_periodic) {
+        HS_TRY(hs_parallel_agree(&sim->parallel, err));
+        hs_sim_shrink_box(sim);
+    }
+    HS_TRY(hs_migrate(&sim->atoms, &sim->domain, &sim->parallel, &sim->box, err));
     if (is_listing) hs_neighbor_list_now(&sim->neighbor, &sim->atoms);
     hs_timer_add(&sim->timer, HS_PHASE_COMM);
     if (sim->pair->cutoff_max <= 0.0) return HS_OK;
 
-    const hs_status status = hs_sim_method(sim)->renew(sim, err);
+    HS_TRY(hs_sim_method(sim)->renew(sim, err));
     hs_timer_add(&sim->timer, HS_PHASE_NEIGH);
-    if (hs_parallel_agree(&sim->parallel, err) != HS_OK) return status != HS_OK ? status : err->status;
     if (sim->neighbor.is_late) hs_halo_forward_positions(&sim->halo, &sim->atoms, sim->neighbor.x_listed);
     hs_timer_add(&sim->timer, HS_PHASE_COMM);
     return HS_OK;

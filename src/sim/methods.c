@@ -20,7 +20,7 @@ static hs_status forces_nsq(hs_sim *sim, const hs_force_job *job, hs_force_resul
 
 /* linked, incremental, hash */
 
-/** Cells over the box and the halo around it. */
+/** Cells over this rank's brick and the halo around it. */
 static hs_status set_chain_grid(hs_sim *sim, hs_error *err)
 {
     const hs_neighbor_settings *settings = &sim->neighbor.settings;
@@ -28,18 +28,20 @@ static hs_status set_chain_grid(hs_sim *sim, hs_error *err)
                          .reach = sim->pair->cutoff_max,
                          .edge = (settings->cell > 0.0 ? settings->cell : 1.0) * sim->pair->cutoff_max,
                          .is_cube = settings->is_cube};
+    hs_domain_brick(&sim->domain, &sim->box, plan.lo, plan.hi);
     for (int axis = 0; axis < 3; ++axis) {
-        const double margin = sim->box.periodic[axis] ? listed_reach(sim) : 0.0;
-        plan.lo[axis] = sim->box.lo[axis] - margin;
-        plan.hi[axis] = sim->box.hi[axis] + margin;
+        const bool has_halo = sim->box.periodic[axis] || sim->domain.n[axis] > 1;
+        plan.lo[axis] -= has_halo ? listed_reach(sim) : 0.0;
+        plan.hi[axis] += has_halo ? listed_reach(sim) : 0.0;
     }
     return hs_chains_set_grid(&sim->neighbor.chains, &plan, settings->order, err);
 }
 
-/** Sort the atoms in memory by their cells, now and then. */
+/** Lay the cells, and sort the atoms in memory by them now and then. */
 static hs_status sort_atoms(hs_sim *sim, hs_error *err)
 {
     hs_neighbor *neighbor = &sim->neighbor;
+    HS_TRY(set_chain_grid(sim, err));
     if (neighbor->settings.order == HS_CELL_ORDER_NONE) return HS_OK;
     if (neighbor->last_sort_step >= 0 && sim->env.step < neighbor->last_sort_step + SORT_EVERY) return HS_OK;
     int32_t *order = NULL;
@@ -53,8 +55,7 @@ static hs_status sort_atoms(hs_sim *sim, hs_error *err)
 
 static hs_status renew_atoms_of_chains(hs_sim *sim, hs_error *err)
 {
-    HS_TRY(set_chain_grid(sim, err));
-    HS_TRY(sort_atoms(sim, err));
+    (void)sort_atoms(sim, err); /* the ranks agree on errors when they make the halo */
     hs_timer_add(&sim->timer, HS_PHASE_NEIGH);
     HS_TRY(hs_sim_make_halo(sim, listed_reach(sim), err));
     /* the halo stays until lists are due again, and an atom may be late before that */

@@ -56,8 +56,7 @@ hs_status hs_sim_pair_forces(hs_sim *sim, bool with_energy, hs_error *err)
         clear_forces(&sim->atoms);
     } else {
         const hs_force_job job = hs_sim_make_job(sim, with_energy);
-        const hs_status status = hs_sim_method(sim)->forces(sim, &job, &result, err);
-        if (hs_parallel_agree(&sim->parallel, err) != HS_OK) return status != HS_OK ? status : err->status;
+        HS_TRY(hs_sim_method(sim)->forces(sim, &job, &result, err));
         hs_timer_add(&sim->timer, HS_PHASE_PAIR);
         hs_halo_reverse(&sim->halo, &sim->atoms);
         hs_timer_add(&sim->timer, HS_PHASE_COMM);

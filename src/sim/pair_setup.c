@@ -131,8 +131,10 @@ hs_status hs_sim_setup_pair(hs_sim *sim, hs_error *err)
                        "neigh_modify exclude: %d groups and %d atom types are too many together; give the "
                        "atoms types of their own and exclude those",
                        n_groups, sim->atoms.n_types);
-    if (n_groups > 0 && sim->kernel_type == NULL)
+    if (n_groups > 0 && sim->kernel_type == NULL) {
         HS_TRY(hs_atoms_add_field(&sim->atoms, "kernel type", (void **)&sim->kernel_type, sizeof(int32_t), true, err));
+        hs_atoms_keep_from_halo(&sim->atoms, (void **)&sim->kernel_type); /* computed anew after the halo is made */
+    }
     if (n_groups == 0 && sim->kernel_type != NULL) hs_atoms_remove_field(&sim->atoms, (void **)&sim->kernel_type);
     if (sim->pair->style->evaluator == NULL) return HS_OK;
     return fill_table(sim, 1 << n_groups, groups, n_groups, err);

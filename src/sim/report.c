@@ -131,10 +131,12 @@ void hs_report_finish(hs_sim *sim, int64_t n_steps, double loop_s, double cpu_s)
     say_histogram(sim, "Nlocal:", sim->atoms.n_local);
     say_histogram(sim, "Nghost:", sim->atoms.n_halo);
     const hs_neighbor_counters *counters = &sim->neighbor.counters;
-    if (counters->n_pairs > 0) {
-        say_histogram(sim, "Neighs:", (double)counters->n_pairs / n_ranks);
-        hs_say(out, "\nTotal # of neighbors = %lld\nAve neighs/atom = %#.8g\n", (long long)counters->n_pairs,
-               n_atoms > 0 ? (double)counters->n_pairs / (double)n_atoms : 0.0);
+    int64_t n_pairs = counters->n_pairs;
+    hs_parallel_sum_int64(&sim->parallel, &n_pairs, 1);
+    if (n_pairs > 0) {
+        say_histogram(sim, "Neighs:", (double)counters->n_pairs);
+        hs_say(out, "\nTotal # of neighbors = %lld\nAve neighs/atom = %#.8g\n", (long long)n_pairs,
+               n_atoms > 0 ? (double)n_pairs / (double)n_atoms : 0.0);
     } else {
         hs_say(out, "\n");
     }

@@ -8,12 +8,8 @@
 /** Everything that must be right before atoms move. */
 static hs_status check_system(hs_sim *sim, hs_error *err)
 {
-    if (sim->parallel.n_ranks > 1)
-        return hs_fail(err, HS_ERROR_INPUT,
-                       "run: the box is not split over several ranks in this version (%d were started); start "
-                       "one rank and use its cores with '-threads N'",
-                       sim->parallel.n_ranks);
     HS_TRY(hs_sim_need_box(sim, "run", err));
+    if (!hs_domain_is_divided(&sim->domain)) HS_TRY(hs_domain_divide(&sim->domain, &sim->box, err));
     HS_TRY(hs_sim_need_pair(sim, "run", err));
     HS_TRY(hs_sim_need_masses(sim, "run", err));
     if (sim->box.dimension == 2 && !sim->box.periodic[2])
@@ -126,7 +122,7 @@ static hs_status write_output(hs_sim *sim, hs_error *err)
 
 static hs_status stop_if_asked(hs_sim *sim, hs_error *err)
 {
-    if (sim->stop_requested == NULL || !*sim->stop_requested) return HS_OK;
+    if (sim->parallel.n_ranks > 1 ? !sim->is_stopping : !hs_sim_is_asked_to_stop(sim)) return HS_OK;
     return hs_fail(err, HS_INTERRUPTED, "stopped by a signal after step %lld", (long long)sim->env.step);
 }
 

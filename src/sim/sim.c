@@ -42,6 +42,7 @@ static hs_status create(hs_sim *sim, const hs_options *options, hs_sink *out, hs
                         .out = out,
                         .units = units,
                         .box = &sim->box,
+                        .domain = &sim->domain,
                         .atoms = &sim->atoms,
                         .groups = &sim->groups,
                         .lattice = &sim->lattice,
@@ -54,6 +55,7 @@ static hs_status create(hs_sim *sim, const hs_options *options, hs_sink *out, hs
                         .find_fix = find_fix,
                         .find_region = find_region};
     hs_parallel_world(&sim->parallel);
+    hs_domain_init(&sim->domain, &sim->parallel);
     HS_TRY(add_thermo_computes(sim, err));
     return hs_thermo_create(&sim->thermo, sim, err);
 }
@@ -78,6 +80,7 @@ void hs_sim_destroy(hs_sim **sim_pointer)
     hs_cluster_list_fini(&sim->list);
     hs_verlet_list_fini(&sim->verlet);
     hs_halo_fini(&sim->halo);
+    hs_domain_fini(&sim->domain);
     hs_neighbor_fini(&sim->neighbor);
     hs_lattice_fini(&sim->lattice);
     hs_atoms_fini(&sim->atoms);

@@ -50,6 +50,7 @@ typedef struct hs_sim {
     struct hs_thermo *thermo; /**< owned; sim/thermo.h */
 
     hs_neighbor neighbor; /**< settings, cells, lists */
+    hs_domain domain;     /**< the ranks' bricks */
     hs_halo halo;
     hs_pair_table pair_table; /**< parameters of all pairs of kernel types; made by hs_sim_setup */
     int32_t *kernel_type;     /**< atom field: type and exclusion class; NULL while no groups are excluded */
@@ -63,6 +64,7 @@ typedef struct hs_sim {
     bool is_initialized; /**< a run has been set up since the last change of the system (run pre no is allowed) */
     int64_t *n_of_type;  /**< owned [n_types + 1]: atoms of each type on all ranks, counted at set-up */
     volatile sig_atomic_t *stop_requested; /**< borrowed: set by a signal handler; NULL without one */
+    bool is_stopping;                      /**< some rank was asked to stop; agreed once a step */
 } hs_sim;
 
 /** New, empty simulation. @p out is borrowed for its life. The caller destroys it. */
@@ -94,6 +96,12 @@ hs_fix *hs_sim_find_fix(hs_sim *sim, const char *id);
 hs_compute *hs_sim_find_compute(hs_sim *sim, const char *id);
 hs_region *hs_sim_find_region(hs_sim *sim, const char *id);
 hs_dump *hs_sim_find_dump(hs_sim *sim, const char *id);
+
+/** Whether this rank was asked to stop (by a signal that other ranks may not have seen yet). */
+static inline bool hs_sim_is_asked_to_stop(const hs_sim *sim)
+{
+    return sim->stop_requested != NULL && *sim->stop_requested;
+}
 
 /** Let shrink-wrapped faces follow the outermost atoms (collective).  sim/exchange.c */
 void hs_sim_shrink_box(hs_sim *sim);

@@ -13,7 +13,9 @@
 static hs_status bring_neighbors_up_to_date(hs_sim *sim, hs_error *err)
 {
     bool is_due;
-    HS_TRY(hs_neighbor_is_due(&sim->neighbor, &sim->atoms, &sim->parallel, sim->env.step, &is_due, err));
+    sim->is_stopping = hs_sim_is_asked_to_stop(sim);
+    HS_TRY(hs_neighbor_is_due(&sim->neighbor, &sim->atoms, &sim->parallel, sim->env.step, &is_due, &sim->is_stopping,
+                              err));
     hs_timer_add(&sim->timer, HS_PHASE_NEIGH);
     if (is_due) ++sim->neighbor.counters.n_builds;
     const hs_method *method = hs_sim_method(sim);

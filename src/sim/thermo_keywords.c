@@ -24,7 +24,9 @@ static double per_atom(const T *t, double value)
 
 static double elapsed_s(const T *t)
 {
-    return t->sim->env.step == t->sim->env.first_step ? 0.0 : hs_time_now_s() - t->sim->timer.start_s;
+    double elapsed = t->sim->env.step == t->sim->env.first_step ? 0.0 : hs_time_now_s() - t->sim->timer.start_s;
+    hs_parallel_broadcast(&t->sim->parallel, 0, &elapsed, sizeof elapsed);
+    return elapsed;
 }
 
 static double remaining_s(const T *t)

@@ -14,6 +14,7 @@ struct hs_compute;
 struct hs_fix;
 struct hs_region;
 struct hs_lattice;
+struct hs_domain;
 
 /** Owned by hs_sim, one per simulation; everything in it is borrowed by styles for as long as they live. */
 typedef struct hs_env {
@@ -21,6 +22,7 @@ typedef struct hs_env {
     hs_sink *out;
     const hs_units *units;
     hs_box *box;
+    struct hs_domain *domain; /**< the box cut into the ranks' bricks */
     hs_atoms *atoms;
     hs_groups *groups;
     struct hs_lattice *lattice; /**< never NULL; `none` until the deck sets one */

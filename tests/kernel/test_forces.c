@@ -186,21 +186,28 @@ static forces_t evaluate_with(system_t *s, method_t method, hs_isa isa, hs_preci
     hs_cells cells = {0};
     hs_clusters clusters = {0};
     hs_halo halo = {0};
+    hs_domain domain;
+    const hs_parallel one_rank = {.n_ranks = 1};
     hs_force_space space = {0};
     hs_force_result result;
     hs_atoms *atoms = &s->atoms;
     if (!is_nsq) {
         const double density = atoms->n_local / hs_box_volume(&s->box);
-        ck_assert_hs_ok(hs_cells_set_grid(&cells, &s->box, reach, hs_clusters_width(s->box.dimension, density, reach),
-                                          atoms->n_local, &err),
+        ck_assert_hs_ok(hs_cells_set_grid(&cells, s->box.lo, s->box.hi, s->box.dimension, reach,
+                                          hs_clusters_width(s->box.dimension, density, reach), atoms->n_local, &err),
                         err);
         ck_assert_hs_ok(hs_cells_sort_local(&cells, atoms, &err), err);
         ck_assert_hs_ok(hs_atoms_permute(atoms, cells.order, &err), err);
     }
-    ck_assert_hs_ok(hs_halo_build(&halo, &s->box, atoms, reach, &err), err);
+    hs_domain_init(&domain, &one_rank);
+    ck_assert_hs_ok(hs_domain_divide(&domain, &s->box, &err), err);
+    ck_assert_hs_ok(hs_halo_build(&halo, &domain, &one_rank, &s->box, atoms, reach, &err), err);
     if (!is_nsq) {
         ck_assert_hs_ok(hs_cells_sort_halo(&cells, atoms, &err), err);
         hs_halo_reorder(&halo, atoms, cells.order);
+    }
+    hs_halo_forward_fields(&halo, atoms);
+    if (!is_nsq) {
         ck_assert_hs_ok(hs_clusters_build(&clusters, &cells, atoms, &err), err);
     }
     hs_force_job job = {
@@ -232,6 +239,7 @@ static forces_t evaluate_with(system_t *s, method_t method, hs_isa isa, hs_preci
     hs_verlet_list_fini(&verlet);
     hs_force_space_fini(&space);
     hs_halo_fini(&halo);
+    hs_domain_fini(&domain);
     hs_clusters_fini(&clusters);
     hs_cells_fini(&cells);
     return out;

@@ -1,0 +1,179 @@
+/* Values to and from halo atoms. Blocks of this rank itself are copied while the messages of the others are under way. */
+#include <string.h>
+
+#include "comm/halo.h"
+
+/** Part of a per-atom array, as it stands in the words of a message. */
+typedef struct piece {
+    char *array;
+    size_t stride, at;    /**< bytes an atom, and where the piece begins in them */
+    size_t place, length; /**< where it goes in the words of an atom */
+} piece;
+
+/** Atom k of another rank's block, in the buffer of a side. */
+static inline double *words_of(const hs_halo_side *side, int k)
+{
+    return side->buffer + (int64_t)(k - side->n_self_atoms) * HS_HALO_WORDS;
+}
+
+static void pack_positions(const hs_halo *halo, double *const position[3])
+{
+#pragma omp parallel
+    for (int b = halo->out.n_self; b < halo->out.n_blocks; ++b) {
+        const hs_halo_block *block = &halo->out.block[b];
+#pragma omp for schedule(static) nowait
+        for (int k = block->begin; k < block->end; ++k) {
+            double *words = words_of(&halo->out, k);
+            for (int axis = 0; axis < 3; ++axis) words[axis] = position[axis][halo->source[k]] + block->shift[axis];
+        }
+    }
+}
+
+static void copy_own_positions(const hs_halo *halo, int n_local, double *const position[3])
+{
+#pragma omp parallel
+    for (int b = 0; b < halo->out.n_self; ++b) {
+        const hs_halo_block *block = &halo->out.block[b];
+#pragma omp for schedule(static) nowait
+        for (int k = block->begin; k < block->end; ++k)
+            for (int axis = 0; axis < 3; ++axis)
+                position[axis][n_local + halo->slot[k]] = position[axis][halo->source[k]] + block->shift[axis];
+    }
+}
+
+static void unpack_positions(const hs_halo *halo, int n_local, double *const position[3])
+{
+#pragma omp parallel for schedule(static)
+    for (int k = halo->in.n_self_atoms; k < halo->n; ++k)
+        for (int axis = 0; axis < 3; ++axis) position[axis][n_local + halo->slot[k]] = words_of(&halo->in, k)[axis];
+}
+
+void hs_halo_forward_positions(const hs_halo *halo, const hs_atoms *atoms, double *const position[3])
+{
+    if (halo->out.n > halo->out.n_self_atoms) pack_positions(halo, position);
+    hs_messages_start(&halo->forward);
+    copy_own_positions(halo, atoms->n_local, position);
+    hs_messages_wait(&halo->forward);
+    if (halo->n > halo->in.n_self_atoms) unpack_positions(halo, atoms->n_local, position);
+}
+
+void hs_halo_forward(const hs_halo *halo, hs_atoms *atoms) { hs_halo_forward_positions(halo, atoms, atoms->x); }
+
+void hs_halo_reorder(hs_halo *halo, hs_atoms *atoms, const int32_t *order)
+{
+#pragma omp parallel for schedule(static)
+    for (int q = 0; q < halo->n; ++q) halo->slot[order[q]] = q;
+    copy_own_positions(halo, atoms->n_local, atoms->x);
+    unpack_positions(halo, atoms->n_local, atoms->x); /* those of the build are in the buffer still */
+}
+
+/** The usual lengths as plain moves. */
+static inline void copy_bytes(char *to, const char *from, size_t length)
+{
+    if (length == 4)
+        memcpy(to, from, 4);
+    else if (length == 8)
+        memcpy(to, from, 8);
+    else
+        memcpy(to, from, length);
+}
+
+/** Bring pieces, which together fit into the words of an atom, to the halo. */
+static void forward_pieces(const hs_halo *halo, int n_local, const piece *pieces, int n_pieces)
+{
+#pragma omp parallel for schedule(static)
+    for (int k = halo->out.n_self_atoms; k < halo->out.n; ++k)
+        for (int p = 0; p < n_pieces; ++p)
+            copy_bytes((char *)words_of(&halo->out, k) + pieces[p].place,
+                       pieces[p].array + pieces[p].stride * (size_t)halo->source[k] + pieces[p].at, pieces[p].length);
+    hs_messages_start(&halo->forward);
+#pragma omp parallel for schedule(static)
+    for (int k = 0; k < halo->out.n_self_atoms; ++k)
+        for (int p = 0; p < n_pieces; ++p) {
+            char *array = pieces[p].array + pieces[p].at;
+            copy_bytes(array + pieces[p].stride * (size_t)(n_local + halo->slot[k]),
+                       array + pieces[p].stride * (size_t)halo->source[k], pieces[p].length);
+        }
+    hs_messages_wait(&halo->forward);
+#pragma omp parallel for schedule(static)
+    for (int k = halo->in.n_self_atoms; k < halo->n; ++k)
+        for (int p = 0; p < n_pieces; ++p)
+            copy_bytes(pieces[p].array + pieces[p].stride * (size_t)(n_local + halo->slot[k]) + pieces[p].at,
+                       (const char *)words_of(&halo->in, k) + pieces[p].place, pieces[p].length);
+}
+
+enum { WORDS_BYTES = HS_HALO_WORDS * sizeof(double), PIECES_MAX = WORDS_BYTES / 4 };
+
+/** Pieces gathered until the words of an atom are full. */
+typedef struct batch {
+    const hs_halo *halo;
+    int n_local;
+    piece piece[PIECES_MAX];
+    int n;
+    size_t filled;
+} batch;
+
+static void flush(batch *b)
+{
+    if (b->n > 0) forward_pieces(b->halo, b->n_local, b->piece, b->n);
+    b->n = 0;
+    b->filled = 0;
+}
+
+static void add_array(batch *b, void *array, size_t size)
+{
+    for (size_t at = 0, length; at < size; at += length) {
+        if (b->filled == WORDS_BYTES) flush(b);
+        length = size - at < WORDS_BYTES - b->filled ? size - at : WORDS_BYTES - b->filled;
+        b->piece[b->n++] = (piece){.array = array, .stride = size, .at = at, .place = b->filled, .length = length};
+        b->filled += length;
+    }
+}
+
+void hs_halo_forward_array(const hs_halo *halo, const hs_atoms *atoms, void *values, size_t size)
+{
+    batch b = {.halo = halo, .n_local = atoms->n_local};
+    add_array(&b, values, size);
+    flush(&b);
+}
+
+void hs_halo_forward_fields(const hs_halo *halo, hs_atoms *atoms)
+{
+    batch b = {.halo = halo, .n_local = atoms->n_local};
+    for (int k = 0; k < atoms->n_fields; ++k)
+        if (atoms->field[k].goes_to_halo) add_array(&b, *atoms->field[k].array, atoms->field[k].size);
+    flush(&b);
+}
+
+/** The one addition of the reverse exchange. */
+static inline void add_back(double *to, double value) { *to += value; }
+
+void hs_halo_reverse_arrays(const hs_halo *halo, const hs_atoms *atoms, double *const values[3])
+{
+    const int n_local = atoms->n_local;
+#pragma omp parallel for schedule(static)
+    for (int k = halo->in.n_self_atoms; k < halo->n; ++k)
+        for (int axis = 0; axis < 3; ++axis) words_of(&halo->in, k)[axis] = values[axis][n_local + halo->slot[k]];
+    hs_messages_start(&halo->reverse);
+    /* Within one block a source occurs once at most, so threads never meet; blocks follow one another. */
+#pragma omp parallel
+    for (int b = 0; b < halo->out.n_self; ++b) {
+        const hs_halo_block *block = &halo->out.block[b];
+#pragma omp for schedule(static)
+        for (int k = block->begin; k < block->end; ++k)
+            for (int axis = 0; axis < 3; ++axis)
+                add_back(&values[axis][halo->source[k]], values[axis][n_local + halo->slot[k]]);
+    }
+    hs_messages_wait(&halo->reverse);
+    if (halo->out.n == halo->out.n_self_atoms) return;
+#pragma omp parallel
+    for (int b = halo->out.n_self; b < halo->out.n_blocks; ++b) {
+        const hs_halo_block *block = &halo->out.block[b];
+#pragma omp for schedule(static)
+        for (int k = block->begin; k < block->end; ++k)
+            for (int axis = 0; axis < 3; ++axis)
+                add_back(&values[axis][halo->source[k]], words_of(&halo->out, k)[axis]);
+    }
+}
+
+void hs_halo_reverse(const hs_halo *halo, hs_atoms *atoms) { hs_halo_reverse_arrays(halo, atoms, atoms->f); }
