@@ -1,3 +1,4 @@
+#!/bin/bash
 # Shared by the tests in this folder: run a deck on several ranks, and compare tables of numbers.
 # Sourced with $HALFSHELL set; works in a directory of its own, which goes at the end.
 

@@ -138,7 +138,7 @@ compare() { # SYSTEM "RANKS..." WORDS...
 
 compare melt "1 2 3 4 6 8"
 compare melt "2 3" -threads 2
-for method in nsq cell verlet; do compare melt 4 -neigh "$method"; done
+for method in nsq linked incremental hash cell verlet; do compare melt 4 -neigh "$method"; done
 compare melt 2 -precision double -neigh cell -threads 2
 compare mixture "2 4"
 compare mixture 3 -neigh cell
