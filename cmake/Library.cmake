@@ -1,6 +1,6 @@
 # libhalfshell (static; the shared one is in Install.cmake) and the program.
 
-# The shared library shows only what include/halfshell/halfshell.h marks.
+# The shared library shows only what the headers in include/halfshell mark.
 set(CMAKE_C_VISIBILITY_PRESET hidden)
 
 file(GLOB core_sources CONFIGURE_DEPENDS

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "base/memory.h"
+#include "neighbor/counting_sort.h"
 #include "parallel/parallel.h"
 
 uint64_t hs_morton_encode_2d(uint32_t a, uint32_t b)
@@ -146,31 +147,6 @@ static void count_keys(const hs_cells *cells, const sort_input *in, int64_t begi
     }
 }
 
-/** Exclusive prefix sums over (cell, thread) for the cells of this thread's share, in two sweeps around a barrier. */
-static void prefix_sums(hs_cells *cells, int32_t *start, int64_t n_cells, int thread, int n_threads, int64_t *share_sum)
-{
-    int64_t begin, end;
-    hs_thread_range(n_cells, 16, thread, n_threads, &begin, &end);
-    int64_t sum = 0;
-    for (int64_t c = begin; c < end; ++c)
-        for (int t = 0; t < n_threads; ++t) sum += cells->histogram[(int64_t)t * n_cells + c];
-    share_sum[thread] = sum;
-#pragma omp barrier
-    int64_t at = 0;
-    for (int t = 0; t < thread; ++t) at += share_sum[t];
-    for (int64_t c = begin; c < end; ++c) {
-        start[c] = (int32_t)at;
-        for (int t = 0; t < n_threads; ++t) {
-            int32_t *count = &cells->histogram[(int64_t)t * n_cells + c];
-            const int32_t n = *count;
-            *count = (int32_t)at;
-            at += n;
-        }
-    }
-    if (thread == n_threads - 1) start[n_cells] = (int32_t)at;
-#pragma omp barrier
-}
-
 static inline bool stands_before(const sort_input *in, int32_t a, int32_t b)
 {
     const double xa = in->x[2][a], xb = in->x[2][b];
@@ -228,7 +204,7 @@ static hs_status sort(hs_cells *cells, const sort_input *in, hs_error *err)
         hs_thread_range(in->n, 1, thread, n_threads, &begin, &end);
         count_keys(cells, in, begin, end, histogram);
 #pragma omp barrier
-        prefix_sums(cells, in->start, n_cells, thread, n_threads, share_sum);
+        hs_counting_sort_prefix(cells->histogram, in->start, n_cells, thread, n_threads, share_sum);
         for (int64_t i = begin; i < end; ++i) cells->order[histogram[cells->key[i]]++] = (int32_t)i;
 #pragma omp barrier
         hs_thread_range(n_cells, 16, thread, n_threads, &begin, &end);

@@ -55,7 +55,7 @@ static hs_status number_along_curve(hs_chains *chains, int64_t n_cells, hs_error
 hs_status hs_chains_number_cells(hs_chains *chains, hs_error *err)
 {
     const int64_t n_cells = hs_grid_n_cells(&chains->grid);
-    if (chains->n_cells == n_cells && chains->n_slots == 0) return HS_OK;
+    if (chains->n_cells == n_cells && !chains->is_hashed) return HS_OK;
     const double bytes = (double)n_cells * (chains->order == HS_CELL_ORDER_MORTON ? 36.0 : 4.0);
     if (n_cells > INT32_MAX || (hs_memory_physical() > 0 && bytes > 0.8 * (double)hs_memory_physical()))
         return hs_fail(err, HS_ERROR_RUN,
@@ -73,7 +73,7 @@ hs_status hs_chains_number_cells(hs_chains *chains, hs_error *err)
         HS_FREE(chains->place);
     }
     chains->n_cells = n_cells;
-    chains->n_slots = 0;
+    chains->is_hashed = false;
     return HS_OK;
 }
 
@@ -113,7 +113,6 @@ void hs_chains_fini(hs_chains *chains)
     HS_FREE(chains->place);
     HS_FREE(chains->cell);
     HS_FREE(chains->previous);
-    HS_FREE(chains->slot);
-    HS_FREE(chains->place_of);
+    hs_hash_table_fini(&chains->table);
     memset(chains, 0, sizeof *chains);
 }

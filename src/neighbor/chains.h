@@ -12,6 +12,7 @@
 
 #include "core/atoms.h"
 #include "neighbor/grid.h"
+#include "neighbor/hash_table.h"
 
 enum { HS_CHAIN_END = -1 }; /**< in head: the cell is empty; in next and previous: there is none */
 
@@ -37,11 +38,9 @@ typedef struct hs_chains {
     bool is_void;                 /**< the grid has changed: nothing can be kept */
     int64_t n_checked, n_changed; /**< atoms looked at, and moved to another chain, so far */
 
-    /* hash: open addressing with linear probing */
-    int32_t *slot;     /**< owned [n_slots]: number of an occupied cell, or HS_CHAIN_END */
-    int64_t *place_of; /**< owned [n_cells]: place in the grid of each occupied cell */
-    int64_t n_slots;   /**< a power of two; 0 unless hashing */
-    int64_t capacity_slots;
+    /* hash */
+    bool is_hashed;      /**< cells are the occupied ones, found in the table */
+    hs_hash_table table; /**< owned */
 } hs_chains;
 
 /** Lay the grid for the next builds. */
@@ -56,9 +55,6 @@ HS_MUST_USE hs_status hs_linked_build(hs_chains *chains, const hs_atoms *atoms, 
 HS_MUST_USE hs_status hs_incremental_update(hs_chains *chains, const hs_atoms *atoms, bool has_new_halo, hs_error *err);
 /** Method `hash`: like linked, with heads for occupied cells only.  neighbor/hash.c */
 HS_MUST_USE hs_status hs_hash_build(hs_chains *chains, const hs_atoms *atoms, hs_error *err);
-
-/** Number of the occupied cell at a place of the grid, or HS_CHAIN_END (hash only). */
-int32_t hs_hash_find(const hs_chains *chains, int64_t place);
 
 /** Heads for all cells of the grid, numbered in their order. Does nothing when there are as many already. */
 HS_MUST_USE hs_status hs_chains_number_cells(hs_chains *chains, hs_error *err);
@@ -86,15 +82,15 @@ static inline int32_t hs_chains_first(const hs_chains *chains, const int c[3])
 {
     for (int a = 0; a < 3; ++a)
         if (c[a] < 0 || c[a] >= chains->grid.n[a]) return HS_CHAIN_END;
-    if (chains->n_slots == 0) return chains->head[hs_chains_number(chains, c)];
-    const int32_t cell = hs_hash_find(chains, hs_grid_place(&chains->grid, c));
+    if (!chains->is_hashed) return chains->head[hs_chains_number(chains, c)];
+    const int32_t cell = hs_hash_table_find(&chains->table, hs_grid_place(&chains->grid, c));
     return cell < 0 ? HS_CHAIN_END : chains->head[cell];
 }
 
 /** Coordinates of the cell of a number. */
 static inline void hs_chains_coordinates(const hs_chains *chains, int64_t cell, int c[3])
 {
-    const int64_t place = chains->n_slots > 0     ? chains->place_of[cell]
+    const int64_t place = chains->is_hashed       ? chains->table.place_of[cell]
                           : chains->place != NULL ? chains->place[cell]
                                                   : cell;
     hs_grid_cell_at(&chains->grid, place, c);

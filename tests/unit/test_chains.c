@@ -172,7 +172,7 @@ START_TEST(hash_goes_by_atoms)
         check_chains(&chains[k], &atoms, "hash");
     }
     ck_assert_int_eq(chains[0].capacity_cells, chains[1].capacity_cells);
-    ck_assert_int_eq(chains[0].capacity_slots, chains[1].capacity_slots);
+    ck_assert_int_eq(chains[0].table.capacity_slots, chains[1].table.capacity_slots);
     ck_assert_int_eq(chains[0].capacity_atoms, chains[1].capacity_atoms);
     const hs_grid_plan plan = plan_of(3, 6e5, 1.0, 1.0);
     ck_assert_hs_ok(hs_chains_set_grid(&linked, &plan, HS_CELL_ORDER_MORTON, &err), err);
