@@ -104,6 +104,16 @@ hs_status hs_chains_sort(const hs_chains *chains, const hs_atoms *atoms, int32_t
     return HS_OK;
 }
 
+size_t hs_chains_memory(const hs_chains *chains)
+{
+    const size_t n_atoms = (size_t)chains->capacity_atoms, n_tables = chains->number != NULL ? 3 : 1;
+    const size_t by_atom = sizeof *chains->next + (chains->cell != NULL ? 2 * sizeof *chains->cell : 0);
+    return n_atoms * by_atom + (size_t)chains->capacity_cells * n_tables * sizeof *chains->head +
+           (size_t)chains->table.capacity_slots * sizeof *chains->table.slot +
+           (size_t)chains->table.capacity_cells * sizeof *chains->table.place_of +
+           (size_t)chains->grid.capacity_stencil * sizeof *chains->grid.stencil;
+}
+
 void hs_chains_fini(hs_chains *chains)
 {
     hs_grid_fini(&chains->grid);

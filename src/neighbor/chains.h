@@ -47,6 +47,8 @@ typedef struct hs_chains {
 HS_MUST_USE hs_status hs_chains_set_grid(hs_chains *chains, const hs_grid_plan *plan, hs_cell_order order,
                                          hs_error *err);
 void hs_chains_fini(hs_chains *chains);
+/** Memory of the arrays that the present method uses, bytes. */
+size_t hs_chains_memory(const hs_chains *chains);
 
 /** Method `linked`: put all atoms, local and halo, into the chains of their cells.  neighbor/linked.c */
 HS_MUST_USE hs_status hs_linked_build(hs_chains *chains, const hs_atoms *atoms, hs_error *err);
