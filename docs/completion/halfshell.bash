@@ -3,7 +3,7 @@ _halfshell() {
     local commands="run check bench plot help"
     local options_run=" -in -var -log -screen -echo -threads -neigh -precision -isa -suffix -package --help --version"
     local options_check=" -in -var -threads -neigh -precision -isa -suffix -package"
-    local options_bench=" -precision -isa -size -steps -repeat -threads -neigh"
+    local options_bench=" -precision -isa -size -steps -repeat -threads -neigh -only -out"
     local options_plot=" -out -x -y -errors -block -deck -units -logscale -xrange -yrange -style -title -legend -xlabel -ylabel -size"
     local options_help=""
     local methods=" cell cluster hash incremental linked nsq verlet"
