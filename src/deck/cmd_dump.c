@@ -122,7 +122,7 @@ static hs_status run_write_dump(hs_deck *deck, const hs_args *args, hs_error *er
 const hs_command hs_commands_dump[] = {
     {.about =
          {.name = "dump",
-          .syntax = {.usage = "<ID> <group-ID> <atom | custom | xyz> <N> <file> [words of the style]",
+          .syntax = {.usage = "<ID> <group-ID> <atom | custom | image | xyz> <N> <file> [words of the style]",
                      .n_min = 5,
                      .n_max = -1},
           .summary = "Write snapshots of atoms every N steps",

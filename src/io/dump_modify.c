@@ -6,8 +6,15 @@
 #include "io/user_format.h"
 
 const hs_keyword hs_dump_modify_keywords[] = {
+    {"acolor", 2, "<types> <colour>", "style image: colour of atom types; colours between / go round over the types"},
+    {"adiam", 2, "<types> <diameter>", "style image: diameter of atom types, distance"},
+    {"amap", -1, "<lo> <hi> <style> <delta> <N> <entries> | <lo> <hi> viridis|coolwarm|gray",
+     "style image: colours of numbers, see dump image"},
     {"append", 1, "yes|no", "add to an existing file instead of emptying it (default no)"},
+    {"backcolor", 1, "<colour>", "style image: colour of the background (default black)"},
+    {"boxcolor", 1, "<colour>", "style image: colour of the box (default yellow)"},
     {"buffer", 1, "yes|no", "accepted: output is always buffered until a snapshot is whole"},
+    {"color", 4, "<name> <red> <green> <blue>", "style image: a new colour name, from parts from 0 to 1"},
     {"delay", 1, "<step>", "write nothing before this step"},
     {"element", -1, "<name of type 1> <name of type 2> ...",
      "names of the types for xyz files and the attribute element"},

@@ -238,7 +238,8 @@ static hs_status keep_recent(hs_dump_table *table, char **name, hs_error *err)
     return HS_OK;
 }
 
-static hs_status write_step_file(hs_dump *dump, hs_error *err)
+hs_status hs_dump_write_step_file(hs_dump *dump, hs_status (*write)(hs_dump *dump, hs_writer *writer, hs_error *err),
+                                  hs_error *err)
 {
     hs_dump_table *table = dump->state;
     hs_writer *writer;
@@ -246,7 +247,7 @@ static hs_status write_step_file(hs_dump *dump, hs_error *err)
     HS_TRY(hs_writer_step_name(&name, dump->file, dump->env->step, table->pad, err));
     hs_status status = hs_writer_open(&writer, name, HS_WRITE_WHOLE, err);
     if (status == HS_OK) {
-        status = write_snapshot(dump, writer, err);
+        status = write(dump, writer, err);
         if (status == HS_OK)
             status = hs_writer_close(&writer, err);
         else
@@ -262,7 +263,7 @@ hs_status hs_dump_table_write(hs_dump *dump, hs_error *err)
     hs_dump_table *table = dump->state;
     if (dump->env->step == dump->last_written || dump->env->step < table->delay) return HS_OK;
     dump->last_written = dump->env->step;
-    if (is_file_per_step(dump)) return write_step_file(dump, err);
+    if (is_file_per_step(dump)) return hs_dump_write_step_file(dump, write_snapshot, err);
     hs_status status = write_snapshot(dump, table->writer, err);
     if (status == HS_OK) return hs_writer_commit(table->writer, err);
     hs_writer_abandon(&table->writer);

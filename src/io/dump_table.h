@@ -72,6 +72,12 @@ HS_MUST_USE hs_status hs_dump_table_init(hs_dump *dump, hs_error *err);
 /** Write a snapshot of the present step (collective). */
 HS_MUST_USE hs_status hs_dump_table_write(hs_dump *dump, hs_error *err);
 
+/** Write the file of the present step, whole or not at all, by @p write; older ones beyond dump_modify maxfiles go. Not
+ *  collective. */
+HS_MUST_USE hs_status hs_dump_write_step_file(hs_dump *dump,
+                                              hs_status (*write)(hs_dump *dump, hs_writer *writer, hs_error *err),
+                                              hs_error *err);
+
 /** All words of dump_modify after the ID, for any style. */
 HS_MUST_USE hs_status hs_dump_modify(hs_dump *dump, const hs_args *args, hs_error *err);
 /** The same for one keyword and what follows it: hs_dump_style.modify of all styles. */

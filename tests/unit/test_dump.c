@@ -233,7 +233,7 @@ START_TEST(test_refusals)
         {"thresh x < LAST", "LAST is not supported"},
         {"thresh x < nan", "not a finite number"},
         {"element C", "a name for each of the 2 atom types"},
-        {"color x", "unknown keyword"},
+        {"colour x", "unknown keyword"},
         {"fileper 2", "unknown keyword"},
         {"maxfiles 2", "needs a file name with *"},
         {"first maybe", "'maybe'"},
