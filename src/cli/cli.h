@@ -7,7 +7,7 @@
 #include "deck/deck.h"
 
 /** Subcommands, as bits: which of them know an option. */
-enum { HS_CLI_RUN = 1, HS_CLI_CHECK = 2, HS_CLI_BENCH = 4, HS_CLI_HELP = 8, HS_CLI_PLOT = 16 };
+enum { HS_CLI_RUN = 1, HS_CLI_CHECK = 2, HS_CLI_BENCH = 4, HS_CLI_HELP = 8, HS_CLI_PLOT = 16, HS_CLI_REPORT = 32 };
 
 /** One option. The table serves the parser, `halfshell --help`, the man page, the manual and shell completion. */
 typedef struct hs_cli_option {
@@ -76,6 +76,7 @@ HS_MUST_USE hs_status hs_cli_bench(const hs_cli *cli, hs_error *err);
 /** `bench neighbors`; called by hs_cli_bench. */
 HS_MUST_USE hs_status hs_cli_bench_neighbors(const hs_cli *cli, hs_error *err);
 HS_MUST_USE hs_status hs_cli_plot(const hs_cli *cli, hs_error *err);
+HS_MUST_USE hs_status hs_cli_report(const hs_cli *cli, hs_error *err);
 HS_MUST_USE hs_status hs_cli_help(const hs_cli *cli, hs_error *err);
 
 /** The page of `halfshell --help`. */

@@ -3,7 +3,7 @@
 
 #include "cli/cli.h"
 
-enum { RUN = HS_CLI_RUN, CHECK = HS_CLI_CHECK, BENCH = HS_CLI_BENCH, PLOT = HS_CLI_PLOT };
+enum { RUN = HS_CLI_RUN, CHECK = HS_CLI_CHECK, BENCH = HS_CLI_BENCH, PLOT = HS_CLI_PLOT, REPORT = HS_CLI_REPORT };
 
 const hs_cli_command hs_cli_commands[] = {
     {"run", "[options] DECK", HS_CLI_RUN, "run a deck; the word `run` may be left out"},
@@ -13,6 +13,8 @@ const hs_cli_command hs_cli_commands[] = {
      "measure the speed of this machine on a Lennard-Jones liquid; with `neighbors`, what each neighbor method costs"},
     {"plot", "[options] FILE...", HS_CLI_PLOT,
      "draw logs, files that fixes write, and CSV as PNG, SVG or PDF (through gnuplot)"},
+    {"report", "[options] RUN", HS_CLI_REPORT,
+     "make one HTML page of a log, or of a folder with a run's outputs: deck, means and errors, plots, pictures"},
     {"help", "[WORD]", HS_CLI_HELP, "list what decks may contain; with a word, explain that command, style or keyword"},
     {NULL, NULL, 0, NULL},
 };
@@ -41,6 +43,7 @@ const hs_cli_option hs_cli_options[] = {
     {"-out", "-o", "FOLDER", BENCH, "where `bench neighbors` writes CSV files and pictures (default: nowhere)"},
     {"-out", "-o", "FILE", PLOT,
      "the picture; its name ends in .png, .svg or .pdf (default: the first file's name and .png)"},
+    {"-out", "-o", "FILE", REPORT, "the page (default: the run's name and .html)"},
     {"-x", NULL, "COLUMN", PLOT,
      "column of the horizontal axis, by name or number; `time`: steps times the timestep (default: time, step, "
      "distance, "

@@ -4,6 +4,7 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "base/machine.h"
 #include "base/timer.h"
 #include "cli/cli.h"
 
@@ -42,6 +43,9 @@ static void greet(const hs_cli *cli, const hs_cli_settings *settings, hs_sink *o
     int n_threads = hs_threads_get();
     hs_say(out, "Halfshell %s, %d rank%s of %d thread%s\n", HALFSHELL_VERSION, cli->parallel->n_ranks,
            cli->parallel->n_ranks == 1 ? "" : "s", n_threads, n_threads == 1 ? "" : "s");
+    char machine[256];
+    hs_machine_describe(machine, sizeof machine);
+    hs_say_log(out, "Running on %s\n", machine);
     for (int i = 0; i < HS_CLI_NO_EFFECT_MAX && settings->no_effect[i] != NULL; ++i)
         hs_say(out, "The option %s has no effect: Halfshell chooses its own kernels\n", settings->no_effect[i]);
 }

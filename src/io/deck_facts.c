@@ -1,10 +1,10 @@
 /* Facts of a deck that its outputs do not repeat. */
 #include <stdlib.h>
 #include <string.h>
-#include <zlib.h>
 
 #include "base/memory.h"
 #include "io/quantity.h"
+#include "io/table.h"
 
 enum { WORDS_MAX = 6, WORD_SIZE = 128, LINE_SIZE = 1024 };
 
@@ -66,18 +66,8 @@ hs_status hs_deck_facts_learn(hs_deck_facts *facts, const char *text, hs_error *
 
 hs_status hs_deck_facts_read(hs_deck_facts *facts, const char *path, hs_error *err)
 {
-    enum { PIECE = 1 << 15 };
     hs_text text = {0};
-    char *piece;
-    gzFile stream = gzopen(path, "rb");
-    if (stream == NULL) return hs_fail(err, HS_ERROR_INPUT, "'%s' cannot be read", path);
-    hs_status status = HS_ALLOC(piece, PIECE, err);
-    int n = 0;
-    while (status == HS_OK && (n = gzread(stream, piece, PIECE)) > 0)
-        status = hs_text_append(&text, piece, (size_t)n, err);
-    if (status == HS_OK && n < 0) status = hs_fail(err, HS_ERROR_INPUT, "'%s' cannot be read", path);
-    gzclose(stream);
-    HS_FREE(piece);
+    hs_status status = hs_table_read_text(path, &text, err);
     if (status == HS_OK) status = hs_deck_facts_learn(facts, hs_text_get(&text), err);
     hs_text_fini(&text);
     return status;

@@ -113,29 +113,27 @@ hs_status hs_table_add_row(hs_table_file *file, const char *const *words, hs_err
     return HS_OK;
 }
 
-static hs_status read_text(hs_table_file *file, hs_error *err)
+hs_status hs_table_read_text(const char *path, hs_text *text, hs_error *err)
 {
     enum { PIECE = 1 << 16 };
     struct stat about;
-    if (stat(file->path, &about) != 0)
-        return hs_fail(err, HS_ERROR_INPUT, "'%s' cannot be read: %s", file->path, strerror(errno));
+    if (stat(path, &about) != 0) return hs_fail(err, HS_ERROR_INPUT, "'%s' cannot be read: %s", path, strerror(errno));
     if (S_ISDIR(about.st_mode))
-        return hs_fail(err, HS_ERROR_INPUT, "'%s' is a folder, not a file; halfshell report takes folders", file->path);
-    gzFile stream = gzopen(file->path, "rb"); /* reads plain files too */
-    if (stream == NULL) return hs_fail(err, HS_ERROR_INPUT, "'%s' cannot be read: %s", file->path, strerror(errno));
+        return hs_fail(err, HS_ERROR_INPUT, "'%s' is a folder, not a file; halfshell report takes folders", path);
+    gzFile stream = gzopen(path, "rb"); /* reads plain files too */
+    if (stream == NULL) return hs_fail(err, HS_ERROR_INPUT, "'%s' cannot be read: %s", path, strerror(errno));
     char *piece;
     hs_status status = HS_ALLOC(piece, PIECE, err);
     int n = 1;
     while (status == HS_OK && (n = gzread(stream, piece, PIECE)) > 0)
-        status = hs_text_append(&file->text, piece, (size_t)n, err);
+        status = hs_text_append(text, piece, (size_t)n, err);
     HS_FREE(piece);
-    if (status == HS_OK && n < 0)
-        status = hs_fail(err, HS_ERROR_INPUT, "'%s' cannot be read: it is damaged", file->path);
+    if (status == HS_OK && n < 0) status = hs_fail(err, HS_ERROR_INPUT, "'%s' cannot be read: it is damaged", path);
     gzclose(stream);
     if (status != HS_OK) return status;
-    if (file->text.length == 0) return hs_fail(err, HS_ERROR_INPUT, "'%s' is empty", file->path);
-    if (memchr(file->text.data, '\0', file->text.length) != NULL)
-        return hs_fail(err, HS_ERROR_INPUT, "'%s' is no text file", file->path);
+    if (text->length == 0) return hs_fail(err, HS_ERROR_INPUT, "'%s' is empty", path);
+    if (memchr(text->data, '\0', text->length) != NULL)
+        return hs_fail(err, HS_ERROR_INPUT, "'%s' is no text file", path);
     return HS_OK;
 }
 
@@ -151,7 +149,7 @@ hs_status hs_table_file_read(hs_table_file *file, const char *path, hs_error *er
 {
     memset(file, 0, sizeof *file);
     HS_TRY(hs_memory_strdup(&file->path, path, err));
-    HS_TRY(read_text(file, err));
+    HS_TRY(hs_table_read_text(path, &file->text, err));
     const char *first = file->text.data + strspn(file->text.data, " \t\r\n");
     hs_table_lines lines = {.next = file->text.data, .end = file->text.data + file->text.length};
     hs_status status;

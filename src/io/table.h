@@ -42,6 +42,9 @@ typedef struct hs_table_file {
 HS_MUST_USE hs_status hs_table_file_read(hs_table_file *file, const char *path, hs_error *err);
 void hs_table_file_fini(hs_table_file *file);
 
+/** The text of a file, plain or compressed by gzip, at the end of @p text; an error when it is empty or no text. */
+HS_MUST_USE hs_status hs_table_read_text(const char *path, hs_text *text, hs_error *err);
+
 /** Index of the column of that name, -1 when there is none. */
 int hs_table_find(const hs_table *table, const char *name);
 
