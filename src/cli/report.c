@@ -142,6 +142,19 @@ static hs_status put_folded(report *r, const char *summary, const char *text, hs
     return hs_text_printf(&r->page, err, "</pre></details>\n");
 }
 
+/** Of a log that would make the page heavy, the beginning and the end. */
+static hs_status put_whole_log(report *r, const char *log, hs_error *err)
+{
+    const size_t most = 400000, part = 150000, length = strlen(log);
+    if (length <= most) return put_folded(r, "The whole log", log, err);
+    hs_text cut = {0};
+    hs_status status = hs_text_append(&cut, log, part, err);
+    if (status == HS_OK) status = hs_text_printf(&cut, err, "\n[...]\n%s", log + length - part);
+    if (status == HS_OK) status = put_folded(r, "Beginning and end of the log", hs_text_get(&cut), err);
+    hs_text_fini(&cut);
+    return status;
+}
+
 static hs_status put_title(report *r, const char *before, const char *name, hs_error *err)
 {
     HS_TRY(hs_text_printf(&r->page, err, "<h2>%s", before));
@@ -164,7 +177,7 @@ static hs_status put_log_parts(report *r, const hs_table_file *file, const char 
     HS_TRY(hs_html_means(&r->page, file, &r->facts, err));
     HS_TRY(put_block(r, "Where the time went (last run)", " class=\"table\"", &summary->timing, err));
     HS_TRY(put_block(r, "Deck", "", &summary->deck, err));
-    return put_folded(r, "The whole log", log, err);
+    return put_whole_log(r, log, err);
 }
 
 static hs_status put_log(report *r, const hs_table_file *file, const char *name, const char *path, hs_error *err)
@@ -186,6 +199,22 @@ static hs_status put_table(report *r, const hs_table_file *file, const char *nam
     return put_figure(r, file, file->about, err);
 }
 
+/** Whether a file may be one of the page's: a log or CSV by its name, a fix's output by the comment it begins with. Others are
+ *  not even read: a folder may hold snapshots larger than memory. */
+static bool is_worth_reading(const char *path, const char *name)
+{
+    const off_t size_max = 200000000;
+    struct stat about;
+    if (is_picture(name) || is_deck(name) || stat(path, &about) != 0) return false;
+    if (!S_ISREG(about.st_mode) || about.st_size > size_max) return false;
+    if (strncmp(name, "log.", 4) == 0 || ends_in(name, ".log") || ends_in(name, ".csv") || ends_in(name, ".gz"))
+        return true;
+    FILE *file = fopen(path, "rb");
+    const int first = file != NULL ? fgetc(file) : EOF;
+    if (file != NULL) fclose(file);
+    return first == '#';
+}
+
 /** A file by its content: a log or another table, whichever @p wants_log asks for. A file of a folder that is neither is
  *  none of the page's business. */
 static hs_status put_file(report *r, const char *name, bool wants_log, hs_error *err)
@@ -194,7 +223,7 @@ static hs_status put_file(report *r, const char *name, bool wants_log, hs_error 
     hs_table_file file = {0};
     hs_error cause = {0};
     hs_status status = path_of(r, name, &path, err);
-    if (status == HS_OK && !is_picture(name) && !is_deck(name)) {
+    if (status == HS_OK && (!r->is_folder || is_worth_reading(hs_text_get(&path), name))) {
         const hs_status read = hs_table_file_read(&file, hs_text_get(&path), &cause);
         const bool is_log = read == HS_OK && file.kind == HS_TABLE_LOG;
         if (read != HS_OK && !r->is_folder) *err = cause, status = read;

@@ -391,10 +391,11 @@ static hs_status write(hs_dump *dump, hs_error *err)
     double range[2];
     if (env->step == dump->last_written || env->step < state->table.delay) return HS_OK;
     dump->last_written = env->step;
-    HS_TRY(hs_dump_select(dump, err));
+    hs_status status = hs_dump_select(dump, err);
+    status = hs_parallel_agree(env->parallel, err);
+    if (status != HS_OK) return status;
     find_range(dump, range);
-    hs_status status =
-        hs_image_init(&image, state->width, state->height, state->is_smooth ? 2 : 1, state->background, err);
+    status = hs_image_init(&image, state->width, state->height, state->is_smooth ? 2 : 1, state->background, err);
     if (status == HS_OK && (state->center_moves || !state->has_view)) {
         state->view = hs_image_look(&image, env->box, state->theta, state->phi, state->up, state->center, state->zoom);
         state->has_view = true;

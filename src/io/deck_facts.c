@@ -24,8 +24,8 @@ static hs_status add_name(hs_deck_facts *facts, char kind, const char *id, const
 
 static void set_units(hs_deck_facts *facts, const hs_units *units)
 {
+    if (facts->units != NULL || facts->dt == 0.0) facts->dt = units->dt;
     facts->units = units;
-    facts->dt = units->dt;
     facts->is_per_atom = units->energy_per_atom != 0;
 }
 
@@ -34,6 +34,8 @@ static hs_status learn_line(hs_deck_facts *facts, char *const *word, int n, hs_e
     double dt;
     if (n < 2) return HS_OK;
     if (strcmp(word[0], "units") == 0 && hs_units_find(word[1]) != NULL) set_units(facts, hs_units_find(word[1]));
+    /* a deck that does not say has LAMMPS's default by the time it chooses a pair style */
+    if (strcmp(word[0], "pair_style") == 0 && facts->units == NULL) set_units(facts, hs_units_find("lj"));
     if (strcmp(word[0], "timestep") == 0 && hs_text_to_double(word[1], &dt) && dt > 0.0) facts->dt = dt;
     if (strcmp(word[0], "dimension") == 0) facts->dimension = word[1][0] == '2' ? 2 : 3;
     if (strcmp(word[0], "thermo_modify") == 0)
@@ -47,7 +49,6 @@ static hs_status learn_line(hs_deck_facts *facts, char *const *word, int n, hs_e
 
 hs_status hs_deck_facts_learn(hs_deck_facts *facts, const char *text, hs_error *err)
 {
-    /* A deck that does not say has LAMMPS's default; text without commands says nothing. */
     if (facts->dimension == 0) facts->dimension = 3;
     while (*text != '\0') {
         char line[LINE_SIZE], *word[WORDS_MAX], *rest = NULL;

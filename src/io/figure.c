@@ -10,6 +10,8 @@
 #include "io/writer.h"
 
 enum { WIDTH = 900, PANEL_HEIGHT = 260, HEIGHT_MIN = 420, POINTS_MAX = 200 };
+/* More points than a picture has columns add nothing but size. */
+enum { STRETCHES = 2000, LONG_LINE = 4 * STRETCHES };
 
 /** Eight colours that stay apart for colour-blind eyes and on paper (Okabe and Ito); a grey instead of the yellow, which
  *  white paper swallows. */
@@ -97,14 +99,38 @@ static hs_status put_setting(hs_text *script, const char *what, const char *text
     return hs_text_append(script, "\n", 1, err);
 }
 
+static hs_status put_point(hs_text *script, const hs_curve *curve, int64_t i, hs_error *err)
+{
+    return hs_text_printf(script, err, "%.10g %.10g %.10g\n", curve->x[i], curve->y[i],
+                          curve->error != NULL ? curve->error[i] : 0.0);
+}
+
+/** A long line as it looks on paper: of each of many short stretches the first point, the least, the greatest. */
+static hs_status put_envelope(hs_text *script, const hs_curve *curve, hs_error *err)
+{
+    for (int64_t k = 0; k < STRETCHES; ++k) {
+        const int64_t begin = k * curve->n / STRETCHES, end = (k + 1) * curve->n / STRETCHES;
+        int64_t least = begin, greatest = begin;
+        for (int64_t i = begin; i < end; ++i) {
+            if (curve->y[i] < curve->y[least]) least = i;
+            if (curve->y[i] > curve->y[greatest]) greatest = i;
+        }
+        const int64_t second = least < greatest ? least : greatest, third = least < greatest ? greatest : least;
+        HS_TRY(put_point(script, curve, begin, err));
+        if (second != begin) HS_TRY(put_point(script, curve, second, err));
+        if (third != second) HS_TRY(put_point(script, curve, third, err));
+    }
+    return put_point(script, curve, curve->n - 1, err);
+}
+
 static hs_status put_data(hs_text *script, const hs_figure *figure, hs_error *err)
 {
     for (int k = 0; k < figure->n_curves; ++k) {
         const hs_curve *curve = &figure->curve[k];
+        const bool is_long = curve->n > LONG_LINE && figure->style == HS_FIGURE_LINES && curve->error == NULL;
         HS_TRY(hs_text_printf(script, err, "$curve%d << END\n", k));
-        for (int64_t i = 0; i < curve->n; ++i)
-            HS_TRY(hs_text_printf(script, err, "%.10g %.10g %.10g\n", curve->x[i], curve->y[i],
-                                  curve->error != NULL ? curve->error[i] : 0.0));
+        if (is_long) HS_TRY(put_envelope(script, curve, err));
+        for (int64_t i = 0; i < curve->n && !is_long; ++i) HS_TRY(put_point(script, curve, i, err));
         HS_TRY(hs_text_printf(script, err, "END\n"));
     }
     return HS_OK;

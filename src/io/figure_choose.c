@@ -158,35 +158,58 @@ static bool is_constant(const hs_table_file *file, const char *name)
     return true;
 }
 
-/** Mark the columns of a table that become curves: wanted[n_columns]. */
-static hs_status choose_y(const hs_table_file *file, const hs_table *table, const hs_plot_choice *choice, int x,
-                          bool *wanted, hs_error *err)
+/** Columns to draw, in the order asked for. */
+typedef struct column_list {
+    int *column; /**< owned [capacity], one for each column of the table */
+    int n;
+} column_list;
+
+static void add_once(column_list *list, int column)
 {
-    int n = 0;
-    for (int k = 0; k < table->n_columns && choice->y == NULL; ++k) {
+    for (int k = 0; k < list->n; ++k)
+        if (list->column[k] == column) return;
+    list->column[list->n++] = column;
+}
+
+/** What is drawn when nobody says: all columns that measure something, and in a log change. */
+static void choose_default_y(const hs_table_file *file, const hs_table *table, int x, column_list *list)
+{
+    for (int k = 0; k < table->n_columns; ++k) {
         const char *name = table->column[k].name;
-        wanted[k] = k != x && table->column[k].word == NULL && !is_listed(bookkeeping, name) &&
-                    !(strcmp(name, "Count") == 0 && hs_table_find(table, "Count/Total") >= 0) &&
-                    !is_error_column(table, k) && !(file->kind == HS_TABLE_LOG && is_constant(file, name));
-        n += wanted[k];
+        if (k != x && table->column[k].word == NULL && !is_listed(bookkeeping, name) &&
+            !(strcmp(name, "Count") == 0 && hs_table_find(table, "Count/Total") >= 0) && !is_error_column(table, k) &&
+            !(file->kind == HS_TABLE_LOG && is_constant(file, name)))
+            add_once(list, k);
     }
     /* nothing moves: then show what there is */
-    for (int k = 0; k < table->n_columns && choice->y == NULL && n == 0; ++k)
-        wanted[k] = k != x && table->column[k].word == NULL && !is_error_column(table, k);
-    if (choice->y == NULL) return HS_OK;
-    char *list, *rest;
-    HS_TRY(hs_memory_strdup(&list, choice->y, err));
-    hs_status status = HS_OK;
-    rest = list;
-    for (char *word = strsep(&rest, ","); word != NULL && status == HS_OK; word = strsep(&rest, ",")) {
-        const int column = find_column(table, word);
-        bool found = column >= 0;
-        if (found) wanted[column] = true;
-        for (int k = 0; k < table->n_columns && column < 0; ++k)
-            if (strpbrk(word, "*?") != NULL && hs_text_glob(word, table->column[k].name)) found = wanted[k] = true;
-        if (!found) status = refuse_column(file, word, err);
+    const bool is_empty = list->n == 0;
+    for (int k = 0; k < table->n_columns && is_empty; ++k)
+        if (k != x && table->column[k].word == NULL && !is_error_column(table, k)) add_once(list, k);
+}
+
+static hs_status choose_y(const hs_table_file *file, const hs_table *table, const hs_plot_choice *choice, int x,
+                          column_list *list, hs_error *err)
+{
+    if (choice->y == NULL) {
+        choose_default_y(file, table, x, list);
+        return HS_OK;
     }
-    HS_FREE(list);
+    char *words, *rest;
+    HS_TRY(hs_memory_strdup(&words, choice->y, err));
+    hs_status status = HS_OK;
+    rest = words;
+    for (char *word = strsep(&rest, ","); word != NULL && status == HS_OK; word = strsep(&rest, ",")) {
+        const int column = find_column(table, word), n_before = list->n;
+        if (column >= 0) add_once(list, column);
+        bool is_found = column >= 0;
+        for (int k = 0; k < table->n_columns && column < 0 && strpbrk(word, "*?") != NULL; ++k)
+            if (hs_text_glob(word, table->column[k].name)) {
+                add_once(list, k);
+                is_found = true;
+            }
+        if (!is_found && list->n == n_before) status = refuse_column(file, word, err);
+    }
+    HS_FREE(words);
     return status;
 }
 
@@ -332,25 +355,23 @@ static hs_status add_tables(request *r, hs_error *err)
 {
     const hs_table *head = &r->file->table[r->first];
     axis x;
-    bool *wanted;
-    int number = 0;
+    column_list list = {0};
     HS_TRY(choose_x(r->file, head, r->choice, r->facts, &x, err));
     HS_TRY(set_x_label(r->figure, head, &x, r->facts, err));
-    HS_TRY(HS_ALLOC(wanted, (size_t)head->n_columns + 1, err));
-    hs_status status = choose_y(r->file, head, r->choice, x.column, wanted, err);
-    r->n_columns = 0;
-    for (int k = 0; k < head->n_columns; ++k) r->n_columns += wanted[k];
-    for (int k = 0; k < head->n_columns && status == HS_OK; ++k) {
-        if (!wanted[k]) continue;
-        if (head->column[k].word != NULL && head->n_rows > 0 && r->choice->y != NULL)
-            status = hs_fail(err, HS_ERROR_INPUT, "'%s': column '%s' holds words, not numbers", r->file->path,
-                             head->column[k].name);
-        if (status == HS_OK) status = add_column(r, head->column[k].name, number++, err);
+    HS_TRY(HS_ALLOC(list.column, (size_t)head->n_columns, err));
+    hs_status status = choose_y(r->file, head, r->choice, x.column, &list, err);
+    r->n_columns = list.n;
+    for (int k = 0; k < list.n && status == HS_OK; ++k) {
+        const hs_table_column *column = &head->column[list.column[k]];
+        if (column->word != NULL && r->choice->y != NULL)
+            status =
+                hs_fail(err, HS_ERROR_INPUT, "'%s': column '%s' holds words, not numbers", r->file->path, column->name);
+        if (status == HS_OK) status = add_column(r, column->name, k, err);
     }
-    if (status == HS_OK && number == 0)
+    if (status == HS_OK && list.n == 0)
         status = hs_fail(err, HS_ERROR_INPUT, "'%s' has no column of numbers to plot against '%s'", r->file->path,
                          head->column[x.column].name);
-    HS_FREE(wanted);
+    HS_FREE(list.column);
     return status;
 }
 

@@ -22,6 +22,10 @@ hs_status hs_image_init(hs_image *image, int width, int height, int sampling, hs
 {
     *image = (hs_image){.width = width, .height = height, .sampling = sampling, .shine = 1.0};
     const size_t n = (size_t)width * (size_t)height * (size_t)sampling * (size_t)sampling;
+    const double needed = (double)n * sizeof *image->sample, there = (double)hs_memory_physical();
+    if (there > 0.0 && needed > 0.5 * there)
+        return hs_fail(err, HS_ERROR_MEMORY, "a picture of %d x %d pixels needs %.3g GB, more than half of the memory",
+                       width, height, needed * 1e-9);
     HS_TRY(HS_ALLOC(image->sample, n, err));
     for (size_t k = 0; k < n; ++k) image->sample[k] = (int64_t)background;
     return HS_OK;

@@ -56,6 +56,11 @@ draws 1 'temperature (K)' log.a -y Temp -units real
 printf 'method,threads,rate,rate_err\ncluster,1,10,.5\ncluster,2,19,1\ncell,1,5,.3\ncell,2,9.7,.4\n' >scaling.csv
 draws 4 '>cell<' scaling.csv -x threads # error bars are curves of their own
 draws 2 '>cell<' scaling.csv -x threads -errors none -logscale xy
+printf 'x,b,a,ea,eb\n1,2,3,.1,.2\n2,3,4,.1,.2\n' >order.csv
+draws 4 '>a<' order.csv -y a,b -errors ea,eb
+awk 'BEGIN { print "x,y"; for (i = 0; i < 200000; ++i) print i "," (i == 77777 ? 9 : sin(i)) }' >long.csv
+draws 1 ' 10<' long.csv # the one peak is there, and the file small
+[ "$(wc -c <picture.svg)" -lt 300000 ] || wrong "a long line makes a large file"
 plot log.a && [ "$(head -c 4 log.a.png | tail -c 3)" = PNG ] || wrong "no log.a.png"
 plot log.a -out a.pdf && [ "$(head -c 4 a.pdf)" = %PDF ] || wrong "no a.pdf"
 
