@@ -1,12 +1,13 @@
 /* Commands of dumps: dump, dump_modify, undump, write_dump. */
+#include <stdio.h>
 #include <string.h>
 
 #include "base/text.h"
 #include "deck/command.h"
 #include "io/dump_table.h"
 
-/** A style's name at word i and its own words, from word @p first on, before anything runs. */
-static hs_status check_style(const hs_args *args, int i, int first, int n_words, hs_error *err)
+/** A style's name at word i, its file at word @p file and its own words from word @p first on, before anything runs. */
+static hs_status check_style(const hs_args *args, int i, int file, int first, int n_words, hs_error *err)
 {
     const char *names[256] = {NULL};
     size_t n = 0;
@@ -24,16 +25,11 @@ static hs_status check_style(const hs_args *args, int i, int first, int n_words,
     }
     const hs_args words = {.command = args->command, .n = n_words, .word = args->word + first};
     HS_TRY(hs_syntax_check(&style->about.syntax, &words, true, err));
-    if (strcmp(style->about.name, "custom") != 0) return HS_OK;
-    for (int k = 0; k < words.n; ++k) {
-        hs_dump_column column;
-        hs_error cause = {0};
-        if (strchr(words.word[k], '$') != NULL) continue;
-        const hs_status status = hs_dump_parse_column(words.word[k], &column, &cause);
-        if (status != HS_OK) return hs_fail(err, status, "%s custom: %s", args->command, cause.text);
-        hs_dump_fini_column(&column);
-    }
-    return HS_OK;
+    if (style->check == NULL) return HS_OK;
+    char command[64];
+    snprintf(command, sizeof command, "%s %s", args->command, style->about.name);
+    const hs_args own = {.command = command, .n = n_words, .word = args->word + first};
+    return style->check(args->word[file], &own, err);
 }
 
 static hs_status check_dump(const hs_args *args, bool has_variables, hs_error *err)
@@ -41,7 +37,7 @@ static hs_status check_dump(const hs_args *args, bool has_variables, hs_error *e
     int64_t every;
     (void)has_variables;
     if (strchr(args->word[3], '$') == NULL) HS_TRY(hs_arg_int(args, 3, 1, INT64_MAX, &every, err));
-    return check_style(args, 2, 5, args->n - 5, err);
+    return check_style(args, 2, 4, 5, args->n - 5, err);
 }
 
 static hs_status run_dump(hs_deck *deck, const hs_args *args, hs_error *err)
@@ -95,7 +91,7 @@ static hs_status check_write_dump(const hs_args *args, bool has_variables, hs_er
     const int modify = find_modify(args);
     const hs_syntax syntax = {.usage = "... modify <keyword> <value> ...", .keywords = hs_dump_modify_keywords};
     const hs_args words = hs_args_from(args, modify + 1, NULL);
-    HS_TRY(check_style(args, 1, 3, modify - 3, err));
+    HS_TRY(check_style(args, 1, 2, 3, modify - 3, err));
     return hs_syntax_check(&syntax, &words, has_variables, err);
 }
 

@@ -3,6 +3,12 @@
 
 static const hs_dump_layout layout = {.has_atom_header = true, .has_column_formats = true};
 
+static hs_status check(const char *file, const hs_args *args, hs_error *err)
+{
+    (void)file;
+    return hs_dump_check_words(args, 0, args->n, err);
+}
+
 static hs_status create(hs_dump *dump, const hs_args *args, hs_error *err)
 {
     hs_dump_table *table = dump->state;
@@ -25,6 +31,7 @@ const hs_dump_style hs_dump_style_custom = {
              "atom-style variable. Rows are in the order of ids unless `dump_modify sort` says otherwise.",
          .example = "dump d all custom 100 run.*.dump id type x y z vx vy vz"},
     .state_size = sizeof(hs_dump_table),
+    .check = check,
     .create = create,
     .modify = hs_dump_table_modify,
     .destroy = hs_dump_table_destroy,

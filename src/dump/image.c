@@ -130,16 +130,24 @@ static hs_status set_defaults(hs_dump *dump, hs_error *err)
     return hs_color_map_init(&state->map, err);
 }
 
-/** The two words before the keywords. */
-static hs_status parse_looks(hs_dump *dump, const hs_args *args, hs_error *err)
+static hs_status check(const char *file, const hs_args *args, hs_error *err)
 {
-    image_dump *state = dump->state;
-    const char *color = args->word[0], *diameter = args->word[1];
+    if (strchr(file, '$') == NULL && !hs_image_is_known(file))
+        return hs_fail(err, HS_ERROR_INPUT, "%s: the file name '%s' should end in .png or .ppm", args->command, file);
     for (int i = 0; i < 2; ++i)
         if (strcmp(args->word[i], "element") == 0)
             return hs_fail(err, HS_ERROR_INPUT,
                            "%s: 'element' is not supported; use type, with dump_modify acolor and adiam",
                            args->command);
+    const bool is_own = strcmp(args->word[0], "speed") == 0 || strcmp(args->word[0], "orientation") == 0;
+    return hs_dump_check_words(args, is_own ? 1 : 0, is_own ? 1 : 2, err);
+}
+
+/** The two words before the keywords. */
+static hs_status parse_looks(hs_dump *dump, const hs_args *args, hs_error *err)
+{
+    image_dump *state = dump->state;
+    const char *color = args->word[0], *diameter = args->word[1];
     const bool is_speed = strcmp(color, "speed") == 0, is_orientation = strcmp(color, "orientation") == 0;
     state->color_by = is_speed                     ? BY_SPEED
                       : is_orientation             ? BY_ORIENTATION
@@ -155,9 +163,7 @@ static hs_status create(hs_dump *dump, const hs_args *args, hs_error *err)
 {
     image_dump *state = dump->state;
     HS_TRY(hs_syntax_check(&dump->style->about.syntax, args, false, err));
-    if (!hs_image_is_known(dump->file))
-        return hs_fail(err, HS_ERROR_INPUT, "%s: the file name '%s' should end in .png or .ppm", args->command,
-                       dump->file);
+    HS_TRY(check(dump->file, args, err));
     HS_TRY(set_defaults(dump, err));
     HS_TRY(parse_looks(dump, args, err));
     for (int i = 2; i < args->n;) {
@@ -438,6 +444,7 @@ const hs_dump_style hs_dump_style_image = {
          .example = "dump p all image 1000 melt.*.png speed type adiam 1.1 size 800 800 view 70 30 zoom 1.2\n"
                     "dump_modify p backcolor white boxcolor gray amap 0 4 viridis"},
     .state_size = sizeof(image_dump),
+    .check = check,
     .create = create,
     .modify = modify,
     .destroy = destroy,

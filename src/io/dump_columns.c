@@ -39,6 +39,19 @@ hs_status hs_dump_parse_column(const char *word, hs_dump_column *column, hs_erro
     return hs_memory_strdup(&column->name, word, err);
 }
 
+hs_status hs_dump_check_words(const hs_args *args, int i, int n, hs_error *err)
+{
+    for (int k = i; k < i + n && k < args->n; ++k) {
+        hs_dump_column column;
+        hs_error cause = {0};
+        if (strchr(args->word[k], '$') != NULL) continue;
+        const hs_status status = hs_dump_parse_column(args->word[k], &column, &cause);
+        if (status != HS_OK) return hs_fail(err, status, "%s: %s", args->command, cause.text);
+        hs_dump_fini_column(&column);
+    }
+    return HS_OK;
+}
+
 void hs_dump_fini_column(hs_dump_column *column)
 {
     HS_FREE(column->name);

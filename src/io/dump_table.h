@@ -64,6 +64,8 @@ typedef struct hs_dump_table {
 
 /** Columns named by words (attributes or v_name); the former ones are forgotten. */
 HS_MUST_USE hs_status hs_dump_set_columns(hs_dump *dump, const hs_args *args, hs_error *err);
+/** Fail unless words i to i + n - 1 may be columns, as far as that can be told before anything runs. */
+HS_MUST_USE hs_status hs_dump_check_words(const hs_args *args, int i, int n, hs_error *err);
 /** NULL when the word may be a column of dump custom, else the nearest attribute or "". */
 const char *hs_dump_check_word(const char *word);
 void hs_dump_table_destroy(hs_dump *dump);

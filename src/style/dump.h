@@ -10,6 +10,8 @@ struct hs_dump;
 typedef struct hs_dump_style {
     hs_description about;
     size_t state_size;
+    /** Before anything runs: what words without `$` tell beyond the syntax. NULL: nothing. */
+    HS_MUST_USE hs_status (*check)(const char *file, const hs_args *args, hs_error *err);
     HS_MUST_USE hs_status (*create)(struct hs_dump *dump, const hs_args *args, hs_error *err);
     /** dump_modify keywords of this style alone; *n_used = words taken, 0 when the keyword is not the style's. */
     HS_MUST_USE hs_status (*modify)(struct hs_dump *dump, const hs_args *args, int *n_used, hs_error *err);
