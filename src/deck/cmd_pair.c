@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "deck/command.h"
+#include "style/pair_hybrid.h"
 
 static hs_status run_pair_style(hs_deck *deck, const hs_args *args, hs_error *err)
 {
@@ -36,6 +37,7 @@ static hs_status run_pair_coeff(hs_deck *deck, const hs_args *args, hs_error *er
 }
 
 static const hs_keyword modify_keywords[] = {
+    {"pair", -1, "<sub-style> [<number>]", "hybrid styles: what follows is for this sub-style only (default all)"},
     {"shift", 1, "yes|no", "subtract the energy at the cutoff, so that it is continuous (default no)"},
     {"mix", 1, "geometric|arithmetic|sixthpower", "how unlike pairs that were not given are mixed (default geometric)"},
     {"tail", 1, "yes|no", "add the long-range part beyond the cutoff to energy and pressure (default no)"},
@@ -44,6 +46,7 @@ static const hs_keyword modify_keywords[] = {
     {0},
 };
 
+/** Carry out the keyword at word i on a pair style that is no hybrid one. */
 static hs_status modify_word(hs_pair *pair, const hs_args *args, int i, hs_error *err)
 {
     static const char *const rules[] = {"geometric", "arithmetic", "sixthpower", NULL};
@@ -69,7 +72,26 @@ static hs_status modify_word(hs_pair *pair, const hs_args *args, int i, hs_error
 static hs_status run_pair_modify(hs_deck *deck, const hs_args *args, hs_error *err)
 {
     HS_TRY(hs_sim_need_pair(deck->sim, "pair_modify", err));
-    for (int i = 0; i < args->n; i += 2) HS_TRY(modify_word(deck->sim->pair, args, i, err));
+    hs_pair *pair = deck->sim->pair, *only = NULL;
+    for (int i = 0; i < args->n;) {
+        if (strcmp(args->word[i], "pair") == 0) {
+            int n_words;
+            if (!pair->style->is_hybrid)
+                return hs_fail(
+                    err, HS_ERROR_INPUT,
+                    "pair_modify: 'pair' chooses a sub-style of a hybrid pair style, and pair_style %s is none",
+                    pair->style->about.name);
+            HS_TRY(hs_pair_hybrid_find(pair, args, i + 1, &only, &n_words, err));
+            i += 1 + n_words;
+            continue;
+        }
+        if (only != NULL) {
+            HS_TRY(modify_word(only, args, i, err));
+        } else {
+            for (int k = 0; k < pair->n_parts; ++k) HS_TRY(modify_word(pair->part[k], args, i, err));
+        }
+        i += 2;
+    }
     deck->sim->is_initialized = false;
     return HS_OK;
 }
@@ -96,7 +118,7 @@ const hs_command hs_commands_pair[] = {
                .syntax = {.usage = "<keyword> <value> ...", .n_min = 0, .n_max = 0, .keywords = modify_keywords},
                .summary = "shift, mixing rule and long-range corrections of the pair style",
                .details = "The tail corrections assume g(r) = 1 beyond the cutoff and are for homogeneous systems.",
-               .example = "pair_modify shift yes mix arithmetic"},
+               .example = "pair_modify shift yes mix arithmetic\npair_modify pair lj/cut tail yes"},
      .run = run_pair_modify},
     {.run = NULL},
 };

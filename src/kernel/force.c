@@ -43,9 +43,10 @@ hs_status hs_force_space_reserve(hs_force_space *space, const hs_atoms *atoms, h
     return HS_OK;
 }
 
-static void begin_thread(hs_force_buffer *buffer, int64_t n_atoms)
+/** @p is_ready: the forces in the buffer are to be added to. */
+static void begin_thread(hs_force_buffer *buffer, int64_t n_atoms, bool is_ready)
 {
-    memset(buffer->touched, 0, (size_t)n_blocks(n_atoms) + 1);
+    memset(buffer->touched, is_ready, (size_t)n_blocks(n_atoms) + 1);
     memset(&buffer->error, 0, sizeof buffer->error);
     buffer->entries.n = 0;
     buffer->energy = 0.0;
@@ -78,7 +79,7 @@ hs_status hs_force_run_threads(hs_force_space *space, const hs_force_job *job, h
 #pragma omp parallel num_threads(space->n_threads)
     {
         hs_force_buffer *buffer = &space->buffer[hs_thread_number()];
-        begin_thread(buffer, n_room);
+        begin_thread(buffer, n_room, job->is_added && hs_thread_number() == 0);
         (void)work(space, job, hs_thread_number());
 #pragma omp barrier
 #pragma omp for schedule(static)

@@ -61,6 +61,7 @@ typedef struct hs_force_job {
     hs_kernel_input input;               /**< x, type and table must be set; see hs_kernel_input */
     double cutoff_max;
     bool with_energy;
+    bool is_added; /**< add to the forces that the atoms have, not overwrite them */
 } hs_force_job;
 
 typedef struct hs_force_result {

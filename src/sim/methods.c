@@ -116,7 +116,7 @@ static hs_status forces_cell(hs_sim *sim, const hs_force_job *job, hs_force_resu
 static hs_status renew_verlet(hs_sim *sim, hs_error *err)
 {
     HS_TRY(hs_sim_sort_and_cluster(sim, listed_reach(sim), err));
-    if (sim->pair->style->evaluator == NULL) return HS_OK;
+    if (!hs_pair_has_forces(sim->pair)) return HS_OK;
     hs_force_job job = hs_sim_make_job(sim, false);
     job.cutoff_max = listed_reach(sim);
     HS_TRY(hs_verlet_list_build(&sim->verlet, &sim->forces, &job, err));
@@ -132,7 +132,7 @@ static hs_status forces_verlet(hs_sim *sim, const hs_force_job *job, hs_force_re
 static hs_status renew_cluster(hs_sim *sim, hs_error *err)
 {
     HS_TRY(hs_sim_sort_and_cluster(sim, listed_reach(sim), err));
-    if (sim->pair->style->evaluator == NULL) return HS_OK;
+    if (!hs_pair_has_forces(sim->pair)) return HS_OK;
     hs_force_job job = hs_sim_make_job(sim, false);
     job.cutoff_max = listed_reach(sim);
     HS_TRY(hs_cluster_list_build(&sim->list, &sim->forces, &job, err));

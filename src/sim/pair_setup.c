@@ -59,54 +59,43 @@ static bool is_excluded(const hs_neighbor_settings *settings, int type_i, int cl
     return false;
 }
 
-/** Give every pair of types its coefficients and cutoff. */
-static hs_status complete_coefficients(hs_sim *sim, hs_error *err)
+/** Table of one part of the pair style. Its listed distances are those of the whole style, whose parts share their lists. */
+static hs_status fill_table(hs_sim *sim, const hs_pair *part, hs_pair_table *table, int n_classes, const int *groups,
+                            int n_groups, hs_error *err)
 {
-    hs_pair *pair = sim->pair;
-    pair->cutoff_max = 0.0;
-    if (pair->style->allows_none) return HS_OK;
-    double unused[64];
-    for (int i = 1; i <= pair->n_types; ++i)
-        for (int j = i; j <= pair->n_types; ++j) {
-            const int ij = hs_pair_index(pair, i, j);
-            if (!pair->is_set[ij]) {
-                const bool can_mix = pair->style->mix != NULL && i != j && pair->is_set[hs_pair_index(pair, i, i)] &&
-                                     pair->is_set[hs_pair_index(pair, j, j)];
-                if (!can_mix)
-                    return hs_fail(err, HS_ERROR_INPUT,
-                                   "run: no pair_coeff was given for the types %d %d of pair_style %s", i, j,
-                                   pair->style->about.name);
-                HS_TRY(pair->style->mix(pair, i, j, err));
-            }
-            pair->style->params(pair, i, j, &pair->cutoff[ij], unused);
-            pair->cutoff[hs_pair_index(pair, j, i)] = pair->cutoff[ij];
-            if (pair->cutoff[ij] > pair->cutoff_max) pair->cutoff_max = pair->cutoff[ij];
-        }
-    return HS_OK;
-}
-
-static hs_status fill_table(hs_sim *sim, int n_classes, const int *groups, int n_groups, hs_error *err)
-{
-    const hs_pair *pair = sim->pair;
-    hs_pair_table *table = &sim->pair_table;
-    const int n = pair->n_types + 1;
+    const int n = part->n_types + 1;
     table->n_types = n_classes * n;
-    table->stride = HS_TABLE_PARAMS + pair->style->evaluator->n_params;
+    table->stride = HS_TABLE_PARAMS + part->style->evaluator->n_params;
     HS_TRY(HS_GROW(table->values, 0, (size_t)table->n_types * (size_t)table->n_types * (size_t)table->stride, err));
     for (int a = 0; a < table->n_types; ++a)
         for (int b = 0; b < table->n_types; ++b) {
             const int i = a % n, j = b % n;
             if (i == 0 || j == 0) continue; /* no atom has type 0: the row stays zero, no interaction */
+            const double cutoff = part->cutoff[hs_pair_index(part, i, j)],
+                         listed = sim->pair->cutoff[hs_pair_index(part, i, j)];
+            if (listed <= 0.0 || is_excluded(&sim->neighbor.settings, i, a / n, j, b / n, groups, n_groups)) continue;
             double *row = table->values + ((size_t)a * (size_t)table->n_types + (size_t)b) * (size_t)table->stride;
-            double cutoff;
-            pair->style->params(pair, i < j ? i : j, i < j ? j : i, &cutoff, row + HS_TABLE_PARAMS);
-            if (cutoff <= 0.0 || is_excluded(&sim->neighbor.settings, i, a / n, j, b / n, groups, n_groups)) continue;
-            const double listed = cutoff + sim->neighbor.settings.skin;
-            row[HS_TABLE_CUT_R2] = cutoff * cutoff;
+            double unused;
+            const double reach = listed + sim->neighbor.settings.skin;
             row[HS_TABLE_LISTED_R2] =
-                nextafter(listed * listed, INFINITY); /* LAMMPS lists pairs up to and at the limit */
+                nextafter(reach * reach, INFINITY); /* LAMMPS lists pairs up to and at the limit */
+            row[HS_TABLE_CUT_R2] = cutoff * cutoff;
+            if (cutoff > 0.0) part->style->params(part, i < j ? i : j, i < j ? j : i, &unused, row + HS_TABLE_PARAMS);
         }
     table->is_uniform = n_classes == 1 && hs_pair_table_is_uniform(table);
+    return HS_OK;
+}
+
+static hs_status fill_tables(hs_sim *sim, int n_classes, const int *groups, int n_groups, hs_error *err)
+{
+    const hs_pair *pair = sim->pair;
+    if (pair->n_parts > sim->n_pair_tables) {
+        HS_TRY(HS_GROW(sim->pair_table, (size_t)sim->n_pair_tables, (size_t)pair->n_parts, err));
+        sim->n_pair_tables = pair->n_parts;
+    }
+    for (int k = 0; k < pair->n_parts; ++k)
+        if (pair->part[k]->style->evaluator != NULL)
+            HS_TRY(fill_table(sim, pair->part[k], &sim->pair_table[k], n_classes, groups, n_groups, err));
     return HS_OK;
 }
 
@@ -122,7 +111,7 @@ hs_status hs_sim_setup_pair(hs_sim *sim, hs_error *err)
 {
     HS_TRY(hs_sim_need_pair(sim, "run", err));
     HS_TRY(hs_sim_fit_pair(sim, err));
-    HS_TRY(complete_coefficients(sim, err));
+    HS_TRY(hs_pair_complete(sim->pair, err));
     HS_TRY(count_types(sim, err));
     int groups[HS_GROUPS_MAX];
     const int n_groups = excluded_groups(&sim->neighbor.settings, groups);
@@ -136,6 +125,5 @@ hs_status hs_sim_setup_pair(hs_sim *sim, hs_error *err)
         hs_atoms_keep_from_halo(&sim->atoms, (void **)&sim->kernel_type); /* computed anew after the halo is made */
     }
     if (n_groups == 0 && sim->kernel_type != NULL) hs_atoms_remove_field(&sim->atoms, (void **)&sim->kernel_type);
-    if (sim->pair->style->evaluator == NULL) return HS_OK;
-    return fill_table(sim, 1 << n_groups, groups, n_groups, err);
+    return fill_tables(sim, 1 << n_groups, groups, n_groups, err);
 }

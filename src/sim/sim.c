@@ -74,7 +74,8 @@ void hs_sim_destroy(hs_sim **sim_pointer)
     if (sim == NULL) return;
     if (sim->thermo != NULL) hs_thermo_destroy(&sim->thermo);
     hs_sim_destroy_styles(sim);
-    HS_FREE(sim->pair_table.values);
+    for (int k = 0; k < sim->n_pair_tables; ++k) HS_FREE(sim->pair_table[k].values);
+    HS_FREE(sim->pair_table);
     HS_FREE(sim->n_of_type);
     hs_force_space_fini(&sim->forces);
     hs_cluster_list_fini(&sim->list);

@@ -52,11 +52,13 @@ typedef struct hs_sim {
     hs_neighbor neighbor; /**< settings, cells, lists */
     hs_domain domain;     /**< the ranks' bricks */
     hs_halo halo;
-    hs_pair_table pair_table; /**< parameters of all pairs of kernel types; made by hs_sim_setup */
-    int32_t *kernel_type;     /**< atom field: type and exclusion class; NULL while no groups are excluded */
-    hs_force_space forces;    /**< buffers of the pair kernels */
-    hs_cluster_list list;     /**< method cluster: pairs of the last scheduled build */
-    hs_verlet_list verlet;    /**< method verlet: the same */
+    hs_pair_table
+        *pair_table;   /**< for each part of the pair style, parameters of all pairs of kernel types; by hs_sim_setup */
+    int n_pair_tables; /**< owned [n_pair_tables] */
+    int32_t *kernel_type;  /**< atom field: type and exclusion class; NULL while no groups are excluded */
+    hs_force_space forces; /**< buffers of the pair kernels */
+    hs_cluster_list list;  /**< method cluster: pairs of the last scheduled build */
+    hs_verlet_list verlet; /**< method verlet: the same */
     hs_isa isa;
     hs_precision precision;
     hs_timer timer;

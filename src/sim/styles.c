@@ -26,16 +26,6 @@ static void destroy_dump(hs_dump *dump)
     DESTROY_STYLE(dump);
 }
 
-static void destroy_pair(hs_sim *sim)
-{
-    if (sim->pair == NULL) return;
-    if (sim->pair->style->destroy != NULL) sim->pair->style->destroy(sim->pair);
-    HS_FREE(sim->pair->state);
-    HS_FREE(sim->pair->is_set);
-    HS_FREE(sim->pair->cutoff);
-    HS_FREE(sim->pair);
-}
-
 void hs_sim_destroy_styles(hs_sim *sim)
 {
     for (int k = 0; k < sim->n_dumps; ++k) destroy_dump(sim->dump[k]);
@@ -46,7 +36,7 @@ void hs_sim_destroy_styles(hs_sim *sim)
     HS_FREE(sim->fix);
     HS_FREE(sim->compute);
     HS_FREE(sim->region);
-    destroy_pair(sim);
+    hs_pair_destroy(&sim->pair);
     hs_text_fini(&sim->pair_words);
 }
 
@@ -84,16 +74,8 @@ static hs_status check_words(const char *kind, const hs_description *about, cons
 
 static hs_status create_pair(hs_sim *sim, const hs_pair_style *style, hs_error *err)
 {
-    destroy_pair(sim);
-    HS_TRY(HS_ALLOC(sim->pair, 1, err));
-    hs_pair *pair = sim->pair;
-    const size_t n = (size_t)(sim->atoms.n_types + 1) * (size_t)(sim->atoms.n_types + 1);
-    pair->style = style;
-    pair->env = &sim->env;
-    pair->n_types = sim->atoms.n_types;
-    HS_TRY(hs_memory_alloc(&pair->state, 1, style->state_size + 1, err));
-    HS_TRY(HS_ALLOC(pair->is_set, n, err));
-    return HS_ALLOC(pair->cutoff, n, err);
+    hs_pair_destroy(&sim->pair);
+    return hs_pair_create(&sim->pair, style, &sim->env, sim->atoms.n_types, err);
 }
 
 /** Remember the words of pair_style, one after the other with their zeros. */
@@ -128,12 +110,17 @@ hs_status hs_sim_fit_pair(hs_sim *sim, hs_error *err)
     const char *const end = sim->pair_words.data + sim->pair_words.length;
     for (const char *at = sim->pair_words.data; at < end && args.n < WORDS_MAX; at += strlen(at) + 1)
         words[args.n++] = at;
-    const hs_pair before = *pair;
-    HS_TRY(create_pair(sim, before.style, err));
-    sim->pair->shift = before.shift;
-    sim->pair->tail = before.tail;
-    sim->pair->mix = before.mix;
-    return before.style->settings(sim->pair, &args, err);
+    hs_pair *fitted = NULL;
+    hs_status status = hs_pair_create(&fitted, pair->style, &sim->env, sim->atoms.n_types, err);
+    if (status == HS_OK) status = fitted->style->settings(fitted, &args, err);
+    if (status != HS_OK) {
+        hs_pair_destroy(&fitted);
+        return status;
+    }
+    hs_pair_copy_modified(fitted, pair);
+    hs_pair_destroy(&sim->pair);
+    sim->pair = fitted;
+    return HS_OK;
 }
 
 hs_status hs_sim_pair_coeff(hs_sim *sim, const hs_args *args, hs_error *err)

@@ -11,6 +11,8 @@
 
 struct hs_pair;
 
+enum { HS_PAIR_PARAMS_MAX = 64 }; /**< parameters that an evaluator may have for a pair of types */
+
 typedef struct hs_pair_style {
     hs_description about;   /**< words after pair_style */
     hs_syntax coeff_syntax; /**< words of pair_coeff after the two types */
@@ -29,24 +31,43 @@ typedef struct hs_pair_style {
     HS_MUST_USE hs_status (*write_coeff)(const struct hs_pair *pair, int i, int j, hs_text *words, hs_error *err);
     const hs_evaluator *evaluator; /**< NULL: no forces (none, zero) */
     bool allows_none;              /**< works without any coefficients */
+    bool is_hybrid;                /**< the forces are those of its parts; settings makes them: style/pair_hybrid.h */
 } hs_pair_style;
 
 typedef enum { HS_MIX_GEOMETRIC, HS_MIX_ARITHMETIC, HS_MIX_SIXTHPOWER } hs_mix_rule;
 
-/** The pair style of a simulation. Type tables are [(n_types + 1) * (n_types + 1)], indexed with hs_pair_index. */
+/** The pair style of a simulation, or one part of a hybrid one. Type tables are [(n_types + 1) * (n_types + 1)], indexed with
+ *  hs_pair_index. */
 typedef struct hs_pair {
     const hs_pair_style *style;
     hs_env *env;
     void *state; /**< style's own, sized state_size */
     int n_types;
     unsigned char *is_set; /**< by pair_coeff; owned */
-    double *cutoff;        /**< distance; filled by hs_pair_init; owned */
-    double cutoff_max;
-    bool shift, tail; /**< pair_modify */
+    double *cutoff;        /**< distance, 0 where no force acts; the largest of the parts; by hs_pair_complete; owned */
+    double cutoff_max;     /**< the largest of all */
+    bool shift, tail;      /**< pair_modify */
     hs_mix_rule mix;
+    struct hs_pair *
+        *part; /**< whose forces are added: the sub-styles of a hybrid style, owned; else only the pair itself */
+    int n_parts;
 } hs_pair;
 
 static inline int hs_pair_index(const hs_pair *pair, int i, int j) { return i * (pair->n_types + 1) + j; }
+
+/** Style of that name, NULL when there is none. */
+const hs_pair_style *hs_pair_style_find(const char *name);
+/** Make a pair of that style, before its settings; a hybrid one without parts. Destroyed with hs_pair_destroy. */
+HS_MUST_USE hs_status hs_pair_create(hs_pair **pair, const hs_pair_style *style, hs_env *env, int n_types,
+                                     hs_error *err);
+void hs_pair_destroy(hs_pair **pair);
+/** Take over what pair_modify set in a pair of the same style with the same parts. */
+void hs_pair_copy_modified(hs_pair *to, const hs_pair *from);
+/** Mix the coefficients of pairs of types that were not given, and fill the cutoffs; an error when neither can be. In a hybrid
+ *  style a pair of types is mixed in each part that both its types are given in. */
+HS_MUST_USE hs_status hs_pair_complete(hs_pair *pair, hs_error *err);
+/** Whether any part exerts forces. */
+bool hs_pair_has_forces(const hs_pair *pair);
 
 /** epsilon and sigma by the chosen rule (same formulas as LAMMPS's pair_modify mix). */
 double hs_pair_mix_energy(hs_mix_rule rule, double eps_i, double eps_j, double sigma_i, double sigma_j);
