@@ -140,7 +140,8 @@ HS_MUST_USE hs_status hs_sim_exchange(hs_sim *sim, bool is_listing, hs_error *er
 HS_MUST_USE hs_status hs_sim_setup_pair(hs_sim *sim, hs_error *err);
 /** Kernel types of the local atoms from their types and groups; only when groups are excluded from each other. */
 void hs_sim_set_kernel_types(hs_sim *sim);
-/** What a force evaluation (or the making of a list) reads.  sim/pair_forces.c */
+/** What a force evaluation (or the making of a list) reads, for the first part of the pair style that exerts forces; there must be
+ *  one.  sim/pair_forces.c */
 hs_force_job hs_sim_make_job(hs_sim *sim, bool with_energy);
 /** Sort the local atoms into Morton cells, make the halo to `reach`, sort it too, and cut both into clusters; kernel types
  *  for all.  sim/exchange.c */
