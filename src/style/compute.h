@@ -31,6 +31,11 @@ typedef struct hs_compute_style {
     /** Global values that outlive a step (a history), moved into a checkpoint or back (collective). Reading comes after
      *  create and init. NULL: there are none. */
     HS_MUST_USE hs_status (*keep_state)(struct hs_compute *compute, hs_state *state, hs_error *err);
+    /** Temperatures: the part of local atom i's velocity that is not thermal, distance/time; thermostats leave it as it is.
+     *  Holds for the present revision once the scalar was evaluated. NULL: everything is thermal. */
+    void (*bias)(const struct hs_compute *compute, int i, double bias[3]);
+    /** Temperatures: whether local atom i of the group counts; NULL: all do. */
+    bool (*counts)(const struct hs_compute *compute, int i);
     bool needs_energy;        /**< the pair energy or virial must have been computed on the step it is asked for */
     bool is_extensive;        /**< scalar grows with the number of atoms: divided by N under thermo_modify norm yes */
     bool is_vector_extensive; /**< the same for the elements of the vector; both are copied to the compute */

@@ -1,0 +1,110 @@
+/* Mean squared displacement of a group since the compute was defined. */
+#include <string.h>
+
+#include "base/memory.h"
+#include "style/atom_sum.h"
+#include "style/compute.h"
+#include "style/moments.h"
+
+typedef struct msd_state {
+    double *origin[3]; /**< atom fields: unwrapped places at the start, with com relative to the center of mass */
+    bool has_com, is_average;
+    int64_t n_averaged; /**< evaluations that the mean places are made of */
+    double center[3];
+} msd_state;
+
+static const hs_keyword keywords[] = {
+    {"com", 1, "yes|no", "displacements relative to the drift of the center of mass (default: no)"},
+    {"average", 1, "yes|no", "relative to the mean places so far, not to those at the start (default: no)"},
+    {NULL, 0, NULL, NULL},
+};
+
+static hs_status create(hs_compute *compute, const hs_args *args, hs_error *err)
+{
+    static const char *const names[] = {"msd_x", "msd_y", "msd_z"};
+    msd_state *state = compute->state;
+    const hs_env *env = compute->env;
+    for (int i = 0; i + 1 < args->n; i += 2)
+        HS_TRY(hs_arg_bool(args, i + 1, strcmp(args->word[i], "com") == 0 ? &state->has_com : &state->is_average, err));
+    compute->n_vector = 4;
+    HS_TRY(HS_ALLOC(compute->vector, 4, err));
+    for (int axis = 0; axis < 3; ++axis)
+        HS_TRY(hs_atoms_add_field(env->atoms, names[axis], (void **)&state->origin[axis], sizeof(double), false, err));
+    if (state->has_com) hs_center_of_mass(env, compute->mask, state->center, NULL);
+    for (int axis = 0; axis < 3; ++axis)
+        for (int i = 0; i < env->atoms->n_local; ++i)
+            state->origin[axis][i] = hs_unwrapped(env, axis, i) - state->center[axis];
+    return HS_OK;
+}
+
+static void destroy(hs_compute *compute)
+{
+    msd_state *state = compute->state;
+    for (int axis = 0; axis < 3; ++axis)
+        if (state->origin[axis] != NULL) hs_atoms_remove_field(compute->env->atoms, (void **)&state->origin[axis]);
+    HS_FREE(compute->vector);
+}
+
+static hs_status keep_state(hs_compute *compute, hs_state *kept, hs_error *err)
+{
+    return hs_state_int64(kept, "n_averaged", &((msd_state *)compute->state)->n_averaged, 1, err);
+}
+
+static void add_terms(const hs_atoms *atoms, const void *context, int begin, int end, hs_exact_sum *sums)
+{
+    const hs_compute *compute = context;
+    const msd_state *state = compute->state;
+    for (int i = begin; i < end; ++i) {
+        if (!(atoms->mask[i] & compute->mask)) continue;
+        double d2[3];
+        for (int axis = 0; axis < 3; ++axis) {
+            const double d = hs_unwrapped(compute->env, axis, i) - state->center[axis] - state->origin[axis][i];
+            d2[axis] = d * d;
+            hs_exact_add(&sums[axis], d2[axis]);
+        }
+        hs_exact_add(&sums[3], d2[0] + d2[1] + d2[2]);
+    }
+}
+
+/** Mean places: the present ones join those of the evaluations before. */
+static void update_average(hs_compute *compute)
+{
+    msd_state *state = compute->state;
+    const double weight = 1.0 / (double)(++state->n_averaged + 1);
+    for (int axis = 0; axis < 3; ++axis)
+        for (int i = 0; i < compute->env->atoms->n_local; ++i) {
+            double *mean = &state->origin[axis][i];
+            *mean += (hs_unwrapped(compute->env, axis, i) - state->center[axis] - *mean) * weight;
+        }
+}
+
+static hs_status vector(hs_compute *compute, hs_error *err)
+{
+    msd_state *state = compute->state;
+    const hs_env *env = compute->env;
+    (void)err;
+    if (state->has_com) hs_center_of_mass(env, compute->mask, state->center, NULL);
+    if (state->is_average) update_average(compute);
+    hs_atom_sum(env->atoms, env->parallel, add_terms, compute, 4, compute->vector);
+    const int64_t n = hs_atom_count(env->atoms, env->parallel, compute->mask);
+    for (int k = 0; k < 4; ++k) compute->vector[k] = n > 0 ? compute->vector[k] / (double)n : 0.0;
+    return HS_OK;
+}
+
+const hs_compute_style hs_compute_style_msd = {
+    .about = {.name = "msd",
+              .syntax = {.usage = "[com yes|no] [average yes|no]", .n_min = 0, .n_max = 0, .keywords = keywords},
+              .summary = "mean squared displacement",
+              .details =
+                  "The vector `c_ID[1]` ... `c_ID[4]` is the mean over the group's atoms of dx^2, dy^2, dz^2 and of their sum "
+                  "(distance^2), with d the displacement from the place where the atom was when the compute was defined, "
+                  "crossings of periodic faces included. The slope of `c_ID[4]` against time is 2 dim D, with D the "
+                  "diffusion coefficient. Starting places travel with the atoms and are part of checkpoints.",
+              .reference = "A. Einstein, Ann. Phys. 322, 549 (1905), doi:10.1002/andp.19053220806",
+              .example = "compute msd all msd com yes\nfix 9 all vector 10 c_msd[4]\nvariable D equal slope(f_9)/6/(10*dt)"},
+    .state_size = sizeof(msd_state),
+    .create = create,
+    .destroy = destroy,
+    .keep_state = keep_state,
+    .vector = vector,
+};

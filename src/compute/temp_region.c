@@ -1,0 +1,89 @@
+/* Temperature of the atoms that are in a region now. */
+#include "base/memory.h"
+#include "style/region.h"
+#include "style/temperature.h"
+
+typedef struct region_state {
+    hs_temperature temperature;
+    char *region_id;         /**< owned */
+    const hs_region *region; /**< borrowed; found anew before each use */
+} region_state;
+
+static hs_status find_region(hs_compute *compute, hs_error *err)
+{
+    region_state *state = compute->state;
+    state->region = compute->env->find_region(compute->env, state->region_id);
+    if (state->region != NULL) return HS_OK;
+    return hs_fail(err, HS_ERROR_INPUT, "compute '%s' (temp/region): there is no region '%s'", compute->id,
+                   state->region_id);
+}
+
+static hs_status create(hs_compute *compute, const hs_args *args, hs_error *err)
+{
+    region_state *state = compute->state;
+    HS_TRY(hs_memory_strdup(&state->region_id, args->word[0], err));
+    HS_TRY(find_region(compute, err));
+    /* atoms come and go, so that no momentum of theirs is conserved */
+    HS_TRY(hs_temperature_create(compute, compute->env->box->dimension, 0.0, err));
+    state->temperature.is_dynamic = true;
+    return HS_OK;
+}
+
+static void destroy(hs_compute *compute)
+{
+    HS_FREE(((region_state *)compute->state)->region_id);
+    hs_temperature_destroy(compute);
+}
+
+static bool counts(const hs_compute *compute, int i)
+{
+    const hs_atoms *atoms = compute->env->atoms;
+    const double x[3] = {atoms->x[0][i], atoms->x[1][i], atoms->x[2][i]};
+    return hs_region_contains(((const region_state *)compute->state)->region, x);
+}
+
+static void bias(const hs_compute *compute, int i, double v[3])
+{
+    const bool is_inside = counts(compute, i);
+    for (int axis = 0; axis < 3; ++axis) v[axis] = is_inside ? 0.0 : compute->env->atoms->v[axis][i];
+}
+
+static hs_status init(hs_compute *compute, hs_error *err)
+{
+    HS_TRY(find_region(compute, err));
+    return hs_temperature_init(compute, err);
+}
+
+static hs_status scalar(hs_compute *compute, double *value, hs_error *err)
+{
+    HS_TRY(find_region(compute, err));
+    return hs_temperature_scalar(compute, value, err);
+}
+
+static hs_status vector(hs_compute *compute, hs_error *err)
+{
+    HS_TRY(find_region(compute, err));
+    return hs_temperature_vector(compute, err);
+}
+
+const hs_compute_style hs_compute_style_temp_region = {
+    .about = {.name = "temp/region",
+              .syntax = {.usage = "<region-ID>", .n_min = 1, .n_max = 1},
+              .summary = "temperature of the atoms in a region",
+              .details = "The scalar `c_ID` is the temperature of the group's atoms that are in the region at the step, with "
+                         "dim degrees of freedom each; none are taken off unless `compute_modify extra/dof` says so. The "
+                         "vector is their kinetic-energy tensor as in compute temp. Thermostats that use this temperature "
+                         "change the atoms in the region only.",
+              .example = "region hot block INF INF INF INF 0 1\ncompute Thot all temp/region hot"},
+    .state_size = sizeof(region_state),
+    .create = create,
+    .destroy = destroy,
+    .init = init,
+    .scalar = scalar,
+    .vector = vector,
+    .modify = hs_temperature_modify,
+    .bias = bias,
+    .counts = counts,
+    .is_vector_extensive = true,
+    .is_temperature = true,
+};

@@ -1,0 +1,73 @@
+/* Velocity autocorrelation of a group since the compute was defined: <v(t) v(0)>. */
+#include "base/memory.h"
+#include "style/atom_sum.h"
+#include "style/compute.h"
+
+typedef struct vacf_state {
+    double *origin[3]; /**< atom fields: velocities at the start */
+} vacf_state;
+
+static hs_status create(hs_compute *compute, const hs_args *args, hs_error *err)
+{
+    static const char *const names[] = {"vacf_x", "vacf_y", "vacf_z"};
+    vacf_state *state = compute->state;
+    hs_atoms *atoms = compute->env->atoms;
+    HS_TRY(hs_syntax_check(&compute->style->about.syntax, args, false, err));
+    compute->n_vector = 4;
+    HS_TRY(HS_ALLOC(compute->vector, 4, err));
+    for (int axis = 0; axis < 3; ++axis) {
+        HS_TRY(hs_atoms_add_field(atoms, names[axis], (void **)&state->origin[axis], sizeof(double), false, err));
+        for (int i = 0; i < atoms->n_local; ++i) state->origin[axis][i] = atoms->v[axis][i];
+    }
+    return HS_OK;
+}
+
+static void destroy(hs_compute *compute)
+{
+    vacf_state *state = compute->state;
+    for (int axis = 0; axis < 3; ++axis)
+        if (state->origin[axis] != NULL) hs_atoms_remove_field(compute->env->atoms, (void **)&state->origin[axis]);
+    HS_FREE(compute->vector);
+}
+
+static void add_terms(const hs_atoms *atoms, const void *context, int begin, int end, hs_exact_sum *sums)
+{
+    const hs_compute *compute = context;
+    const vacf_state *state = compute->state;
+    for (int i = begin; i < end; ++i) {
+        if (!(atoms->mask[i] & compute->mask)) continue;
+        double product[3];
+        for (int axis = 0; axis < 3; ++axis) {
+            product[axis] = atoms->v[axis][i] * state->origin[axis][i];
+            hs_exact_add(&sums[axis], product[axis]);
+        }
+        hs_exact_add(&sums[3], product[0] + product[1] + product[2]);
+    }
+}
+
+static hs_status vector(hs_compute *compute, hs_error *err)
+{
+    const hs_env *env = compute->env;
+    (void)err;
+    hs_atom_sum(env->atoms, env->parallel, add_terms, compute, 4, compute->vector);
+    const int64_t n = hs_atom_count(env->atoms, env->parallel, compute->mask);
+    for (int k = 0; k < 4; ++k) compute->vector[k] = n > 0 ? compute->vector[k] / (double)n : 0.0;
+    return HS_OK;
+}
+
+const hs_compute_style hs_compute_style_vacf = {
+    .about = {.name = "vacf",
+              .syntax = {.usage = "", .n_min = 0, .n_max = 0},
+              .summary = "velocity autocorrelation",
+              .details =
+                  "The vector `c_ID[1]` ... `c_ID[4]` is the mean over the group's atoms of v_x(t) v_x(0), the same of y and "
+                  "z, and of their sum (velocity^2), with t counted from the definition of the compute. The integral of "
+                  "`c_ID[4]` over time is dim D, with D the diffusion coefficient. Starting velocities travel with the atoms "
+                  "and are part of checkpoints.",
+              .reference = "R. Kubo, J. Phys. Soc. Jpn. 12, 570 (1957), doi:10.1143/JPSJ.12.570",
+              .example = "compute vacf all vacf\nfix 5 all vector 1 c_vacf[4]\nvariable D equal dt*trap(f_5)/3"},
+    .state_size = sizeof(vacf_state),
+    .create = create,
+    .destroy = destroy,
+    .vector = vector,
+};

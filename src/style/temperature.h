@@ -1,0 +1,27 @@
+/** What all temperature computes share: degrees of freedom, sums, compute_modify. Their state begins with an hs_temperature.
+ *
+ *  Thermal is a velocity without its bias, the part that the style leaves out (hs_compute_style.bias): thermostats change
+ *  only the thermal part. */
+#ifndef HS_STYLE_TEMPERATURE_H
+#define HS_STYLE_TEMPERATURE_H
+
+#include "style/compute.h"
+
+typedef struct hs_temperature {
+    double n_per_atom;   /**< degrees of freedom of an atom */
+    double n_fixed;      /**< not thermal, to be taken off: compute_modify extra/dof, at first what the style says */
+    bool is_dynamic;     /**< atoms are counted at each evaluation: compute_modify dynamic/dof */
+} hs_temperature;
+
+/** Room for the tensor, and the degrees of freedom. */
+HS_MUST_USE hs_status hs_temperature_create(hs_compute *compute, double n_per_atom, double n_fixed, hs_error *err);
+void hs_temperature_destroy(hs_compute *compute);
+/** Count the atoms: compute->n_dof. Before each run (collective). */
+HS_MUST_USE hs_status hs_temperature_init(hs_compute *compute, hs_error *err);
+/** T = sum(m v_thermal^2) / (n_dof k) (collective). */
+HS_MUST_USE hs_status hs_temperature_scalar(hs_compute *compute, double *value, hs_error *err);
+/** sum(m v_a v_b) of the thermal velocities: xx yy zz xy xz yz (collective). */
+HS_MUST_USE hs_status hs_temperature_vector(hs_compute *compute, hs_error *err);
+HS_MUST_USE hs_status hs_temperature_modify(hs_compute *compute, const hs_args *args, int *n_used, hs_error *err);
+
+#endif
