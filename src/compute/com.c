@@ -20,12 +20,14 @@ static hs_status vector(hs_compute *compute, hs_error *err)
 }
 
 const hs_compute_style hs_compute_style_com = {
-    .about = {.name = "com",
-              .syntax = {.usage = "", .n_min = 0, .n_max = 0},
-              .summary = "center of mass of a group",
-              .details = "The vector `c_ID[1]` ... `c_ID[3]` is the center of mass of the group's atoms at their unwrapped places "
-                         "(distance): it moves on smoothly where atoms cross periodic faces.",
-              .example = "compute middle all com"},
+    .about =
+        {.name = "com",
+         .syntax = {.usage = "", .n_min = 0, .n_max = 0},
+         .summary = "center of mass of a group",
+         .details =
+             "The vector `c_ID[1]` ... `c_ID[3]` is the center of mass of the group's atoms at their unwrapped places "
+             "(distance): it moves on smoothly where atoms cross periodic faces.",
+         .example = "compute middle all com"},
     .create = create,
     .destroy = destroy,
     .vector = vector,

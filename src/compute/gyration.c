@@ -55,9 +55,10 @@ const hs_compute_style hs_compute_style_gyration = {
     .about = {.name = "gyration",
               .syntax = {.usage = "", .n_min = 0, .n_max = 0},
               .summary = "radius of gyration of a group",
-              .details = "The scalar `c_ID` is the root of sum(m (r - r_cm)^2) / M at the unwrapped places of the atoms "
-                         "(distance); the vector `c_ID[1]` ... `c_ID[6]` the tensor of its parts, sum(m (r - r_cm)_a (r - "
-                         "r_cm)_b) / M, in the order xx, yy, zz, xy, xz, yz (distance^2).",
+              .details =
+                  "The scalar `c_ID` is the root of sum(m (r - r_cm)^2) / M at the unwrapped places of the atoms "
+                  "(distance); the vector `c_ID[1]` ... `c_ID[6]` the tensor of its parts, sum(m (r - r_cm)_a (r - "
+                  "r_cm)_b) / M, in the order xx, yy, zz, xy, xz, yz (distance^2).",
               .example = "compute rg chain gyration"},
     .create = create,
     .destroy = destroy,

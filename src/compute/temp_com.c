@@ -36,8 +36,9 @@ const hs_compute_style hs_compute_style_temp_com = {
     .about = {.name = "temp/com",
               .syntax = {.usage = "", .n_min = 0, .n_max = 0},
               .summary = "temperature without the motion of the center of mass",
-              .details = "As compute temp, with velocities relative to that of the group's center of mass. Thermostats that "
-                         "use this temperature leave the motion of the center of mass as it is.",
+              .details =
+                  "As compute temp, with velocities relative to that of the group's center of mass. Thermostats that "
+                  "use this temperature leave the motion of the center of mass as it is.",
               .example = "compute Trel drop temp/com"},
     .state_size = sizeof(com_state),
     .create = create,

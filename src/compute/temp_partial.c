@@ -32,10 +32,11 @@ const hs_compute_style hs_compute_style_temp_partial = {
     .about = {.name = "temp/partial",
               .syntax = {.usage = "<x> <y> <z>", .n_min = 3, .n_max = 3},
               .summary = "temperature from some components of the velocities",
-              .details = "The flags say which components count (1) and which do not (0). The scalar `c_ID` is the temperature "
-                         "with one degree of freedom for each component and atom, less one for each component; the vector "
-                         "`c_ID[1]` ... `c_ID[6]` the kinetic-energy tensor as in compute temp, without what does not count. "
-                         "Thermostats that use this temperature change the components that count.",
+              .details =
+                  "The flags say which components count (1) and which do not (0). The scalar `c_ID` is the temperature "
+                  "with one degree of freedom for each component and atom, less one for each component; the vector "
+                  "`c_ID[1]` ... `c_ID[6]` the kinetic-energy tensor as in compute temp, without what does not count. "
+                  "Thermostats that use this temperature change the components that count.",
               .example = "compute flowless all temp/partial 0 1 1\nfix_modify 2 temp flowless"},
     .state_size = sizeof(partial_state),
     .create = create,

@@ -23,8 +23,8 @@ static hs_status create(hs_compute *compute, const hs_args *args, hs_error *err)
     region_state *state = compute->state;
     HS_TRY(hs_memory_strdup(&state->region_id, args->word[0], err));
     HS_TRY(find_region(compute, err));
-    /* atoms come and go, so that no momentum of theirs is conserved */
-    HS_TRY(hs_temperature_create(compute, compute->env->box->dimension, 0.0, err));
+    const double dim = compute->env->box->dimension;
+    HS_TRY(hs_temperature_create(compute, dim, dim, err));
     state->temperature.is_dynamic = true;
     return HS_OK;
 }
@@ -70,8 +70,9 @@ const hs_compute_style hs_compute_style_temp_region = {
     .about = {.name = "temp/region",
               .syntax = {.usage = "<region-ID>", .n_min = 1, .n_max = 1},
               .summary = "temperature of the atoms in a region",
-              .details = "The scalar `c_ID` is the temperature of the group's atoms that are in the region at the step, with "
-                         "dim degrees of freedom each; none are taken off unless `compute_modify extra/dof` says so. The "
+              .details =
+                  "The scalar `c_ID` is the temperature of the group's atoms that are in the region at the step, with "
+                         "dim N - dim degrees of freedom (`compute_modify extra/dof` changes the second number). The "
                          "vector is their kinetic-energy tensor as in compute temp. Thermostats that use this temperature "
                          "change the atoms in the region only.",
               .example = "region hot block INF INF INF INF 0 1\ncompute Thot all temp/region hot"},

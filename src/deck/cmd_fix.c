@@ -6,6 +6,16 @@
 static const hs_keyword modify_keywords[] = {
     {"energy", 1, "yes|no", "whether the fix's energy is part of the potential energy"},
     {"virial", 1, "yes|no", "whether the fix's virial is part of the pressure"},
+    {"temp", 1, "<compute-ID>", "the temperature that the fix uses"},
+    {"press", 1, "<compute-ID>", "the pressure that the fix uses"},
+    {NULL, 0, NULL, NULL},
+};
+
+static const hs_keyword compute_modify_keywords[] = {
+    {"extra/dof", 1, "<N>", "degrees of freedom that are not thermal"},
+    {"extra", 1, "<N>", "the same"},
+    {"dynamic/dof", 1, "yes|no", "count the atoms at each evaluation"},
+    {"dynamic", 1, "yes|no", "the same"},
     {NULL, 0, NULL, NULL},
 };
 
@@ -23,6 +33,25 @@ static hs_status run_unfix(hs_deck *deck, const hs_args *args, hs_error *err)
 static hs_status run_fix_modify(hs_deck *deck, const hs_args *args, hs_error *err)
 {
     return hs_sim_modify_fix(deck->sim, args->word[0], args, err);
+}
+
+/** Keywords of compute_modify belong to the styles; the whole line is read word by word. */
+static hs_status run_compute_modify(hs_deck *deck, const hs_args *args, hs_error *err)
+{
+    hs_compute *compute = hs_sim_find_compute(deck->sim, args->word[0]);
+    if (compute == NULL)
+        return hs_fail(err, HS_ERROR_INPUT, "compute_modify: there is no compute with the ID '%s'", args->word[0]);
+    for (int i = 1, n_used; i < args->n; i += n_used) {
+        const hs_args rest = hs_args_from(args, i, NULL);
+        HS_TRY(hs_arg_need(args, i + 1, "a value for the keyword", err));
+        n_used = 0;
+        if (compute->style->modify != NULL) HS_TRY(compute->style->modify(compute, &rest, &n_used, err));
+        if (n_used == 0)
+            return hs_fail(err, HS_ERROR_INPUT, "compute_modify: compute '%s' (%s) has no keyword '%s'", compute->id,
+                           compute->style->about.name, args->word[i]);
+    }
+    hs_compute_invalidate(compute);
+    return HS_OK;
 }
 
 static hs_status run_compute(hs_deck *deck, const hs_args *args, hs_error *err)
@@ -106,6 +135,16 @@ const hs_command hs_commands_fix[] = {
           .example = "compute hot mobile temp"},
      .run = run_compute,
      .check = check_compute},
+    {.about = {.name = "compute_modify",
+               .syntax =
+                   {.usage = "<ID> <keyword> <value> ...", .n_min = 1, .n_max = 1, .keywords = compute_modify_keywords},
+               .summary = "change settings of a temperature compute",
+               .details =
+                   "A temperature has n_dof = dim N - dim degrees of freedom; `extra/dof` says how many are taken off "
+                   "instead of dim. They are counted at the start of each run, with "
+                   "`dynamic/dof yes` at each evaluation, as is needed where atoms come, go or change groups.",
+               .example = "compute_modify thermo_temp extra/dof 0\ncompute_modify hot dynamic/dof yes"},
+     .run = run_compute_modify},
     {.about = {.name = "uncompute",
                .syntax = {.usage = "<ID>", .n_min = 1, .n_max = 1},
                .summary = "remove a compute",

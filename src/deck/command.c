@@ -26,7 +26,6 @@ static const char *const of_lammps[] = {
     "comm_modify",
     "comm_style",
     "compute",
-    "compute_modify",
     "create_bonds",
     "delete_atoms",
     "delete_bonds",

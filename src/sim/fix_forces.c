@@ -29,6 +29,23 @@ hs_status hs_sim_post_force(hs_sim *sim, hs_error *err)
     return sim->env.with_energy ? add_up(sim, err) : HS_OK;
 }
 
+/** fix_modify temp or press. */
+static hs_status set_compute(hs_sim *sim, hs_fix *fix, const char *keyword, const char *id, hs_error *err)
+{
+    const bool is_pressure = keyword[0] == 'p';
+    const hs_compute *compute = hs_sim_find_compute(sim, id);
+    hs_status (*set)(hs_fix *, const char *, hs_error *) =
+        is_pressure ? fix->style->set_pressure : fix->style->set_temperature;
+    if (set == NULL)
+        return hs_fail(err, HS_ERROR_INPUT, "fix_modify: fix '%s' (%s) uses no %s", fix->id, fix->style->about.name,
+                       is_pressure ? "pressure" : "temperature");
+    if (compute == NULL) return hs_fail(err, HS_ERROR_INPUT, "fix_modify: there is no compute '%s'", id);
+    if (!(is_pressure ? compute->style->is_pressure : compute->style->is_temperature))
+        return hs_fail(err, HS_ERROR_INPUT, "fix_modify: compute '%s' (%s) does not compute a %s", id,
+                       compute->style->about.name, is_pressure ? "pressure" : "temperature");
+    return set(fix, id, err);
+}
+
 hs_status hs_sim_modify_fix(hs_sim *sim, const char *id, const hs_args *args, hs_error *err)
 {
     hs_fix *fix = hs_sim_find_fix(sim, id);
@@ -36,6 +53,10 @@ hs_status hs_sim_modify_fix(hs_sim *sim, const char *id, const hs_args *args, hs
     for (int i = 1; i < args->n; i += 2) {
         const bool is_energy = strcmp(args->word[i], "energy") == 0;
         bool value;
+        if (strcmp(args->word[i], "temp") == 0 || strcmp(args->word[i], "press") == 0) {
+            HS_TRY(set_compute(sim, fix, args->word[i], args->word[i + 1], err));
+            continue;
+        }
         HS_TRY(hs_arg_bool(args, i + 1, &value, err));
         if (value && !(is_energy ? fix->style->has_energy : fix->style->has_virial))
             return hs_fail(err, HS_ERROR_INPUT, "fix_modify: fix '%s' (%s) has no %s to add", id,

@@ -41,7 +41,7 @@ typedef struct hs_env {
     /** Raised whenever positions, velocities, forces or the order of atoms change: results of computes are remembered for
      *  one revision. Who changes atoms outside of the hooks before end_of_step raises it (hs_env_changed). */
     uint64_t revision;
-    double time_origin;  /**< simulated time at step time_origin_step: set when dt changes, so that time goes on */
+    double time_origin; /**< simulated time at step time_origin_step: set when dt changes, so that time goes on */
     int64_t time_origin_step;
 
     /* Results of the latest force evaluation, summed over threads and ranks */

@@ -43,12 +43,14 @@ typedef struct hs_fix_style {
     bool is_extensive, is_vector_extensive; /**< as for computes; copied to the fix */
     /** Whether end_of_step of that step will ask for a pair energy or virial; NULL: never. */
     bool (*needs_energy)(const struct hs_fix *fix, int64_t step);
-    /** A keyword of fix_modify and what follows it; *n_used = words taken, 0 when it is not the style's. */
-    HS_MUST_USE hs_status (*modify)(struct hs_fix *fix, const hs_args *args, int *n_used, hs_error *err);
+    /** fix_modify temp, press: take the temperature or pressure from this compute, which there is and which computes one.
+     *  NULL: the style uses none. */
+    HS_MUST_USE hs_status (*set_temperature)(struct hs_fix *fix, const char *id, hs_error *err);
+    HS_MUST_USE hs_status (*set_pressure)(struct hs_fix *fix, const char *id, hs_error *err);
     bool is_time_dependent; /**< counts steps: reset_timestep is refused while there is one */
-    bool is_integrator; /**< moves its atoms: two of them on one atom are warned about */
-    bool has_energy;    /**< `fix_modify energy yes` adds the scalar to the potential energy */
-    bool has_virial;    /**< `fix_modify virial yes` adds virial[] to the pressure */
+    bool is_integrator;     /**< moves its atoms: two of them on one atom are warned about */
+    bool has_energy;        /**< `fix_modify energy yes` adds the scalar to the potential energy */
+    bool has_virial;        /**< `fix_modify virial yes` adds virial[] to the pressure */
 } hs_fix_style;
 
 /** One fix of a simulation. */

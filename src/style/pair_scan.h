@@ -23,7 +23,7 @@ typedef struct hs_pair_batch {
 typedef void (*hs_pair_visit)(void *context, int thread, const hs_pair_batch *batch);
 
 typedef struct hs_pair_scan {
-    double range; /**< pairs closer than this */
+    double range;   /**< pairs closer than this */
     hs_atoms atoms; /**< owned: copies of local atoms (same indices), and the scan's own halo: x, type, id, mask */
     hs_halo halo;   /**< owned */
     int n_all;      /**< local and halo atoms */

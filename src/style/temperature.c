@@ -42,8 +42,8 @@ hs_status hs_temperature_init(hs_compute *compute, hs_error *err)
     hs_parallel_sum_int64(env->parallel, &n, 1);
     compute->n_dof = state->n_per_atom * (double)n - state->n_fixed;
     if (compute->n_dof >= 0.0 || n == 0 || state->is_dynamic) return HS_OK;
-    return hs_fail(err, HS_ERROR_INPUT, "compute '%s' (%s): %lld atoms have fewer than 0 degrees of freedom", compute->id,
-                   compute->style->about.name, (long long)n);
+    return hs_fail(err, HS_ERROR_INPUT, "compute '%s' (%s): %lld atoms have fewer than 0 degrees of freedom",
+                   compute->id, compute->style->about.name, (long long)n);
 }
 
 static void add_mv2(const hs_atoms *atoms, const void *context, int begin, int end, hs_exact_sum *sums)

@@ -8,9 +8,9 @@
 #include "style/compute.h"
 
 typedef struct hs_temperature {
-    double n_per_atom;   /**< degrees of freedom of an atom */
-    double n_fixed;      /**< not thermal, to be taken off: compute_modify extra/dof, at first what the style says */
-    bool is_dynamic;     /**< atoms are counted at each evaluation: compute_modify dynamic/dof */
+    double n_per_atom; /**< degrees of freedom of an atom */
+    double n_fixed;    /**< not thermal, to be taken off: compute_modify extra/dof, at first what the style says */
+    bool is_dynamic;   /**< atoms are counted at each evaluation: compute_modify dynamic/dof */
 } hs_temperature;
 
 /** Room for the tensor, and the degrees of freedom. */
