@@ -29,6 +29,7 @@ typedef struct hs_pair_scan {
     int n_all;      /**< local and halo atoms */
     double lo[3], inv_edge[3];
     int n_cells[3];
+    int32_t *source_of; /**< owned [n_halo]: local index of the original of a halo atom, -1: on another rank */
     int32_t *start; /**< owned [cells + 1] */
     int32_t *index; /**< owned [n_all]: atoms in the order of cells */
     double *x[3];   /**< owned [n_all]: their positions in that order */
@@ -40,8 +41,9 @@ typedef struct hs_pair_scan {
 HS_MUST_USE hs_status hs_pair_scan_begin(hs_pair_scan *scan, const hs_env *env, double range, hs_error *err);
 /** Visit every pair once, in the same batches for any number of threads, though on different ones. Not collective. */
 void hs_pair_scan_visit(const hs_pair_scan *scan, hs_pair_visit visit, void *context);
-/** Three values per atom of the local and halo atoms: add those of halo atoms to their owners' (collective). */
-void hs_pair_scan_reverse(const hs_pair_scan *scan, double *const values[3]);
+/** Values per atom, summed over pairs by the threads: scan->atoms.f of the local and halo atoms is three such values. Add
+ *  those of halo atoms to their owners' (collective). */
+void hs_pair_scan_reverse(hs_pair_scan *scan);
 /** Local index of a halo atom whose original is on this rank; -1 when it is another's. */
 int hs_pair_scan_source(const hs_pair_scan *scan, int j);
 void hs_pair_scan_end(hs_pair_scan *scan);

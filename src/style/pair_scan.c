@@ -1,0 +1,209 @@
+#include "style/pair_scan.h"
+
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+#include "base/memory.h"
+
+/** Copies of the local atoms, with the fields that scans need. */
+static hs_status copy_atoms(hs_pair_scan *scan, const hs_env *env, hs_error *err)
+{
+    const hs_atoms *from = env->atoms;
+    hs_atoms *to = &scan->atoms;
+    const size_t n = (size_t)from->n_local;
+    HS_TRY(hs_atoms_init(to, err));
+    HS_TRY(hs_atoms_add_field(to, "scan_mask", (void **)&scan->mask, sizeof *scan->mask, true, err));
+    HS_TRY(hs_atoms_add_field(to, "scan_id", (void **)&scan->id, sizeof *scan->id, true, err));
+    HS_TRY(hs_atoms_set_types(to, from->n_types, err));
+    HS_TRY(hs_atoms_reserve(to, from->n_local, 0, err));
+    to->n_local = from->n_local;
+    to->n_all = from->n_all;
+    for (int axis = 0; axis < 3 && n > 0; ++axis) memcpy(to->x[axis], from->x[axis], n * sizeof(double));
+    if (n > 0) memcpy(to->type, from->type, n * sizeof *to->type);
+    if (n > 0) memcpy(scan->mask, from->mask, n * sizeof *scan->mask);
+    if (n > 0) memcpy(scan->id, from->id, n * sizeof *scan->id);
+    return HS_OK;
+}
+
+/** Farthest that a local atom is outside of the box along periodic axes: it has not been wrapped since the last exchange. */
+static double find_drift(const hs_env *env)
+{
+    double drift = 0.0;
+    for (int axis = 0; axis < 3; ++axis) {
+        const double lo = env->box->lo[axis], hi = env->box->hi[axis];
+        if (!env->box->periodic[axis]) continue;
+        for (int i = 0; i < env->atoms->n_local; ++i) {
+            const double x = env->atoms->x[axis][i];
+            drift = fmax(drift, fmax(lo - x, x - hi));
+        }
+    }
+    hs_parallel_max_double(env->parallel, &drift, 1);
+    return drift;
+}
+
+static hs_status fill_halo(hs_pair_scan *scan, hs_error *err)
+{
+    const hs_halo *halo = &scan->halo;
+    const int n_local = scan->atoms.n_local;
+    HS_TRY(HS_ALLOC(scan->source_of, (size_t)scan->atoms.n_halo, err));
+    for (int k = 0; k < halo->n; ++k) {
+        scan->source_of[halo->slot[k]] = halo->source[k];
+        scan->mask[n_local + halo->slot[k]] = scan->mask[halo->source[k]];
+        scan->id[n_local + halo->slot[k]] = scan->id[halo->source[k]];
+    }
+    return HS_OK;
+}
+
+/** Cells over all atoms, not smaller than the range, and not many more than atoms. */
+static void set_cells(hs_pair_scan *scan)
+{
+    const hs_atoms *atoms = &scan->atoms;
+    const double n_max = cbrt(4.0 * (double)scan->n_all) + 1.0;
+    for (int axis = 0; axis < 3; ++axis) {
+        double lo = DBL_MAX, hi = -DBL_MAX;
+        for (int i = 0; i < scan->n_all; ++i) {
+            lo = fmin(lo, atoms->x[axis][i]);
+            hi = fmax(hi, atoms->x[axis][i]);
+        }
+        scan->lo[axis] = lo;
+        scan->n_cells[axis] = 1;
+        if (hi > lo) scan->n_cells[axis] = (int)fmax(1.0, fmin(floor((hi - lo) / scan->range), n_max));
+        scan->inv_edge[axis] = hi > lo ? scan->n_cells[axis] / (hi - lo) : 0.0;
+    }
+}
+
+static inline int cell_along(const hs_pair_scan *scan, int axis, double x)
+{
+    const int c = (int)((x - scan->lo[axis]) * scan->inv_edge[axis]);
+    return c < 0 ? 0 : c >= scan->n_cells[axis] ? scan->n_cells[axis] - 1 : c;
+}
+
+static inline int64_t cell_of(const hs_pair_scan *scan, int i)
+{
+    const hs_atoms *atoms = &scan->atoms;
+    return ((int64_t)cell_along(scan, 0, atoms->x[0][i]) * scan->n_cells[1] + cell_along(scan, 1, atoms->x[1][i])) *
+               scan->n_cells[2] +
+           cell_along(scan, 2, atoms->x[2][i]);
+}
+
+/** Counting sort of all atoms by cell. */
+static hs_status sort_atoms(hs_pair_scan *scan, hs_error *err)
+{
+    const size_t n_cells = (size_t)scan->n_cells[0] * (size_t)scan->n_cells[1] * (size_t)scan->n_cells[2];
+    const size_t n_all = (size_t)scan->n_all;
+    HS_TRY(HS_ALLOC(scan->start, n_cells + 2, err));
+    HS_TRY(HS_ALLOC(scan->index, n_all, err));
+    for (int axis = 0; axis < 3; ++axis) HS_TRY(HS_ALLOC(scan->x[axis], n_all, err));
+    int32_t *next = scan->start + 1; /* shifted by one: after the sort, start[c] is where cell c begins */
+    for (int i = 0; i < scan->n_all; ++i) ++next[cell_of(scan, i) + 1];
+    for (size_t c = 0; c < n_cells; ++c) next[c + 1] += next[c];
+    for (int i = 0; i < scan->n_all; ++i) {
+        const int place = next[cell_of(scan, i)]++;
+        scan->index[place] = i;
+        for (int axis = 0; axis < 3; ++axis) scan->x[axis][place] = scan->atoms.x[axis][i];
+    }
+    return HS_OK;
+}
+
+hs_status hs_pair_scan_begin(hs_pair_scan *scan, const hs_env *env, double range, hs_error *err)
+{
+    scan->range = range;
+    hs_status status = copy_atoms(scan, env, err);
+    if (hs_parallel_agree(env->parallel, err) != HS_OK) return status != HS_OK ? status : err->status;
+    HS_TRY(hs_halo_build(&scan->halo, env->box, &scan->atoms, range + 2.0 * find_drift(env), err));
+    HS_TRY(fill_halo(scan, err));
+    scan->n_all = scan->atoms.n_local + scan->atoms.n_halo;
+    set_cells(scan);
+    status = sort_atoms(scan, err);
+    if (hs_parallel_agree(env->parallel, err) != HS_OK) return status != HS_OK ? status : err->status;
+    return HS_OK;
+}
+
+/** A batch that is being filled on one thread. */
+typedef struct filling {
+    const hs_pair_scan *scan;
+    hs_pair_visit visit;
+    void *context;
+    int thread;
+    hs_pair_batch batch;
+} filling;
+
+static void flush(filling *f)
+{
+    if (f->batch.n > 0) f->visit(f->context, f->thread, &f->batch);
+    f->batch.n = 0;
+}
+
+/** Atom i against a run of sorted atoms. Of two local atoms the one with the lower index meets the other. */
+static inline void meet_run(filling *f, int i, const double x[3], int begin, int end)
+{
+    const hs_pair_scan *scan = f->scan;
+    const double range2 = scan->range * scan->range;
+    hs_pair_batch *batch = &f->batch;
+    for (int k = begin; k < end; ++k) {
+        const double dx = scan->x[0][k] - x[0], dy = scan->x[1][k] - x[1], dz = scan->x[2][k] - x[2];
+        const double r2 = dx * dx + dy * dy + dz * dz;
+        if (!(r2 < range2)) continue;
+        const int j = scan->index[k];
+        if (j <= i) continue; /* halo atoms have the higher indices */
+        const int n = batch->n++;
+        batch->i[n] = i;
+        batch->j[n] = j;
+        batch->dx[0][n] = dx;
+        batch->dx[1][n] = dy;
+        batch->dx[2][n] = dz;
+        batch->r2[n] = r2;
+        if (batch->n == HS_PAIR_BATCH) flush(f);
+    }
+}
+
+static void visit_atom(filling *f, int i)
+{
+    const hs_pair_scan *scan = f->scan;
+    const double x[3] = {scan->atoms.x[0][i], scan->atoms.x[1][i], scan->atoms.x[2][i]};
+    int lo[3], hi[3];
+    for (int axis = 0; axis < 3; ++axis) {
+        /* one cell each way, more where cells had to be smaller than the range because of rounding */
+        lo[axis] = cell_along(scan, axis, x[axis] - scan->range);
+        hi[axis] = cell_along(scan, axis, x[axis] + scan->range);
+    }
+    for (int a = lo[0]; a <= hi[0]; ++a)
+        for (int b = lo[1]; b <= hi[1]; ++b) {
+            const int32_t *column = scan->start + ((int64_t)a * scan->n_cells[1] + b) * scan->n_cells[2];
+            meet_run(f, i, x, column[lo[2]], column[hi[2] + 1]);
+        }
+}
+
+void hs_pair_scan_visit(const hs_pair_scan *scan, hs_pair_visit visit, void *context)
+{
+#pragma omp parallel
+    {
+        filling f = {.scan = scan, .visit = visit, .context = context, .thread = hs_thread_number()};
+#pragma omp for schedule(static)
+        for (int i = 0; i < scan->atoms.n_local; ++i) visit_atom(&f, i);
+        flush(&f);
+    }
+}
+
+void hs_pair_scan_reverse(hs_pair_scan *scan) { hs_halo_reverse(&scan->halo, &scan->atoms); }
+
+int hs_pair_scan_source(const hs_pair_scan *scan, int j)
+{
+    const int n_local = scan->atoms.n_local;
+    if (j < n_local) return j;
+    return scan->source_of[j - n_local];
+}
+
+void hs_pair_scan_end(hs_pair_scan *scan)
+{
+    hs_halo_fini(&scan->halo);
+    if (scan->mask != NULL) hs_atoms_remove_field(&scan->atoms, (void **)&scan->mask);
+    if (scan->id != NULL) hs_atoms_remove_field(&scan->atoms, (void **)&scan->id);
+    hs_atoms_fini(&scan->atoms);
+    HS_FREE(scan->start);
+    HS_FREE(scan->index);
+    HS_FREE(scan->source_of);
+    for (int axis = 0; axis < 3; ++axis) HS_FREE(scan->x[axis]);
+    memset(scan, 0, sizeof *scan);
+}
