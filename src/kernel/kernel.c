@@ -5,6 +5,7 @@
 
 #include "base/text.h"
 #include "kernel/noise_fill.h"
+#include "kernel/pair_histogram.h"
 
 const char *const hs_isa_names[] = {"portable", "sse2", "avx2", "avx512", NULL};
 
@@ -80,6 +81,8 @@ hs_status hs_isa_get(const char *name, hs_isa *isa, hs_error *err)
 hs_cluster_find hs_isa_find(hs_isa isa) { return FOR_ISA(isa, hs_cluster_find_); }
 
 const hs_noise_set *hs_isa_noise(hs_isa isa) { return FOR_ISA(isa, &hs_noise_set_); }
+
+hs_histogram_kernel hs_isa_histogram(hs_isa isa) { return FOR_ISA(isa, hs_histogram_kernel_); }
 
 hs_list_refine hs_isa_refine(hs_isa isa) { return FOR_ISA(isa, hs_list_refine_); }
 

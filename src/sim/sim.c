@@ -7,7 +7,9 @@
 
 #include "base/memory.h"
 #include "sim/thermo.h"
+#include "style/pair_scan.h"
 
+static void view_pairs(hs_env *env, hs_pair_view *view);
 static hs_compute *find_compute(hs_env *env, const char *id);
 static hs_fix *find_fix(hs_env *env, const char *id);
 static hs_region *find_region(hs_env *env, const char *id);
@@ -51,6 +53,7 @@ static hs_status create(hs_sim *sim, const hs_options *options, hs_sink *out, hs
                         .dt = units->dt,
                         .energy_step = -1,
                         .revision = 1,
+                        .view_pairs = view_pairs,
                         .find_compute = find_compute,
                         .find_fix = find_fix,
                         .find_region = find_region};
@@ -100,6 +103,20 @@ hs_fix *hs_sim_find_fix(hs_sim *sim, const char *id) { FIND(sim->fix, sim->n_fix
 hs_compute *hs_sim_find_compute(hs_sim *sim, const char *id) { FIND(sim->compute, sim->n_computes, id); }
 hs_region *hs_sim_find_region(hs_sim *sim, const char *id) { FIND(sim->region, sim->n_regions, id); }
 hs_dump *hs_sim_find_dump(hs_sim *sim, const char *id) { FIND(sim->dump, sim->n_dumps, id); }
+
+static void view_pairs(hs_env *env, hs_pair_view *view)
+{
+    const hs_sim *sim = sim_of(env);
+    *view = (hs_pair_view){.table = &sim->pair_table};
+    if (sim->pair == NULL) return;
+    view->evaluator = sim->pair->cutoff_max > 0.0 ? sim->pair->style->evaluator : NULL;
+    view->type = sim->kernel_type != NULL ? sim->kernel_type : sim->atoms.type;
+    view->cutoff_max = sim->pair->cutoff_max;
+    if (sim->neighbor.settings.method == HS_METHOD_CLUSTER && view->evaluator != NULL &&
+        sim->list.generation == sim->atoms.generation)
+        view->list = &sim->list;
+    view->clusters = &sim->neighbor.clusters;
+}
 
 static hs_compute *find_compute(hs_env *env, const char *id) { return hs_sim_find_compute(sim_of(env), id); }
 static hs_fix *find_fix(hs_env *env, const char *id) { return hs_sim_find_fix(sim_of(env), id); }

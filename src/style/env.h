@@ -11,6 +11,7 @@
 #include "parallel/parallel.h"
 
 struct hs_compute;
+struct hs_pair_view;
 struct hs_fix;
 struct hs_region;
 struct hs_lattice;
@@ -54,6 +55,8 @@ typedef struct hs_env {
     double tail_energy;    /**< long-range corrections of pair_modify tail: energy, to be divided by nothing */
     double tail_pressure;  /**< and pressure (already in pressure units); both 0 without tail */
 
+    /** How pairs of atoms interact now: see style/pair_scan.h. */
+    void (*view_pairs)(struct hs_env *env, struct hs_pair_view *view);
     /* Look-ups; NULL when there is none of that ID */
     struct hs_compute *(*find_compute)(struct hs_env *env, const char *id);
     struct hs_fix *(*find_fix)(struct hs_env *env, const char *id);

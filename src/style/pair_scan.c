@@ -7,11 +7,13 @@
 #include "base/memory.h"
 
 /** Copies of the local atoms, with the fields that scans need. */
-static hs_status copy_atoms(hs_pair_scan *scan, const hs_env *env, hs_error *err)
+static hs_status copy_atoms(hs_pair_scan *scan, hs_env *env, hs_error *err)
 {
     const hs_atoms *from = env->atoms;
     hs_atoms *to = &scan->atoms;
     const size_t n = (size_t)from->n_local;
+    hs_pair_view view;
+    env->view_pairs(env, &view);
     HS_TRY(hs_atoms_init(to, err));
     HS_TRY(hs_atoms_add_field(to, "scan_mask", (void **)&scan->mask, sizeof *scan->mask, true, err));
     HS_TRY(hs_atoms_add_field(to, "scan_id", (void **)&scan->id, sizeof *scan->id, true, err));
@@ -20,7 +22,7 @@ static hs_status copy_atoms(hs_pair_scan *scan, const hs_env *env, hs_error *err
     to->n_local = from->n_local;
     to->n_all = from->n_all;
     for (int axis = 0; axis < 3 && n > 0; ++axis) memcpy(to->x[axis], from->x[axis], n * sizeof(double));
-    if (n > 0) memcpy(to->type, from->type, n * sizeof *to->type);
+    if (n > 0) memcpy(to->type, view.type != NULL ? view.type : from->type, n * sizeof *to->type);
     if (n > 0) memcpy(scan->mask, from->mask, n * sizeof *scan->mask);
     if (n > 0) memcpy(scan->id, from->id, n * sizeof *scan->id);
     return HS_OK;
@@ -106,7 +108,7 @@ static hs_status sort_atoms(hs_pair_scan *scan, hs_error *err)
     return HS_OK;
 }
 
-hs_status hs_pair_scan_begin(hs_pair_scan *scan, const hs_env *env, double range, hs_error *err)
+hs_status hs_pair_scan_begin(hs_pair_scan *scan, hs_env *env, double range, hs_error *err)
 {
     scan->range = range;
     hs_status status = copy_atoms(scan, env, err);
@@ -187,6 +189,72 @@ void hs_pair_scan_visit(const hs_pair_scan *scan, hs_pair_visit visit, void *con
 }
 
 void hs_pair_scan_reverse(hs_pair_scan *scan) { hs_halo_reverse(&scan->halo, &scan->atoms); }
+
+/** Numbers of pairs that the sums of one atom must hold without rounding. */
+static const double pairs_max = 4096.0;
+
+typedef struct sharing {
+    hs_pair_scan *scan;
+    hs_pair_share share;
+    void *context;
+    int n, first; /**< values of a pair; the first of the up to three that are summed now */
+    double scale; /**< values are rounded to multiples of 1 / scale, whose sums are exact in any order */
+    double largest[3];
+} sharing;
+
+static void find_largest(void *context, int thread, const hs_pair_batch *batch)
+{
+    sharing *s = context;
+    double values[HS_PAIR_VALUES_MAX][HS_PAIR_BATCH], largest = 0.0;
+    (void)thread;
+    s->share(s->context, batch, values);
+    for (int k = 0; k < s->n; ++k)
+        for (int p = 0; p < batch->n; ++p) largest = fmax(largest, fabs(values[k][p]));
+#pragma omp critical(hs_pair_scan_largest)
+    s->largest[0] = fmax(s->largest[0], largest);
+}
+
+static void add_values(void *context, int thread, const hs_pair_batch *batch)
+{
+    const sharing *s = context;
+    double values[HS_PAIR_VALUES_MAX][HS_PAIR_BATCH];
+    (void)thread;
+    s->share(s->context, batch, values);
+    for (int k = 0; k < 3 && s->first + k < s->n; ++k) {
+        double *f = s->scan->atoms.f[k];
+        for (int p = 0; p < batch->n; ++p) {
+            const double rounded = rint(values[s->first + k][p] * s->scale);
+#pragma omp atomic
+            f[batch->i[p]] += rounded;
+#pragma omp atomic
+            f[batch->j[p]] += rounded;
+        }
+    }
+}
+
+hs_status hs_pair_scan_share(hs_pair_scan *scan, const hs_env *env, int n, hs_pair_share share, void *context,
+                             double *sums, hs_error *err)
+{
+    sharing s = {.scan = scan, .share = share, .context = context, .n = n};
+    const int n_local = scan->atoms.n_local;
+    hs_pair_scan_visit(scan, find_largest, &s);
+    hs_parallel_max_double(env->parallel, s.largest, 1);
+    if (!isfinite(s.largest[0]))
+        return hs_fail(err, HS_ERROR_RUN,
+                       "two atoms are in the same place, or so near that their energy is not finite");
+    int exponent = 0;
+    frexp(s.largest[0] * pairs_max, &exponent);
+    s.scale = ldexp(1.0, 52 - exponent);
+    for (s.first = 0; s.first < n; s.first += 3) {
+        for (int k = 0; k < 3; ++k) memset(scan->atoms.f[k], 0, (size_t)scan->n_all * sizeof(double));
+        hs_pair_scan_visit(scan, add_values, &s);
+        hs_pair_scan_reverse(scan);
+        for (int k = 0; k < 3 && s.first + k < n; ++k)
+            for (int i = 0; i < n_local; ++i)
+                sums[(size_t)(s.first + k) * (size_t)n_local + (size_t)i] = scan->atoms.f[k][i] / s.scale;
+    }
+    return HS_OK;
+}
 
 int hs_pair_scan_source(const hs_pair_scan *scan, int j)
 {

@@ -7,9 +7,20 @@
 #define HS_STYLE_PAIR_SCAN_H
 
 #include "comm/halo.h"
+#include "kernel/kernel.h"
 #include "style/env.h"
 
-enum { HS_PAIR_BATCH = 256 };
+enum { HS_PAIR_BATCH = 256, HS_PAIR_VALUES_MAX = 6 };
+
+/** The potential as it acts now, for computes that need more of it than its sums. Borrowed; valid until the next step. */
+typedef struct hs_pair_view {
+    const hs_evaluator *evaluator; /**< NULL: atoms do not interact */
+    const hs_pair_table *table;
+    const int32_t *type;                /**< kernel types of the local atoms */
+    double cutoff_max;                  /**< distance; 0 before the first run, or without a pair style */
+    const hs_clusters *clusters;
+    const struct hs_cluster_list *list; /**< pairs whose forces count, of the last scheduled build; NULL: not kept */
+} hs_pair_view;
 
 /** Some pairs: atom i is local, j local or of the scan's halo (j >= n_local). */
 typedef struct hs_pair_batch {
@@ -23,27 +34,39 @@ typedef struct hs_pair_batch {
 typedef void (*hs_pair_visit)(void *context, int thread, const hs_pair_batch *batch);
 
 typedef struct hs_pair_scan {
-    double range;   /**< pairs closer than this */
-    hs_atoms atoms; /**< owned: copies of local atoms (same indices), and the scan's own halo: x, type, id, mask */
-    hs_halo halo;   /**< owned */
-    int n_all;      /**< local and halo atoms */
+    double range; /**< pairs closer than this */
+    hs_atoms
+        atoms; /**< owned: copies of local atoms (same indices), and the scan's own halo: x, id, mask, and kernel types in type */
+    hs_halo halo; /**< owned */
+    int n_all;    /**< local and halo atoms */
     double lo[3], inv_edge[3];
     int n_cells[3];
     int32_t *source_of; /**< owned [n_halo]: local index of the original of a halo atom, -1: on another rank */
-    int32_t *start; /**< owned [cells + 1] */
-    int32_t *index; /**< owned [n_all]: atoms in the order of cells */
-    double *x[3];   /**< owned [n_all]: their positions in that order */
-    uint32_t *mask; /**< atom field of the copies with room for the halo */
-    int64_t *id;    /**< the same */
+    int32_t *start;     /**< owned [cells + 1] */
+    int32_t *index;     /**< owned [n_all]: atoms in the order of cells */
+    double *x[3];       /**< owned [n_all]: their positions in that order */
+    uint32_t *mask;     /**< atom field of the copies with room for the halo */
+    int64_t *id;        /**< the same */
 } hs_pair_scan;
 
 /** Get ready to visit pairs (collective). Zero the scan before; always followed by hs_pair_scan_end, also after an error. */
-HS_MUST_USE hs_status hs_pair_scan_begin(hs_pair_scan *scan, const hs_env *env, double range, hs_error *err);
+HS_MUST_USE hs_status hs_pair_scan_begin(hs_pair_scan *scan, hs_env *env, double range, hs_error *err);
+/** Type of a local or halo atom. */
+static inline int hs_pair_scan_type(const hs_pair_scan *scan, int i)
+{
+    return scan->atoms.type[i] % (scan->atoms.n_types + 1);
+}
 /** Visit every pair once, in the same batches for any number of threads, though on different ones. Not collective. */
 void hs_pair_scan_visit(const hs_pair_scan *scan, hs_pair_visit visit, void *context);
 /** Values per atom, summed over pairs by the threads: scan->atoms.f of the local and halo atoms is three such values. Add
  *  those of halo atoms to their owners' (collective). */
 void hs_pair_scan_reverse(hs_pair_scan *scan);
+/** What each pair of a batch gives to each of its two atoms: values[k][p] of pair p. */
+typedef void (*hs_pair_share)(void *context, const hs_pair_batch *batch, double (*values)[HS_PAIR_BATCH]);
+/** Sums of n (at most HS_PAIR_VALUES_MAX) such values over the pairs of each local atom: sums[k * n_local + i], the same bits
+ *  for any threads and ranks, to about 1e-12 of the largest value of a pair (collective). */
+HS_MUST_USE hs_status hs_pair_scan_share(hs_pair_scan *scan, const hs_env *env, int n, hs_pair_share share,
+                                         void *context, double *sums, hs_error *err);
 /** Local index of a halo atom whose original is on this rank; -1 when it is another's. */
 int hs_pair_scan_source(const hs_pair_scan *scan, int j);
 void hs_pair_scan_end(hs_pair_scan *scan);

@@ -1,0 +1,156 @@
+/* Stress of each atom times its volume:  S_ab = -(m v_a v_b + sum over pairs (r_a F_b) / 2).
+ * Source: A. P. Thompson, S. J. Plimpton, W. Mattson, J. Chem. Phys. 131, 154107 (2009), doi:10.1063/1.3245303. */
+#include <string.h>
+
+#include "base/memory.h"
+#include "style/compute.h"
+#include "style/pair_scan.h"
+
+typedef struct stress_state {
+    char *temperature_id; /**< owned; NULL: velocities count as they are */
+    bool has_ke, has_pair;
+} stress_state;
+
+static const hs_keyword keywords[] = {
+    {"ke", 0, "", "the kinetic part"},
+    {"pair", 0, "", "the virial of the pair style"},
+    {"virial", 0, "", "every part but the kinetic one"},
+    {"bond", 0, "", "the virial of bonds: 0, this version has none"},
+    {"angle", 0, "", "the virial of angles: 0"},
+    {"dihedral", 0, "", "the virial of dihedrals: 0"},
+    {"improper", 0, "", "the virial of impropers: 0"},
+    {"kspace", 0, "", "the virial of long-range Coulomb forces: 0"},
+    {"fix", 0, "", "the virial per atom of fixes: 0"},
+    {NULL, 0, NULL, NULL},
+};
+
+static hs_status find_temperature(const hs_compute *compute, hs_compute **temperature, hs_error *err)
+{
+    const stress_state *state = compute->state;
+    *temperature = NULL;
+    if (state->temperature_id == NULL) return HS_OK;
+    *temperature = compute->env->find_compute(compute->env, state->temperature_id);
+    if (*temperature != NULL && (*temperature)->style->is_temperature) return HS_OK;
+    return hs_fail(err, HS_ERROR_INPUT,
+                   "compute '%s' (stress/atom): '%s' is not a compute of a temperature; NULL takes the "
+                   "velocities as they are",
+                   compute->id, state->temperature_id);
+}
+
+static hs_status create(hs_compute *compute, const hs_args *args, hs_error *err)
+{
+    stress_state *state = compute->state;
+    hs_compute *temperature;
+    compute->n_atom_columns = 6;
+    state->has_ke = state->has_pair = args->n == 1;
+    for (int i = 1; i < args->n; ++i) {
+        state->has_ke |= strcmp(args->word[i], "ke") == 0;
+        state->has_pair |= strcmp(args->word[i], "pair") == 0 || strcmp(args->word[i], "virial") == 0;
+    }
+    if (strcmp(args->word[0], "NULL") != 0) HS_TRY(hs_memory_strdup(&state->temperature_id, args->word[0], err));
+    return find_temperature(compute, &temperature, err);
+}
+
+static void destroy(hs_compute *compute) { HS_FREE(((stress_state *)compute->state)->temperature_id); }
+
+static hs_status init(hs_compute *compute, hs_error *err)
+{
+    hs_compute *temperature;
+    return find_temperature(compute, &temperature, err);
+}
+
+typedef struct virial_context {
+    const hs_pair_scan *scan;
+    hs_pair_view view;
+} virial_context;
+
+static const int axis_a[6] = {0, 1, 2, 0, 0, 1}, axis_b[6] = {0, 1, 2, 1, 2, 2};
+
+static void share(void *context, const hs_pair_batch *batch, double (*values)[HS_PAIR_BATCH])
+{
+    const virial_context *c = context;
+    const hs_pair_table *table = c->view.table;
+    const int32_t *type = c->scan->atoms.type;
+    for (int p = 0; p < batch->n; ++p) {
+        const int row_index = type[batch->i[p]] * table->n_types + type[batch->j[p]];
+        const double *row = table->values + (size_t)row_index * (size_t)table->stride;
+        double force_over_r = 0.0, energy;
+        if (batch->r2[p] < row[HS_TABLE_CUT_R2])
+            c->view.evaluator->single(row + HS_TABLE_PARAMS, batch->r2[p], &force_over_r, &energy);
+        for (int k = 0; k < 6; ++k)
+            values[k][p] = 0.5 * force_over_r * batch->dx[axis_a[k]][p] * batch->dx[axis_b[k]][p];
+    }
+}
+
+/** m v_a v_b of the thermal velocities. */
+static hs_status add_kinetic(hs_compute *compute, hs_error *err)
+{
+    const hs_env *env = compute->env;
+    const hs_atoms *atoms = env->atoms;
+    const size_t n = (size_t)atoms->n_local;
+    hs_compute *temperature;
+    double t;
+    HS_TRY(find_temperature(compute, &temperature, err));
+    if (temperature != NULL) HS_TRY(hs_compute_scalar(temperature, &t, err)); /* brings the bias up to date */
+    for (size_t i = 0; i < n; ++i) {
+        double v[3], bias[3] = {0.0, 0.0, 0.0};
+        if (temperature != NULL && temperature->style->bias != NULL)
+            temperature->style->bias(temperature, (int)i, bias);
+        for (int axis = 0; axis < 3; ++axis) v[axis] = atoms->v[axis][i] - bias[axis];
+        const double mass = env->units->mvv2e * atoms->mass[atoms->type[i]];
+        for (size_t k = 0; k < 6; ++k) compute->atoms[k * n + i] += mass * v[axis_a[k]] * v[axis_b[k]];
+    }
+    return HS_OK;
+}
+
+static hs_status per_atom(hs_compute *compute, hs_error *err)
+{
+    const stress_state *state = compute->state;
+    hs_env *env = compute->env;
+    const size_t n = (size_t)env->atoms->n_local;
+    hs_pair_scan scan = {0};
+    virial_context context = {.scan = &scan};
+    memset(compute->atoms, 0, 6 * n * sizeof *compute->atoms);
+    env->view_pairs(env, &context.view);
+    if (context.view.evaluator != NULL && state->has_pair) {
+        hs_status status = hs_pair_scan_begin(&scan, env, context.view.cutoff_max, err);
+        if (status == HS_OK) status = hs_pair_scan_share(&scan, env, 6, share, &context, compute->atoms, err);
+        hs_pair_scan_end(&scan);
+        HS_TRY(status);
+    }
+    if (state->has_ke) HS_TRY(add_kinetic(compute, err));
+    for (size_t i = 0; i < n; ++i) {
+        const bool is_member = (env->atoms->mask[i] & compute->mask) != 0;
+        for (size_t k = 0; k < 6; ++k)
+            compute->atoms[k * n + i] = is_member ? -env->units->nktv2p * compute->atoms[k * n + i] : 0.0;
+    }
+    return HS_OK;
+}
+
+const hs_compute_style hs_compute_style_stress_atom = {
+    .about =
+        {.name = "stress/atom",
+         .syntax = {.usage = "<temperature-compute | NULL> [ke pair virial bond angle dihedral improper kspace fix]",
+                    .n_min = 1,
+                    .n_max = 1,
+                    .keywords = keywords},
+         .summary = "stress of each atom times its volume",
+         .details =
+             "The values per atom `c_ID[1]` ... `c_ID[6]` are -(m v_a v_b + sum over pairs (r_a F_b)/2) in the order "
+             "xx, "
+             "yy, zz, xy, xz, yz (pressure times volume; the volume of an atom is not known); atoms outside the group "
+             "have 0. Minus their sum over all atoms divided by the volume is the pressure tensor. The first word "
+             "names "
+             "a temperature compute, whose bias (as the motion of the center of mass in temp/com) is taken off the "
+             "velocities; NULL takes them as they are. Without keywords every part counts; with keywords only the "
+             "parts "
+             "they name. The pairs are found anew for each evaluation, which takes some timesteps' time.",
+         .reference = "A. P. Thompson, S. J. Plimpton, W. Mattson, J. Chem. Phys. 131, 154107 (2009), "
+                      "doi:10.1063/1.3245303",
+         .example = "compute s all stress/atom NULL\ncompute p all reduce sum c_s[1] c_s[2] c_s[3]"},
+    .state_size = sizeof(stress_state),
+    .create = create,
+    .destroy = destroy,
+    .init = init,
+    .per_atom = per_atom,
+};

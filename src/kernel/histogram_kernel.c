@@ -1,0 +1,73 @@
+/* Distances of the listed pairs of one i-cluster into fine bins; compiled for every instruction set. */
+#include "kernel/pair_histogram.h"
+#include "kernel/simd.h"
+
+/* put(queue, bin, mask): append the whole-number parts of the lanes in mask; may write HS_LANES numbers; returns how many
+ * count. Without branches: which lanes are within reach cannot be predicted. */
+#if defined(HS_SIMD_AVX512)
+
+static inline int put(uint32_t *queue, hs_vec bin, hs_msk mask)
+{
+    const __m512i whole = _mm512_castsi256_si512(_mm512_cvttpd_epi32(bin));
+    _mm512_storeu_si512(queue, _mm512_maskz_compress_epi32(mask, whole));
+    return __builtin_popcount(mask);
+}
+
+#else
+
+static inline int put(uint32_t *queue, hs_vec bin, hs_msk mask)
+{
+    hs_real lane[HS_LANES];
+    const uint32_t bits = hs_mask_to_bits(mask);
+    int n = 0;
+    __builtin_memcpy(lane, &bin, sizeof lane);
+    for (int k = 0; k < HS_LANES; ++k) {
+        queue[n] = (uint32_t)(int32_t)lane[k];
+        n += bits >> k & 1u;
+    }
+    return n;
+}
+
+#endif
+
+enum { QUEUE = 512, QUEUE_ROOM = HS_CLUSTER * 16 }; /* room for all lanes of one step of the loop */
+
+static void flush(const uint32_t *queue, int n, uint32_t *counts)
+{
+    for (int k = 0; k < n; ++k) ++counts[queue[k]];
+}
+
+static void count_pairs(const double *const x[3], int first, const hs_cluster_entry *entry, int n_entries, double scale,
+                        int n_fine, uint32_t *counts)
+{
+    uint32_t queue[QUEUE + QUEUE_ROOM];
+    int n = 0;
+    const hs_vec limit = hs_set1((double)n_fine), width = hs_set1(scale);
+    for (int e = 0; e < n_entries; e += HS_GROUP) {
+        /* rows with any pair; what is noted in the entries is for the kernels' own groups */
+        uint32_t pairs = entry[e].mask;
+        if (HS_GROUP > 1) pairs |= entry[e + 1].mask;
+        for (int sub = 0; sub < HS_SUBS; ++sub) {
+            const hs_masks masks = hs_masks_of(entry + e, sub);
+            const hs_vec x_j[3] = {hs_load_clusters(x[0], 0.0, entry + e, sub),
+                                   hs_load_clusters(x[1], 0.0, entry + e, sub),
+                                   hs_load_clusters(x[2], 0.0, entry + e, sub)};
+            for (int row = 0; row < HS_CLUSTER; ++row) {
+                if (!(pairs >> 4 * row & 0xfu)) continue;
+                const hs_vec dx = x_j[0] - hs_set1(x[0][first + row]), dy = x_j[1] - hs_set1(x[1][first + row]),
+                             dz = x_j[2] - hs_set1(x[2][first + row]);
+                const hs_vec bin = (dx * dx + dy * dy + dz * dz) * width;
+                n += put(queue + n, bin, hs_mask_and(hs_masks_row(masks, row), hs_less(bin, limit)));
+            }
+        }
+        if (n > QUEUE) {
+            flush(queue, n, counts);
+            n = 0;
+        }
+    }
+    flush(queue, n, counts);
+}
+
+#define PASTE_(a, b) a##b
+#define PASTE(a, b)  PASTE_(a, b)
+const hs_histogram_kernel PASTE(hs_histogram_kernel_, HS_KERNEL_ISA) = count_pairs;

@@ -1,0 +1,25 @@
+/** Histogram of the distances of listed pairs: the fast way to a radial distribution function.
+ *
+ *  Bins are of equal width in r^2, namely (r_max / n_bins)^2, so that bin k of equal width in r holds exactly the fine bins
+ *  k^2 to (k + 1)^2 - 1: no square root is needed, and the inner loop is a subtraction, a product and an increment. */
+#ifndef HS_KERNEL_PAIR_HISTOGRAM_H
+#define HS_KERNEL_PAIR_HISTOGRAM_H
+
+#include "kernel/cluster_list.h"
+
+enum { HS_HISTOGRAM_BINS_MAX = 256 }; /**< beyond, the fine bins no longer fit caches */
+
+/** counts[n_bins]: pairs of the list by distance, n_bins (at most HS_HISTOGRAM_BINS_MAX) bins of equal width up to r_max.
+ *  @p x positions of local and halo atoms. Threaded, exact; not collective. */
+HS_MUST_USE hs_status hs_pair_histogram(const hs_cluster_list *list, const hs_clusters *clusters, double *const x[3],
+                                        hs_isa isa, double r_max, int n_bins, int64_t *counts, hs_error *err);
+
+/** The inner part, compiled for every instruction set: adds the pairs between the i-cluster at @p first and its entries to
+ *  counts, n_fine bins of width 1 / scale in r^2; whatever is farther, or no pair, goes to bin n_fine. */
+typedef void (*hs_histogram_kernel)(const double *const x[3], int first, const hs_cluster_entry *entry, int n_entries,
+                                    double scale, int n_fine, uint32_t *counts);
+hs_histogram_kernel hs_isa_histogram(hs_isa isa);
+extern const hs_histogram_kernel hs_histogram_kernel_portable, hs_histogram_kernel_sse2, hs_histogram_kernel_avx2,
+    hs_histogram_kernel_avx512;
+
+#endif
