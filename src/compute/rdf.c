@@ -185,7 +185,7 @@ static void normalize(hs_compute *compute, int k)
     const double width = state->r_max / state->n_bins;
     /* partners of an atom: an atom is no partner of its own */
     const double n_partners = pair->n_i > 0.0 ? pair->n_j - pair->n_both / pair->n_i : 0.0;
-    const double unit = (box->dimension == 3 ? 4.0 * M_PI / 3.0 : M_PI) / hs_box_volume(box);
+    const double unit = box->dimension == 3 ? 4.0 * M_PI / (3.0 * hs_box_volume(box)) : M_PI / hs_box_volume(box);
     double n_up_to = 0.0;
     for (int bin = 0; bin < state->n_bins; ++bin) {
         const double lower = bin * width, upper = (bin + 1) * width;
