@@ -170,6 +170,7 @@ hs_status hs_sim_run(hs_sim *sim, const hs_run_plan *plan, hs_error *err)
     hs_progress_wipe(sim->env.out);
     if (status != HS_OK) return status;
     if (plan->post) hs_report_finish(sim, plan->n_steps, hs_time_now_s() - start_s, hs_time_cpu_s() - start_cpu_s);
+    hs_thermo_say_means(sim->thermo);
     warn_of_late_lists(sim);
     return HS_OK;
 }

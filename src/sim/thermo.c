@@ -15,6 +15,7 @@ static void reset_modify(hs_thermo *thermo)
     thermo->lost_warned = false;
     thermo->norm = -1;
     thermo->flush = false;
+    thermo->has_means = false;
     thermo->is_multi_line = thermo->style == HS_THERMO_STYLE_MULTI;
     HS_FREE(thermo->format_line);
     HS_FREE(thermo->format_int);
@@ -36,6 +37,7 @@ void hs_thermo_destroy(hs_thermo **thermo)
     if (*thermo == NULL) return;
     reset_modify(*thermo);
     hs_thermo_clear_columns(*thermo);
+    HS_FREE((*thermo)->means);
     HS_FREE((*thermo)->column);
     HS_FREE((*thermo)->every_variable);
     HS_FREE((*thermo)->neighbor_info);
@@ -125,7 +127,7 @@ hs_status hs_thermo_init(hs_thermo *thermo, hs_error *err)
     HS_TRY(hs_thermo_make_formats(thermo, err));
     thermo->last_tpcpu_s = thermo->last_spcpu_s = 0.0;
     thermo->next_due = -1;
-    return HS_OK;
+    return hs_thermo_means_begin(thermo, err);
 }
 
 bool hs_thermo_is_due(const hs_thermo *thermo, int64_t step)
@@ -183,6 +185,7 @@ static hs_status append_value(hs_thermo *thermo, int k, hs_text *line, hs_error 
     const hs_thermo_column *column = &thermo->column[k];
     double value;
     HS_TRY(hs_thermo_column_value(thermo, column, &value, err));
+    hs_thermo_means_add(thermo, k, value);
     if (thermo->is_multi_line) {
         HS_TRY(hs_text_printf(line, err, "%s%-8s = ", k % 3 == 0 ? "\n" : "", column->header));
     }
@@ -230,6 +233,7 @@ hs_status hs_thermo_row(hs_thermo *thermo, hs_error *err)
     if (status == HS_OK) hs_say(out, "%s\n", hs_text_get(&line));
     hs_text_fini(&line);
     HS_TRY(status);
+    HS_TRY(hs_thermo_means_row(thermo, err));
     if (thermo->flush && out->log != NULL) fflush(out->log);
     if (thermo->flush && out->screen != NULL) fflush(out->screen);
     HS_TRY(check_written(thermo, err));

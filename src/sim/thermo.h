@@ -35,6 +35,8 @@ HS_MUST_USE hs_status hs_thermo_keyword(hs_thermo *thermo, const char *keyword, 
                                         hs_error *err);
 /** All keywords with one line of help each: pairs (keyword, help), ended by NULL. */
 extern const char *const hs_thermo_keywords[];
+/** Table of means and errors after a run, when thermo_modify means asks for it. */
+void hs_thermo_say_means(hs_thermo *thermo);
 /** Keywords of thermo_modify: its syntax. */
 extern const hs_keyword hs_thermo_modify_keywords[];
 /** First-pass check of the words of thermo_style custom: NULL when the word may be a column, else the nearest

@@ -2,6 +2,7 @@
 #ifndef HS_SIM_THERMO_INTERNAL_H
 #define HS_SIM_THERMO_INTERNAL_H
 
+#include "core/statistics.h"
 #include "sim/thermo.h"
 #include "style/value.h"
 
@@ -43,6 +44,7 @@ struct hs_thermo {
     int norm; /**< -1: by the units */
     bool flush;
     bool is_multi_line;
+    bool has_means;
     char *format_line, *format_int, *format_float; /**< owned; NULL: default */
     char *temp_id, *press_id;                      /**< owned; NULL: thermo_temp, thermo_press */
 
@@ -52,6 +54,10 @@ struct hs_thermo {
     hs_compute *temp, *press, *pe;                      /**< borrowed until the next init */
     double last_tpcpu_s, last_tpcpu_time, last_spcpu_s; /**< of the row before: cpu seconds, simulated time */
     int64_t last_spcpu_step;
+
+    hs_series *means; /**< owned [n_columns]; thermo_modify means: rows of the run after its first */
+    int n_means;
+    hs_line drift; /**< total energy per atom against time, of the same rows */
 
     double last_progress_s; /**< sim/report.c: when the progress line was shown last */
     char *neighbor_info;    /**< owned; sim/report.c: the neighbor block printed last */
@@ -72,6 +78,10 @@ void hs_thermo_clear_columns(hs_thermo *thermo);
 HS_MUST_USE hs_status hs_thermo_resolve_columns(hs_thermo *thermo, hs_error *err);
 /** Fill column[].format from thermo_modify's formats. */
 HS_MUST_USE hs_status hs_thermo_make_formats(hs_thermo *thermo, hs_error *err);
+/** thermo_modify means (sim/thermo_means.c): forget the rows; take in column k of a row; what the row adds besides. */
+HS_MUST_USE hs_status hs_thermo_means_begin(hs_thermo *thermo, hs_error *err);
+void hs_thermo_means_add(hs_thermo *thermo, int k, double value);
+HS_MUST_USE hs_status hs_thermo_means_row(hs_thermo *thermo, hs_error *err);
 bool hs_thermo_is_int(const hs_thermo_column *column);
 
 #endif

@@ -14,6 +14,8 @@ const hs_keyword hs_thermo_modify_keywords[] = {
     {"flush", 1, "yes|no", "write every row to disk at once (default no)"},
     {"line", 1, "one|multi", "a row on one line, or several lines of name = value"},
     {"format", -1, "<line 'formats' | int format | float format | N format | none>", "printf formats of the numbers"},
+    {"means", 1, "yes|no",
+     "a table of means with standard errors after the run, and the drift of the energy (default no)"},
     {"temp", 1, "<compute>", "temperature compute for temp, ke, etotal (default thermo_temp)"},
     {"press", 1, "<compute>", "pressure compute for press, pxx, ... (default thermo_press)"},
     {NULL, 0, NULL, NULL},
@@ -130,6 +132,7 @@ static hs_status modify_keyword(hs_thermo *thermo, const hs_args *args, int i, i
         thermo->is_multi_line = choice == 1;
         return HS_OK;
     }
+    if (strcmp(keyword, "means") == 0) return hs_arg_bool(args, i + 1, &thermo->has_means, err);
     if (strcmp(keyword, "norm") == 0 || strcmp(keyword, "flush") == 0) {
         HS_TRY(hs_arg_bool(args, i + 1, &is_yes, err));
         if (strcmp(keyword, "norm") == 0)

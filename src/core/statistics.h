@@ -1,0 +1,54 @@
+/** Means of correlated series and how far they can be trusted.
+ *
+ *  Blocks of 2, 4, 8, ... neighbors are averaged as values come in, in memory that grows with the logarithm of their number.
+ *  The error of the mean is the one that blocks of the right length show: H. Flyvbjerg, H. G. Petersen, J. Chem. Phys. 91, 461
+ *  (1989), doi:10.1063/1.457480. The length is the shortest B with B^3 > 2 n g_B^2, where g_B is the inefficiency that blocks of
+ *  B show, which balances their bias against their scatter: R. M. Lee et al., Phys. Rev. E 83, 066706 (2011),
+ *  doi:10.1103/PhysRevE.83.066706. */
+#ifndef HS_CORE_STATISTICS_H
+#define HS_CORE_STATISTICS_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+enum { HS_BLOCK_LEVELS = 48 }; /**< 2^48 values are more than a run can give */
+
+/** Blocks of one length: Welford's sums of their means. */
+typedef struct hs_block_level {
+    int64_t n;
+    double mean, m2; /**< mean of the blocks, and sum of their squared deviations from it */
+    double half;     /**< the first of two blocks of the length below */
+    bool has_half;
+} hs_block_level;
+
+/** A series. Zero-initialised it is empty. */
+typedef struct hs_series {
+    int64_t n;
+    hs_block_level level[HS_BLOCK_LEVELS];
+} hs_series;
+
+/** What is known of the mean. */
+typedef struct hs_estimate {
+    int64_t n;
+    double mean;
+    double variance;     /**< of single values */
+    double error;        /**< standard error of the mean; 0 for fewer than two values */
+    double inefficiency; /**< values per independent one, at least about 1 */
+    int64_t block;       /**< length of the blocks that the error is taken from */
+    bool is_converged;   /**< blocks were long enough; else the error is too small, a lower bound */
+} hs_estimate;
+
+void hs_series_add(hs_series *series, double value);
+hs_estimate hs_series_estimate(const hs_series *series);
+
+/** Slope of a straight line fitted to points (x, y), and its sums. Zero-initialised it is empty. */
+typedef struct hs_line {
+    int64_t n;
+    double mean_x, mean_y, sxx, sxy, syy;
+} hs_line;
+
+void hs_line_add(hs_line *line, double x, double y);
+/** Slope and its standard error, as if the deviations were independent; 0 for fewer than three points. */
+void hs_line_slope(const hs_line *line, double *slope, double *error);
+
+#endif

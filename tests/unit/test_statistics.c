@@ -1,0 +1,106 @@
+/* Errors of means: series of known correlation, with fixed seeds. */
+#include <math.h>
+#include <stdint.h>
+#include <stdio.h>
+
+#include "core/statistics.h"
+#include "support/harness.h"
+
+/** splitmix64, for the tests alone. */
+static double uniform(uint64_t *state)
+{
+    uint64_t z = (*state += UINT64_C(0x9e3779b97f4a7c15));
+    z = (z ^ (z >> 30)) * UINT64_C(0xbf58476d1ce4e5b9);
+    z = (z ^ (z >> 27)) * UINT64_C(0x94d049bb133111eb);
+    return ((double)((z ^ (z >> 31)) >> 11) + 0.5) * 0x1p-53;
+}
+
+static double normal(uint64_t *state)
+{
+    const double r = sqrt(-2.0 * log(uniform(state)));
+    return r * cos(2.0 * M_PI * uniform(state));
+}
+
+/** x_k = phi x_(k-1) + noise, of variance 1 and mean 0: its inefficiency is (1 + phi) / (1 - phi). */
+static hs_estimate autoregressive(uint64_t seed, double phi, int n)
+{
+    hs_series series = {0};
+    uint64_t state = seed * UINT64_C(7919) + 1;
+    double x = normal(&state);
+    for (int k = 0; k < n; ++k) {
+        hs_series_add(&series, x);
+        x = phi * x + sqrt(1.0 - phi * phi) * normal(&state);
+    }
+    return hs_series_estimate(&series);
+}
+
+START_TEST(mean_and_variance_of_few_values)
+{
+    hs_series series = {0};
+    hs_estimate e = hs_series_estimate(&series);
+    ck_assert(e.n == 0 && e.error == 0.0);
+    for (int k = 1; k <= 5; ++k) hs_series_add(&series, (double)k * k);
+    e = hs_series_estimate(&series);
+    ck_assert_int_eq(e.n, 5);
+    ck_assert_double_eq_tol(e.mean, 11.0, 1e-14);
+    ck_assert_double_eq_tol(e.variance, 93.5, 1e-12);
+}
+END_TEST
+
+START_TEST(constant_series_has_no_error)
+{
+    hs_series series = {0};
+    for (int k = 0; k < 1000; ++k) hs_series_add(&series, 2.5);
+    const hs_estimate e = hs_series_estimate(&series);
+    ck_assert(e.mean == 2.5 && e.error == 0.0 && e.is_converged);
+}
+END_TEST
+
+/* The true mean must lie within one standard error in about 68 % of the series, less what the scatter of the error itself
+ * costs: with some tens of blocks 66 % or 67 %. One standard deviation of the fraction of 2000 is 1 %. */
+static void check_coverage(double phi, int n)
+{
+    int n_within = 0;
+    double inefficiency = 0.0;
+    for (int seed = 0; seed < 2000; ++seed) {
+        const hs_estimate e = autoregressive((uint64_t)seed, phi, n);
+        n_within += fabs(e.mean) <= e.error;
+        inefficiency += e.inefficiency / 2000.0;
+    }
+    ck_assert_msg(n_within >= 2000 * 0.63 && n_within <= 2000 * 0.71, "phi %g: %d of 2000", phi, n_within);
+    const double expected = (1.0 + phi) / (1.0 - phi);
+    ck_assert_msg(fabs(inefficiency / expected - 1.0) < 0.1, "phi %g: inefficiency %g, expected %g", phi, inefficiency,
+                  expected);
+}
+
+START_TEST(errors_are_honest)
+{
+    check_coverage(0.0, 4096);
+    check_coverage(0.5, 5000);
+    check_coverage(0.9, 10000);
+    check_coverage(0.97, 30000);
+}
+END_TEST
+
+START_TEST(short_series_say_so)
+{
+    ck_assert(!autoregressive(3, 0.999, 500).is_converged);
+    ck_assert(autoregressive(3, 0.5, 5000).is_converged);
+}
+END_TEST
+
+START_TEST(slope_of_a_line)
+{
+    hs_line line = {0};
+    double slope, error;
+    uint64_t state = 5;
+    for (int k = 0; k < 400; ++k) hs_line_add(&line, 0.1 * k, 3.0 - 0.25 * 0.1 * k + 0.01 * normal(&state));
+    hs_line_slope(&line, &slope, &error);
+    /* 0.01 / sqrt(sum (x - mean)^2) = 4.3e-5 */
+    ck_assert_double_eq_tol(error, 4.3e-5, 0.3e-5);
+    ck_assert_double_eq_tol(slope, -0.25, 4.0 * error);
+}
+END_TEST
+
+HS_TEST_MAIN("statistics", mean_and_variance_of_few_values, constant_series_has_no_error, errors_are_honest,
+             short_series_say_so, slope_of_a_line)
