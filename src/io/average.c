@@ -151,7 +151,8 @@ static hs_status put_heads(hs_average_file *file, const char *const head[3], hs_
 
 hs_status hs_average_file_open(hs_average_file *file, const hs_env *env, const char *const head[3], hs_error *err)
 {
-    if (file->name == NULL || file->writer != NULL || env->dry_run) return HS_OK;
+    if (file->name == NULL || file->is_begun || env->dry_run) return HS_OK;
+    file->is_begun = true;
     hs_status status = HS_OK;
     if (env->parallel->rank == 0) {
         if (file->overwrite) file->mode = HS_WRITE_REPLACE;

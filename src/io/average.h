@@ -47,10 +47,11 @@ void hs_fold_fini(hs_fold *fold);
 typedef struct hs_average_file {
     char *name; /**< owned; NULL: none */
     hs_write_mode mode;
-    bool overwrite; /**< the file holds the last window only */
-    char *title[3]; /**< owned; NULL: the fix's own */
-    char *format;   /**< owned; of one number, with a blank before it */
-    hs_writer *writer;
+    bool overwrite;     /**< the file holds the last window only */
+    char *title[3];     /**< owned; NULL: the fix's own */
+    char *format;       /**< owned; of one number, with a blank before it */
+    bool is_begun;      /**< hs_average_file_open was done, on all ranks */
+    hs_writer *writer;  /**< owned; NULL on other ranks than the first */
     hs_text text;       /**< lines of the present piece */
     size_t head_length; /**< with overwrite: of the heads, which every piece begins with */
 } hs_average_file;

@@ -28,32 +28,27 @@ static hs_status copy_atoms(hs_pair_scan *scan, hs_env *env, hs_error *err)
     return HS_OK;
 }
 
-/** Farthest that a local atom is outside of the box along periodic axes: it has not been wrapped since the last exchange. */
+/** Farthest that a local atom is outside of its rank's brick: it has not been exchanged since it moved. */
 static double find_drift(const hs_env *env)
 {
-    double drift = 0.0;
-    for (int axis = 0; axis < 3; ++axis) {
-        const double lo = env->box->lo[axis], hi = env->box->hi[axis];
-        if (!env->box->periodic[axis]) continue;
+    double drift = 0.0, lo[3], hi[3];
+    hs_domain_brick(env->domain, env->box, lo, hi);
+    for (int axis = 0; axis < 3; ++axis)
         for (int i = 0; i < env->atoms->n_local; ++i) {
             const double x = env->atoms->x[axis][i];
-            drift = fmax(drift, fmax(lo - x, x - hi));
+            drift = fmax(drift, fmax(lo[axis] - x, x - hi[axis]));
         }
-    }
     hs_parallel_max_double(env->parallel, &drift, 1);
     return drift;
 }
 
+/** Types, masks and ids of the halo, and where its atoms come from. */
 static hs_status fill_halo(hs_pair_scan *scan, hs_error *err)
 {
     const hs_halo *halo = &scan->halo;
-    const int n_local = scan->atoms.n_local;
+    hs_halo_forward_fields(halo, &scan->atoms);
     HS_TRY(HS_ALLOC(scan->source_of, (size_t)scan->atoms.n_halo, err));
-    for (int k = 0; k < halo->n; ++k) {
-        scan->source_of[halo->slot[k]] = halo->source[k];
-        scan->mask[n_local + halo->slot[k]] = scan->mask[halo->source[k]];
-        scan->id[n_local + halo->slot[k]] = scan->id[halo->source[k]];
-    }
+    for (int k = 0; k < halo->n; ++k) scan->source_of[halo->slot[k]] = k < halo->in.n_self_atoms ? halo->source[k] : -1;
     return HS_OK;
 }
 
@@ -113,8 +108,10 @@ hs_status hs_pair_scan_begin(hs_pair_scan *scan, hs_env *env, double range, hs_e
     scan->range = range;
     hs_status status = copy_atoms(scan, env, err);
     if (hs_parallel_agree(env->parallel, err) != HS_OK) return status != HS_OK ? status : err->status;
-    HS_TRY(hs_halo_build(&scan->halo, env->box, &scan->atoms, range + 2.0 * find_drift(env), err));
-    HS_TRY(fill_halo(scan, err));
+    const double drift = find_drift(env);
+    HS_TRY(hs_halo_build(&scan->halo, env->domain, env->parallel, env->box, &scan->atoms, range + 2.0 * drift, err));
+    status = fill_halo(scan, err);
+    if (hs_parallel_agree(env->parallel, err) != HS_OK) return status != HS_OK ? status : err->status;
     scan->n_all = scan->atoms.n_local + scan->atoms.n_halo;
     set_cells(scan);
     status = sort_atoms(scan, err);
