@@ -4,7 +4,7 @@ include(CMakePackageConfigHelpers)
 
 # Only the public API is visible from outside: everything else may change between versions.
 add_library(halfshell_shared SHARED $<TARGET_OBJECTS:halfshell_objects> ${kernel_objects})
-target_link_libraries(halfshell_shared PRIVATE OpenMP::OpenMP_C PNG::PNG ZLIB::ZLIB m)
+target_link_libraries(halfshell_shared PRIVATE OpenMP::OpenMP_C PNG::PNG ZLIB::ZLIB PkgConfig::FFTW m)
 if(HALFSHELL_MPI)
   target_link_libraries(halfshell_shared PRIVATE MPI::MPI_C)
 endif()
@@ -32,7 +32,7 @@ install(EXPORT HalfshellShared NAMESPACE halfshell:: FILE halfshell-shared.cmake
 install(EXPORT HalfshellStatic NAMESPACE halfshell:: FILE halfshell-static.cmake DESTINATION "${config_dir}")
 
 # pkg-config halfshell; with --static it names what the static library needs.
-set(pc_private "-lm -lpng -lz ${OpenMP_C_FLAGS}")
+set(pc_private "-lm -lpng -lz -lfftw3 ${OpenMP_C_FLAGS}")
 if(HALFSHELL_MPI)
   foreach(library IN LISTS MPI_C_LIBRARIES)
     string(APPEND pc_private " ${library}")

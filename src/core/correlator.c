@@ -1,0 +1,68 @@
+/* Correlations by zero-padded transforms: W. H. Press et al., Numerical Recipes, 3rd ed. (2007), section 13.2. */
+#include <fftw3.h>
+#include <string.h>
+
+#include "base/memory.h"
+#include "core/fourier.h"
+
+struct hs_correlator {
+    int n_lags;
+    double *a, *b;               /**< owned [2 n_lags] */
+    fftw_complex *at, *bt;       /**< owned [n_lags + 1] */
+    fftw_plan forward, backward; /**< of a; b uses the same plan on its own arrays */
+};
+
+static hs_status allocate(hs_correlator *c, hs_error *err)
+{
+    const size_t n = 2 * (size_t)c->n_lags;
+    HS_TRY(HS_ALLOC(c->a, n, err));
+    HS_TRY(HS_ALLOC(c->b, n, err));
+    HS_TRY(hs_memory_alloc((void **)&c->at, (size_t)c->n_lags + 1, sizeof(fftw_complex), err));
+    HS_TRY(hs_memory_alloc((void **)&c->bt, (size_t)c->n_lags + 1, sizeof(fftw_complex), err));
+    c->forward = fftw_plan_dft_r2c_1d((int)n, c->a, c->at, FFTW_ESTIMATE);
+    c->backward = fftw_plan_dft_c2r_1d((int)n, c->at, c->a, FFTW_ESTIMATE);
+    if (c->forward != NULL && c->backward != NULL) return HS_OK;
+    return hs_fail(err, HS_ERROR_MEMORY, "FFTW could not plan a transform of %zu numbers", n);
+}
+
+hs_status hs_correlator_create(hs_correlator **correlator, int n_lags, hs_error *err)
+{
+    HS_TRY(HS_ALLOC(*correlator, 1, err));
+    (*correlator)->n_lags = n_lags;
+    const hs_status status = allocate(*correlator, err);
+    if (status != HS_OK) hs_correlator_destroy(correlator);
+    return status;
+}
+
+void hs_correlator_destroy(hs_correlator **correlator)
+{
+    hs_correlator *c = *correlator;
+    if (c == NULL) return;
+    if (c->forward != NULL) fftw_destroy_plan(c->forward);
+    if (c->backward != NULL) fftw_destroy_plan(c->backward);
+    HS_FREE(c->a);
+    HS_FREE(c->b);
+    HS_FREE(c->at);
+    HS_FREE(c->bt);
+    HS_FREE(*correlator);
+}
+
+void hs_correlator_add(hs_correlator *c, const double *a, const double *b, double *sums)
+{
+    const size_t n_lags = (size_t)c->n_lags;
+    memcpy(c->a, a, 2 * n_lags * sizeof *a);
+    memset(c->b, 0, n_lags * sizeof *b);
+    memcpy(c->b + n_lags, b + n_lags, n_lags * sizeof *b);
+    fftw_execute_dft_r2c(c->forward, c->a, c->at);
+    fftw_execute_dft_r2c(c->forward, c->b, c->bt);
+    /* conj(A) B is the transform of sum_s a[s - lag] b[s]; no lag below n_lags reaches around the end, for b is 0 before
+     * n_lags */
+    for (size_t k = 0; k <= n_lags; ++k) {
+        const double ar = c->at[k][0], ai = c->at[k][1], br = c->bt[k][0], bi = c->bt[k][1];
+        c->at[k][0] = ar * br + ai * bi;
+        c->at[k][1] = ar * bi - ai * br;
+    }
+    fftw_execute_dft_c2r(c->backward, c->at, c->a);
+    const double scale = 0.5 / (double)n_lags;
+    for (size_t lag = 0; lag < n_lags; ++lag) sums[lag] += scale * c->a[lag];
+}

@@ -1,0 +1,151 @@
+/* What is measured two ways agrees: correlations by transform and by the direct sum, structure factor and radial distribution
+ * function, rdf from the force's list and from a scan of its own, energies and stresses per atom and their sums. */
+#define _GNU_SOURCE
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "style/value.h"
+#include "support/harness.h"
+#include "support/run_deck.h"
+
+static const char liquid[] =
+    "units lj\nlattice fcc 0.8442\nregion b block 0 5 0 5 0 5\ncreate_box 1 b\ncreate_atoms 1 box\n"
+    "mass 1 1.0\nvelocity all create 1.44 87287 loop geom\npair_style lj/cut 2.5\npair_coeff 1 1 1 1\n"
+    "neigh_modify every 1 delay 0 check yes\nfix 1 all nve\nrun 100\nreset_timestep 0\n";
+
+/** Run the liquid and then more lines, with the check at the end. */
+static void run(const char *lines, void (*check)(hs_deck *deck, void *context))
+{
+    hs_error err = {0};
+    char deck[8192];
+    const hs_options options = {.n_threads = 2};
+    snprintf(deck, sizeof deck, "%s%s", liquid, lines);
+    free(hs_test_run_deck_with(deck, &options, check, NULL, &err));
+    ck_assert_msg(err.status == HS_OK, "%s", err.text);
+}
+
+/** A vector or column of an array, which the caller frees with free. */
+static double *fetch(hs_deck *deck, const char *word, int *n)
+{
+    hs_error err = {0};
+    hs_value value = {0};
+    hs_env *env = &deck->sim->env;
+    const hs_args args = {.command = "test", .n = 1, .word = &word};
+    ck_assert_hs_ok(hs_value_init(&value, env, &args, 0, HS_VALUE_VECTOR, &err), err);
+    *n = hs_value_length(env, &value);
+    double *out = malloc((size_t)*n * sizeof *out);
+    ck_assert_hs_ok(hs_value_vector(env, &value, out, &err), err);
+    hs_value_fini(&value);
+    return out;
+}
+
+static void check_equal(hs_deck *deck, const char *a, const char *b, double tolerance)
+{
+    int n_a, n_b;
+    double *x = fetch(deck, a, &n_a), *y = fetch(deck, b, &n_b);
+    ck_assert_int_eq(n_a, n_b);
+    for (int i = 0; i < n_a; ++i)
+        ck_assert_msg(fabs(x[i] - y[i]) <= tolerance, "%s[%d] = %.15g, %s[%d] = %.15g", a, i + 1, x[i], b, i + 1, y[i]);
+    free(x);
+    free(y);
+}
+
+static void check_correlations(hs_deck *deck, void *context)
+{
+    (void)context;
+    check_equal(deck, "f_d[2]", "f_f[2]", 0.0);
+    check_equal(deck, "f_d[3]", "f_f[3]", 1e-10);
+    check_equal(deck, "f_d[4]", "f_f[4]", 1e-10);
+    check_equal(deck, "f_df[5]", "f_ff[5]", 1e-10);
+    check_equal(deck, "f_df[4]", "f_ff[4]", 1e-10);
+}
+
+START_TEST(correlations_by_transform_are_those_of_the_direct_sum)
+{
+    run("variable a equal pxy\nvariable b equal temp\n"
+        "fix d all ave/correlate 2 30 50 v_a v_b ave running\nfix f all ave/correlate/fft 2 30 50 v_a v_b\n"
+        "fix df all ave/correlate 1 7 50 v_a v_b ave running type full\n"
+        "fix ff all ave/correlate/fft 1 7 50 v_a v_b type full\nrun 250\n",
+        check_correlations);
+}
+END_TEST
+
+static void check_rdfs(hs_deck *deck, void *context)
+{
+    (void)context;
+    check_equal(deck, "c_list[2]", "c_scan[2]", 0.0);
+    check_equal(deck, "c_list[3]", "c_scan[3]", 0.0);
+}
+
+START_TEST(rdf_from_the_list_is_that_of_the_scan)
+{
+    /* with a pair of types named, the list is not used */
+    run("compute list all rdf 90\ncompute scan all rdf 90 1 1\nrun 37\n", check_rdfs);
+}
+END_TEST
+
+/** Both sides of one Fourier transform, weighted with a Gaussian so that both sums end: with G(r) = exp(-r^2/(2 w^2)) /
+ *  (2 pi w^2)^(3/2),  rho sum over q of S(q) exp(-q^2 w^2/2) = sum over all ordered pairs and images of G(r) / N + G(0) - rho. */
+static void check_width(hs_deck *deck, double w)
+{
+    enum { N = 500 };
+    int n, n_q;
+    double *r = fetch(deck, "c_g[1]", &n), *g = fetch(deck, "c_g[2]", &n);
+    double *qx = fetch(deck, "c_s[1]", &n_q), *qy = fetch(deck, "c_s[2]", &n_q), *qz = fetch(deck, "c_s[3]", &n_q),
+           *s = fetch(deck, "c_s[4]", &n_q);
+    const double rho = 0.8442, dr = r[1] - r[0], peak = pow(2.0 * M_PI * w * w, -1.5);
+    double from_s = 0.0, from_g = peak - rho;
+    for (int k = 0; k < n_q; ++k) /* of q and -q one is listed */
+        from_s += 2.0 * rho * s[k] * exp(-0.5 * w * w * (qx[k] * qx[k] + qy[k] * qy[k] + qz[k] * qz[k]));
+    for (int i = 0; i < n; ++i) {
+        const double lower = r[i] - 0.5 * dr, upper = r[i] + 0.5 * dr;
+        const double shell = 4.0 * M_PI / 3.0 * (upper * upper * upper - lower * lower * lower);
+        from_g += rho * (N - 1.0) / N * g[i] * shell * peak * exp(-0.5 * r[i] * r[i] / (w * w));
+    }
+    /* distances are known to half a bin, 0.005: relative errors of single pairs of 0.005 r / w^2, of random sign, and a mean one
+     * of (0.01)^2 / 24 (r/w^2)^2 */
+    ck_assert_msg(fabs(from_s - from_g) < 2e-4 * peak, "width %g: %.8g from S(q), %.8g from g(r)", w, from_s, from_g);
+    free(r), free(g), free(qx), free(qy), free(qz), free(s);
+}
+
+static void check_structure(hs_deck *deck, void *context)
+{
+    (void)context;
+    check_width(deck, 0.6);
+    check_width(deck, 0.8);
+}
+
+START_TEST(structure_factor_is_the_transform_of_g)
+{
+    run("compute g all rdf 500 cutoff 5.0\ncompute s all sq 11 vectors yes\nrun 20\n", check_structure);
+}
+END_TEST
+
+static void check_sums(hs_deck *deck, void *context)
+{
+    hs_env *env = &deck->sim->env;
+    hs_error err = {0};
+    double pe, sum, press[6], stress[6];
+    (void)context;
+    ck_assert_hs_ok(hs_compute_scalar(env->find_compute(env, "thermo_pe"), &pe, &err), err);
+    ck_assert_hs_ok(hs_compute_scalar(env->find_compute(env, "u"), &sum, &err), err);
+    ck_assert_double_eq_tol(sum, pe, 1e-9 * fabs(pe));
+    for (int k = 0; k < 6; ++k) {
+        ck_assert_hs_ok(hs_compute_vector(env->find_compute(env, "thermo_press"), k, &press[k], &err), err);
+        ck_assert_hs_ok(hs_compute_vector(env->find_compute(env, "p"), k, &stress[k], &err), err);
+        ck_assert_double_eq_tol(-stress[k] / hs_box_volume(env->box), press[k], 1e-9);
+    }
+}
+
+START_TEST(values_per_atom_add_up)
+{
+    run("compute ua all pe/atom\ncompute sa all stress/atom NULL\ncompute u all reduce sum c_ua\n"
+        "compute p all reduce sum c_sa[*]\nrun 20\n",
+        check_sums);
+}
+END_TEST
+
+HS_TEST_MAIN("measures", correlations_by_transform_are_those_of_the_direct_sum, rdf_from_the_list_is_that_of_the_scan,
+             structure_factor_is_the_transform_of_g, values_per_atom_add_up)
