@@ -32,14 +32,10 @@ typedef struct energy_context {
 static void share(void *context, const hs_pair_batch *batch, double (*values)[HS_PAIR_BATCH])
 {
     const energy_context *c = context;
-    const hs_pair_table *table = c->view.table;
     const int32_t *type = c->scan->atoms.type;
     for (int p = 0; p < batch->n; ++p) {
-        const int row_index = type[batch->i[p]] * table->n_types + type[batch->j[p]];
-        const double *row = table->values + (size_t)row_index * (size_t)table->stride;
-        double force_over_r, energy = 0.0;
-        if (batch->r2[p] < row[HS_TABLE_CUT_R2])
-            c->view.evaluator->single(row + HS_TABLE_PARAMS, batch->r2[p], &force_over_r, &energy);
+        double force_over_r, energy;
+        hs_pair_view_eval(&c->view, type[batch->i[p]], type[batch->j[p]], batch->r2[p], &force_over_r, &energy);
         values[0][p] = 0.5 * energy;
     }
 }
@@ -52,7 +48,7 @@ static hs_status per_atom(hs_compute *compute, hs_error *err)
     energy_context context = {.scan = &scan};
     memset(compute->atoms, 0, (size_t)n * sizeof *compute->atoms);
     env->view_pairs(env, &context.view);
-    if (context.view.evaluator == NULL || !((pe_state *)compute->state)->has_pair) return HS_OK;
+    if (context.view.pair == NULL || !((pe_state *)compute->state)->has_pair) return HS_OK;
     hs_status status = hs_pair_scan_begin(&scan, env, context.view.cutoff_max, err);
     if (status == HS_OK) status = hs_pair_scan_share(&scan, env, 1, share, &context, compute->atoms, err);
     hs_pair_scan_end(&scan);

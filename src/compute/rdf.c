@@ -155,7 +155,7 @@ static hs_status count_by_scan(hs_compute *compute, hs_error *err)
 static bool can_use_list(const hs_compute *compute, const hs_pair_view *view)
 {
     const rdf_state *state = compute->state;
-    return view->list != NULL && !state->has_types && compute->group == 0 && view->table->is_uniform &&
+    return view->list != NULL && !state->has_types && compute->group == 0 && view->is_uniform &&
            state->r_max <= view->cutoff_max && state->n_bins <= HS_HISTOGRAM_BINS_MAX;
 }
 

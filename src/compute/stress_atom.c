@@ -69,14 +69,10 @@ static const int axis_a[6] = {0, 1, 2, 0, 0, 1}, axis_b[6] = {0, 1, 2, 1, 2, 2};
 static void share(void *context, const hs_pair_batch *batch, double (*values)[HS_PAIR_BATCH])
 {
     const virial_context *c = context;
-    const hs_pair_table *table = c->view.table;
     const int32_t *type = c->scan->atoms.type;
     for (int p = 0; p < batch->n; ++p) {
-        const int row_index = type[batch->i[p]] * table->n_types + type[batch->j[p]];
-        const double *row = table->values + (size_t)row_index * (size_t)table->stride;
-        double force_over_r = 0.0, energy;
-        if (batch->r2[p] < row[HS_TABLE_CUT_R2])
-            c->view.evaluator->single(row + HS_TABLE_PARAMS, batch->r2[p], &force_over_r, &energy);
+        double force_over_r, energy;
+        hs_pair_view_eval(&c->view, type[batch->i[p]], type[batch->j[p]], batch->r2[p], &force_over_r, &energy);
         for (int k = 0; k < 6; ++k)
             values[k][p] = 0.5 * force_over_r * batch->dx[axis_a[k]][p] * batch->dx[axis_b[k]][p];
     }
@@ -112,7 +108,7 @@ static hs_status per_atom(hs_compute *compute, hs_error *err)
     virial_context context = {.scan = &scan};
     memset(compute->atoms, 0, 6 * n * sizeof *compute->atoms);
     env->view_pairs(env, &context.view);
-    if (context.view.evaluator != NULL && state->has_pair) {
+    if (context.view.pair != NULL && state->has_pair) {
         hs_status status = hs_pair_scan_begin(&scan, env, context.view.cutoff_max, err);
         if (status == HS_OK) status = hs_pair_scan_share(&scan, env, 6, share, &context, compute->atoms, err);
         hs_pair_scan_end(&scan);

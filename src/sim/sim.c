@@ -107,15 +107,18 @@ hs_dump *hs_sim_find_dump(hs_sim *sim, const char *id) { FIND(sim->dump, sim->n_
 static void view_pairs(hs_env *env, hs_pair_view *view)
 {
     const hs_sim *sim = sim_of(env);
-    *view = (hs_pair_view){.table = &sim->pair_table};
-    if (sim->pair == NULL) return;
-    view->evaluator = sim->pair->cutoff_max > 0.0 ? sim->pair->style->evaluator : NULL;
-    view->type = sim->kernel_type != NULL ? sim->kernel_type : sim->atoms.type;
+    *view = (hs_pair_view){.type = sim->kernel_type != NULL ? sim->kernel_type : sim->atoms.type};
+    if (sim->pair == NULL || sim->n_pair_tables < sim->pair->n_parts) return;
     view->cutoff_max = sim->pair->cutoff_max;
-    if (sim->neighbor.settings.method == HS_METHOD_CLUSTER && view->evaluator != NULL &&
-        sim->list.generation == sim->atoms.generation)
-        view->list = &sim->list;
+    if (!(view->cutoff_max > 0.0) || !hs_pair_has_forces(sim->pair)) return;
+    view->pair = sim->pair;
+    view->table = sim->pair_table;
+    int k = 0;
+    while (sim->pair->part[k]->style->evaluator == NULL) ++k;
+    view->is_uniform = sim->pair_table[k].is_uniform;
     view->clusters = &sim->neighbor.clusters;
+    if (sim->neighbor.settings.method == HS_METHOD_CLUSTER && sim->list.generation == sim->atoms.generation)
+        view->list = &sim->list;
 }
 
 static hs_compute *find_compute(hs_env *env, const char *id) { return hs_sim_find_compute(sim_of(env), id); }

@@ -7,20 +7,38 @@
 #define HS_STYLE_PAIR_SCAN_H
 
 #include "comm/halo.h"
-#include "kernel/kernel.h"
-#include "style/env.h"
+#include "style/pair.h"
 
 enum { HS_PAIR_BATCH = 256, HS_PAIR_VALUES_MAX = 6 };
 
 /** The potential as it acts now, for computes that need more of it than its sums. Borrowed; valid until the next step. */
 typedef struct hs_pair_view {
-    const hs_evaluator *evaluator; /**< NULL: atoms do not interact */
-    const hs_pair_table *table;
-    const int32_t *type;                /**< kernel types of the local atoms */
-    double cutoff_max;                  /**< distance; 0 before the first run, or without a pair style */
+    const hs_pair *pair;        /**< NULL: atoms do not interact */
+    const hs_pair_table *table; /**< [pair->n_parts], of those parts that have an evaluator */
+    bool is_uniform;            /**< all pairs of types are listed up to the same distance */
+    const int32_t *type;        /**< kernel types of the local atoms */
+    double cutoff_max;          /**< distance; 0 before the first run, or without a pair style */
     const hs_clusters *clusters;
     const struct hs_cluster_list *list; /**< pairs whose forces count, of the last scheduled build; NULL: not kept */
 } hs_pair_view;
+
+/** Force over distance and energy of a pair of atoms of these kernel types, over all parts of the pair style. */
+static inline void hs_pair_view_eval(const hs_pair_view *view, int type_i, int type_j, double r2, double *force_over_r,
+                                     double *energy)
+{
+    *force_over_r = *energy = 0.0;
+    for (int k = 0; k < view->pair->n_parts; ++k) {
+        const hs_evaluator *evaluator = view->pair->part[k]->style->evaluator;
+        const hs_pair_table *table = &view->table[k];
+        if (evaluator == NULL) continue;
+        const double *row = table->values + (size_t)(type_i * table->n_types + type_j) * (size_t)table->stride;
+        double f, e;
+        if (!(r2 < row[HS_TABLE_CUT_R2])) continue;
+        evaluator->single(row + HS_TABLE_PARAMS, r2, &f, &e);
+        *force_over_r += f;
+        *energy += e;
+    }
+}
 
 /** Some pairs: atom i is local, j local or of the scan's halo (j >= n_local). */
 typedef struct hs_pair_batch {
