@@ -2,6 +2,7 @@
 #include <math.h>
 
 #include "base/memory.h"
+#include "core/atom_style.h"
 #include "style/atom_sum.h"
 #include "style/compute.h"
 #include "style/moments.h"
@@ -26,7 +27,7 @@ static void add_terms(const hs_atoms *atoms, const void *context, int begin, int
     const gyration_context *c = context;
     for (int i = begin; i < end; ++i) {
         if (!(atoms->mask[i] & c->compute->mask)) continue;
-        const double mass = atoms->mass[atoms->type[i]];
+        const double mass = hs_atom_mass(atoms, i);
         double d[3];
         for (int axis = 0; axis < 3; ++axis) d[axis] = hs_unwrapped(c->compute->env, axis, i) - c->center[axis];
         for (int k = 0; k < 6; ++k) hs_exact_add(&sums[k], d[a[k]] * d[b[k]] * mass);

@@ -1,4 +1,5 @@
 /* Kinetic energy of a group: sum(m v^2) / 2. */
+#include "core/atom_style.h"
 #include "style/atom_sum.h"
 #include "style/compute.h"
 
@@ -13,7 +14,7 @@ static void add_mv2(const hs_atoms *atoms, const void *context, int begin, int e
     for (int i = begin; i < end; ++i) {
         if (!(atoms->mask[i] & mask)) continue;
         const double vx = atoms->v[0][i], vy = atoms->v[1][i], vz = atoms->v[2][i];
-        hs_exact_add(&sums[0], (vx * vx + vy * vy + vz * vz) * atoms->mass[atoms->type[i]]);
+        hs_exact_add(&sums[0], (vx * vx + vy * vy + vz * vz) * hs_atom_mass(atoms, i));
     }
 }
 

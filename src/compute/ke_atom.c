@@ -1,4 +1,5 @@
 /* Kinetic energy of each atom: m v^2 / 2. */
+#include "core/atom_style.h"
 #include "style/compute.h"
 
 static hs_status per_atom(hs_compute *compute, hs_error *err)
@@ -10,7 +11,7 @@ static hs_status per_atom(hs_compute *compute, hs_error *err)
 #pragma omp parallel for schedule(static)
     for (int i = 0; i < atoms->n_local; ++i) {
         const double vx = atoms->v[0][i], vy = atoms->v[1][i], vz = atoms->v[2][i];
-        const double mass = atoms->mask[i] & compute->mask ? atoms->mass[atoms->type[i]] : 0.0;
+        const double mass = atoms->mask[i] & compute->mask ? hs_atom_mass(atoms, i) : 0.0;
         energy[i] = half_mvv2e * mass * (vx * vx + vy * vy + vz * vz);
     }
     return HS_OK;

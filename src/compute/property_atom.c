@@ -16,6 +16,7 @@ static hs_status create(hs_compute *compute, const hs_args *args, hs_error *err)
         HS_TRY(hs_arg_choice(args, state->n, hs_attributes, &state->attribute[state->n], err));
         if (state->attribute[state->n] == HS_ATTR_ELEMENT)
             return hs_arg_refuse(args, state->n, "a number of each atom; type is one", NULL, err);
+        HS_TRY(hs_attribute_check((hs_attribute)state->attribute[state->n], compute->env->atoms, err));
     }
     compute->n_atom_columns = args->n == 1 ? 0 : args->n;
     return HS_OK;
@@ -47,7 +48,9 @@ const hs_compute_style hs_compute_style_property_atom = {
          .details =
              "The values per atom are the attributes of the atoms: `id`, `type`, `mass`, `proc`, `procp1`; positions "
              "`x y z` (distance), scaled `xs ys zs`, unwrapped `xu yu zu`, unwrapped and scaled `xsu ysu zsu`; "
-             "images `ix iy iz`; velocities `vx vy vz` (distance/time); forces `fx fy fz` (energy/distance). With one "
+             "images `ix iy iz`; velocities `vx vy vz` (distance/time); forces `fx fy fz` (energy/distance); dipoles "
+             "`mux muy muz` and their length `mu` (atom_style dipole); `radius`, `diameter` (distance) and angular "
+             "velocities `omegax omegay omegaz` (atom_style sphere). With one "
              "attribute it is `c_ID`, with several `c_ID[1]` and so on. Atoms outside the group have 0.",
          .example = "compute p all property/atom xu yu zu"},
     .state_size = sizeof(property_state),

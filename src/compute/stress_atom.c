@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "base/memory.h"
+#include "core/atom_style.h"
 #include "style/compute.h"
 #include "style/pair_scan.h"
 
@@ -93,7 +94,7 @@ static hs_status add_kinetic(hs_compute *compute, hs_error *err)
         if (temperature != NULL && temperature->style->bias != NULL)
             temperature->style->bias(temperature, (int)i, bias);
         for (int axis = 0; axis < 3; ++axis) v[axis] = atoms->v[axis][i] - bias[axis];
-        const double mass = env->units->mvv2e * atoms->mass[atoms->type[i]];
+        const double mass = env->units->mvv2e * hs_atom_mass(atoms, i);
         for (size_t k = 0; k < 6; ++k) compute->atoms[k * n + i] += mass * v[axis_a[k]] * v[axis_b[k]];
     }
     return HS_OK;

@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "base/memory.h"
+#include "core/atom_style.h"
 #include "parallel/parallel.h"
 
 /** Elements of every array, also of those that have no halo part, so that the sort can let them change places
@@ -114,6 +115,10 @@ hs_status hs_atoms_add(hs_atoms *atoms, int64_t id, int type, const double x[3],
     atoms->id[i] = id;
     atoms->type[i] = type;
     atoms->mask[i] = 1;
+    if (atoms->radius != NULL) {
+        atoms->radius[i] = 0.5; /* as in LAMMPS: diameter 1, density 1 */
+        atoms->rmass[i] = hs_ball_volume(0.5);
+    }
     atoms->n_local = i + 1;
     atoms->n_halo = 0;
     ++atoms->generation;

@@ -24,6 +24,21 @@ typedef struct hs_atom_field {
     bool goes_to_halo; /**< copied to halo atoms whenever the halo is made */
 } hs_atom_field;
 
+/** What atoms of a style have beside type, place and velocity. */
+typedef enum {
+    HS_ATOM_ATOMIC,
+    HS_ATOM_SPHERE, /**< diameter, own mass, angular velocity */
+    HS_ATOM_DIPOLE, /**< dipole moment, which also serves as the direction of an active particle */
+    HS_N_ATOM_PARTS
+} hs_atom_part;
+
+/** An atom style: one part, or several (hybrid) in the order of the deck. Zero is `atomic`. See core/atom_style.h. */
+typedef struct hs_atom_style {
+    bool is_hybrid;
+    int n_parts;
+    hs_atom_part part[HS_N_ATOM_PARTS];
+} hs_atom_style;
+
 typedef struct hs_atoms {
     int64_t n_all; /**< atoms on all ranks */
     int n_local;   /**< atoms owned by this rank: indices [0, n_local) */
@@ -37,6 +52,12 @@ typedef struct hs_atoms {
     int32_t *type;     /**< 1 .. n_types; local and halo */
     uint32_t *mask;    /**< group bits; local */
     int32_t *image[3]; /**< box lengths to add for the unwrapped position; local */
+    hs_atom_style style;
+    double *radius;    /**< distance; local; this and the next are NULL unless the style has spheres */
+    double *rmass;     /**< mass of each atom: takes the place of mass[type] (hs_atom_mass); local */
+    double *omega[3];  /**< angular velocity, 1/time; local */
+    double *mu[3];     /**< dipole moment; local; this and the next are NULL unless the style has dipoles */
+    double *mu_length; /**< its length, which rotations keep; local */
     uint64_t generation;
 
     /* owned by hs_atoms.c */
@@ -53,7 +74,7 @@ HS_MUST_USE hs_status hs_atoms_set_types(hs_atoms *atoms, int n_types, hs_error 
 HS_MUST_USE hs_status hs_atoms_check_room(const hs_atoms *atoms, int64_t n_local, int64_t n_halo, hs_error *err);
 /** Make room for at least that many local and halo atoms in all; keeps what is there. */
 HS_MUST_USE hs_status hs_atoms_reserve(hs_atoms *atoms, int64_t n_local, int64_t n_halo, hs_error *err);
-/** Append a local atom at rest, in group all, image 0, all extra fields zero. Room grows by itself. */
+/** Append a local atom at rest, in group all, image 0, a sphere of diameter and density 1, all other fields zero. Room grows by itself. */
 HS_MUST_USE hs_status hs_atoms_add(hs_atoms *atoms, int64_t id, int type, const double x[3], hs_error *err);
 /** Remove local atoms whose flag is nonzero (drop[n_local]), keeping the order of the rest; halo atoms are forgotten.
  *  Not collective: the caller brings n_all up to date. */

@@ -6,6 +6,7 @@
 #include "base/memory.h"
 #include "base/text.h"
 #include "base/timer.h"
+#include "core/atom_style.h"
 #include "core/random.h"
 #include "deck/command.h"
 #include "deck/marsaglia.h"
@@ -404,6 +405,10 @@ static hs_status mass_run(hs_deck *deck, const hs_args *args, hs_error *err)
     int lo, hi;
     double mass;
     HS_TRY(hs_sim_need_box(sim, args->command, err));
+    if (sim->atoms.rmass != NULL && !hs_atom_style_has(&sim->atoms.style, HS_ATOM_DIPOLE))
+        return hs_fail(err, HS_ERROR_INPUT,
+                       "mass: atoms of style sphere have masses of their own; 'set type <type> density <value>' or "
+                       "'set type <type> mass <value>' changes them");
     HS_TRY(hs_arg_range(args, 0, sim->atoms.n_types, &lo, &hi, err));
     HS_TRY(hs_arg_positive(args, 1, &mass, err));
     for (int type = lo; type <= hi; ++type) sim->atoms.mass[type] = mass;
@@ -452,7 +457,11 @@ const hs_command hs_commands_create[] = {
                 .details =
                     "`type` is a number or a range (`*`, `2*`, `*3`, `2*3`); `mass` is greater than 0, in mass units. "
                     "Every type needs\n"
-                    "one before the first run or the first `velocity`. The box must exist.\n",
+                    "one before the first run or the first `velocity`. The box must exist. Atoms of style sphere have "
+                    "masses of "
+                    "their own: there the command is refused, or, with `hybrid dipole sphere`, its values are not used "
+                    "(as in "
+                    "LAMMPS).\n",
                 .example = "mass 1 1.0\nmass * 39.95",
             },
         .run = mass_run,

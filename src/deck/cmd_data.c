@@ -160,10 +160,12 @@ const hs_command hs_commands_data[] = {
           .syntax = {.usage = "<file> [<keyword> <value> ...]", .n_min = 1, .n_max = 1, .keywords = read_keywords},
           .summary = "Read box, atoms and coefficients from a LAMMPS data file",
           .details =
-              "Atom style atomic; the file may be compressed (`.gz`). The header gives `atoms`, `atom types`, `xlo "
+              "The file has the columns of the present atom_style (as in LAMMPS; charges must be 0) and may be "
+              "compressed (`.gz`). The header gives `atoms`, `atom types`, `xlo "
               "xhi`, "
               "`ylo yhi`, `zlo zhi`; counts for bonds and the like must be 0, and tilted boxes are refused. Sections: "
-              "Masses, Atoms (`id type x y z` and three image flags or none), Velocities, Pair Coeffs, PairIJ Coeffs "
+              "Masses, Atoms (`id type x y z` for style atomic, and three image flags or none), Velocities, Pair "
+              "Coeffs, PairIJ Coeffs "
               "(these need a pair style before). Every number is checked; a bad one stops the run with file and line. "
               "Positions outside of a periodic box are wrapped, outside of another they are an error.",
           .example = "read_data start.data\nread_data more.data.gz add append shift 20 0 0 group new"},

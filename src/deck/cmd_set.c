@@ -8,6 +8,7 @@
 #include "deck/by_id.h"
 #include "deck/command.h"
 #include "deck/marsaglia.h"
+#include "deck/set_styles.h"
 #include "deck/subset.h"
 
 typedef enum { SET_ATOM, SET_TYPE, SET_GROUP, SET_REGION } set_style;
@@ -24,6 +25,7 @@ static const hs_keyword set_keywords[] = {
     {"vx", 1, "<vx>", "velocity: a number or an atom-style variable v_name"},
     {"vy", 1, "<vy>", "velocity"},
     {"vz", 1, "<vz>", "velocity"},
+    HS_SET_STYLE_KEYWORDS,
     {"image", 3, "<ix> <iy> <iz>", "numbers of periodic images; NULL leaves one as it is"},
     {NULL, 0, NULL, NULL},
 };
@@ -38,11 +40,10 @@ typedef struct selection {
 
 static hs_status set_check(const hs_args *args, bool has_variables, hs_error *err)
 {
-    static const char *const others[] = {"mol",         "charge",   "mass",     "density", "density/disc",  "diameter",
-                                         "shape",       "length",   "tri",      "dipole",  "dipole/random", "quat",
-                                         "quat/random", "omega",    "angmom",   "theta",   "theta/random",  "bond",
-                                         "angle",       "dihedral", "improper", "spin",    "spin/random",   "volume",
-                                         "temperature", "cc",       "template", NULL};
+    static const char *const others[] = {"mol",         "charge",   "shape", "length",       "tri",    "quat",
+                                         "quat/random", "angmom",   "theta", "theta/random", "bond",   "angle",
+                                         "dihedral",    "improper", "spin",  "spin/random",  "volume", "temperature",
+                                         "cc",          "template", NULL};
     int style;
     if (strchr(args->word[0], '$') != NULL) return HS_OK;
     if (strcmp(args->word[0], "mol") == 0)
@@ -51,9 +52,7 @@ static hs_status set_check(const hs_args *args, bool has_variables, hs_error *er
     for (int i = 2; i < args->n; ++i)
         for (int k = 0; others[k] != NULL; ++k)
             if (strcmp(args->word[i], others[k]) == 0)
-                return hs_fail(err, HS_ERROR_INPUT,
-                               "set: '%s' cannot be set: atoms of the style atomic have a type, "
-                               "a position, a velocity and image numbers",
+                return hs_fail(err, HS_ERROR_INPUT, "set: '%s' cannot be set: no supported atom style has it",
                                args->word[i]);
     const hs_syntax syntax = {"atom|type|group|region <ID> <keyword> <values> ...", 2, 2, set_keywords};
     HS_TRY(hs_syntax_check(&syntax, args, has_variables, err));
@@ -128,6 +127,13 @@ static hs_status select_atoms(selection *s, set_style style, const hs_args *args
 
 /* ---- values ---- */
 
+static int words_of(const char *keyword)
+{
+    for (const hs_keyword *k = set_keywords; k->name != NULL; ++k)
+        if (strcmp(k->name, keyword) == 0) return k->n_values;
+    return 0;
+}
+
 /** The value of every local atom from word i: a number, or v_name: (*values)[n_local], owned by the caller. */
 static hs_status read_values(const selection *s, const hs_args *args, int i, double **values, hs_error *err)
 {
@@ -197,6 +203,21 @@ static hs_status set_image(const selection *s, const hs_args *args, int i, hs_er
         HS_TRY(status);
     }
     return HS_OK;
+}
+
+/** Values that only some atom styles have. */
+static hs_status set_of_style(const selection *s, const hs_args *args, int i, hs_error *err)
+{
+    hs_atoms *atoms = &s->sim->atoms;
+    double *values[3] = {NULL};
+    hs_status status = HS_OK;
+    HS_TRY(hs_set_need_style(atoms, args->word[i], err));
+    if (strcmp(args->word[i], "dipole/random") == 0) return hs_set_random_dipoles(s->sim, s->flag, args, i, err);
+    for (int k = 0; k < words_of(args->word[i]) && status == HS_OK; ++k)
+        status = read_values(s, args, i + 1 + k, &values[k], err);
+    if (status == HS_OK) status = hs_set_style_values(atoms, s->flag, args->word[i], values, err);
+    for (int k = 0; k < 3; ++k) HS_FREE(values[k]);
+    return status;
 }
 
 /* ---- random types ---- */
@@ -285,18 +306,13 @@ static hs_status set_keyword(const selection *s, const hs_args *args, int i, hs_
         hs_parallel_sum_int64(&s->sim->parallel, &n, 1);
     } else if (strcmp(keyword, "image") == 0) {
         HS_TRY(set_image(s, args, i, err));
+    } else if (hs_set_is_style_keyword(keyword)) {
+        HS_TRY(set_of_style(s, args, i, err));
     } else {
         HS_TRY(set_plain(s, args, i, err));
     }
     hs_say(s->deck->out, "  %lld settings made for %s\n", (long long)n, keyword);
     return HS_OK;
-}
-
-static int words_of(const char *keyword)
-{
-    for (const hs_keyword *k = set_keywords; k->name != NULL; ++k)
-        if (strcmp(k->name, keyword) == 0) return k->n_values;
-    return 0;
 }
 
 static hs_status set_run(hs_deck *deck, const hs_args *args, hs_error *err)
@@ -324,7 +340,7 @@ const hs_command hs_commands_set[] = {
             {
                 .name = "set",
                 .syntax = {"atom|type|group|region <ID> <keyword> <values> ...", 2, -1, set_keywords},
-                .summary = "Set types, positions, velocities or image numbers of atoms",
+                .summary = "Set types, positions, velocities, image numbers, sizes or directions of atoms",
                 .details =
                     "The atoms are chosen by ID or range of IDs (`atom 3`, `atom 5*10`), by type or range of types, by "
                     "group, or by\n"
@@ -340,7 +356,13 @@ const hs_command hs_commands_set[] = {
                     "LAMMPS on\n"
                     "one rank (before the first run of a deck; after it LAMMPS has reordered its atoms), whatever the "
                     "number of ranks.\n"
-                    "Image numbers must be 0 along axes that are not periodic.\n",
+                    "Image numbers must be 0 along axes that are not periodic.\n\n"
+                    "`diameter`, `density`, `density/disc`, `mass` and `omega` need spheres, `dipole` and "
+                    "`dipole/random` need "
+                    "dipoles (atom_style). `density` uses the present diameter, so set the diameter first. "
+                    "`dipole/random` "
+                    "gives LAMMPS's directions; in three dimensions they are not quite evenly spread, which rotational "
+                    "diffusion forgets.\n",
                 .example = "set type 1 type/fraction 2 0.5 12393\nset group left vx 0.5\nset atom 7 x 1.0 y 1.0",
             },
         .run = set_run,

@@ -2,6 +2,7 @@
 #include <string.h>
 
 #include "base/text.h"
+#include "core/atom_style.h"
 #include "deck/command.h"
 
 static hs_status need_no_box(const hs_deck *deck, const char *command, hs_error *err)
@@ -94,31 +95,58 @@ static hs_status boundary_run(hs_deck *deck, const hs_args *args, hs_error *err)
 
 /* ---- atom_style, atom_modify ---- */
 
+/** A word of atom_style as a part of the style. */
+static hs_status read_part(const hs_args *args, int i, int *part, hs_error *err)
+{
+    static const char *const others[] = {
+        "angle",  "body",      "bond", "charge", "dpd", "edpd", "electron", "full",     "mdpd", "ellipsoid",  "line",
+        "mesont", "molecular", "peri", "smd",    "sph", "spin", "tdpd",     "template", "tri",  "wavepacket", NULL};
+    for (int k = 0; others[k] != NULL; ++k)
+        if (strcmp(args->word[i], others[k]) == 0)
+            return hs_fail(
+                err, HS_ERROR_INPUT,
+                "atom_style: '%s' is not supported: atoms are points (atomic), spheres (sphere), have a direction "
+                "(dipole), or both (hybrid dipole sphere)",
+                args->word[i]);
+    return hs_arg_choice(args, i, hs_atom_part_names, part, err);
+}
+
+static hs_status read_atom_style(const hs_args *args, bool has_variables, hs_atom_style *style, hs_error *err)
+{
+    memset(style, 0, sizeof *style);
+    style->is_hybrid = strcmp(args->word[0], "hybrid") == 0;
+    if (style->is_hybrid && args->n == 1) return hs_arg_need(args, 1, "a style after hybrid", err);
+    for (int i = style->is_hybrid; i < args->n; ++i) {
+        int part;
+        if (has_variables && is_variable(args->word[i])) return HS_OK;
+        if (i > 0 && !style->is_hybrid)
+            return hs_fail(err, HS_ERROR_INPUT,
+                           "atom_style: unexpected word '%s' after %s; 'hybrid' joins several styles", args->word[i],
+                           args->word[0]);
+        HS_TRY(read_part(args, i, &part, err));
+        if (hs_atom_style_has(style, (hs_atom_part)part))
+            return hs_fail(err, HS_ERROR_INPUT, "atom_style: '%s' is there twice", args->word[i]);
+        style->part[style->n_parts++] = (hs_atom_part)part;
+    }
+    return HS_OK;
+}
+
 static hs_status atom_style_check(const hs_args *args, bool has_variables, hs_error *err)
 {
-    static const char *const others[] = {"angle",     "body",      "bond",       "charge", "dipole", "dpd",  "edpd",
-                                         "electron",  "ellipsoid", "full",       "hybrid", "line",   "mdpd", "mesont",
-                                         "molecular", "peri",      "smd",        "sph",    "sphere", "spin", "tdpd",
-                                         "template",  "tri",       "wavepacket", NULL};
-    static const char *const atomic[] = {"atomic", NULL};
-    if (has_variables && is_variable(args->word[0])) return HS_OK;
-    for (int k = 0; others[k] != NULL; ++k)
-        if (strcmp(args->word[0], others[k]) == 0)
-            return hs_fail(err, HS_ERROR_INPUT,
-                           "atom_style: '%s' is not supported: atoms have a type, a position and "
-                           "a velocity (no charges, bonds, sizes or orientations), which is the style 'atomic'",
-                           args->word[0]);
-    if (strcmp(args->word[0], "atomic") != 0)
-        return hs_arg_refuse(args, 0, "a supported atom style (atomic)", atomic, err);
-    if (args->n > 1 && !has_variables)
-        return hs_fail(err, HS_ERROR_INPUT, "atom_style: unexpected word '%s' after atomic", args->word[1]);
-    return HS_OK;
+    hs_atom_style style;
+    return read_atom_style(args, has_variables, &style, err);
 }
 
 static hs_status atom_style_run(hs_deck *deck, const hs_args *args, hs_error *err)
 {
+    hs_atom_style style;
     HS_TRY(need_no_box(deck, args->command, err));
-    return atom_style_check(args, false, err);
+    HS_TRY(read_atom_style(args, false, &style, err));
+    if (hs_atom_style_has(&style, HS_ATOM_SPHERE) && style.n_parts > 1)
+        hs_warn(deck->out,
+                "atom_style hybrid: each atom has a mass of its own (diameter 1 and density 1 at first), and those "
+                "of the command mass are not used");
+    return hs_atoms_set_style(&deck->sim->atoms, &style, err);
 }
 
 static const hs_keyword atom_modify_keywords[] = {
@@ -260,10 +288,20 @@ const hs_command hs_commands_system[] = {
         .about =
             {
                 .name = "atom_style",
-                .syntax = {"atomic", 1, -1, NULL},
-                .summary = "What atoms have: type, position, velocity",
-                .details = "Only `atomic` (the default) is supported. Must come before the box.\n",
-                .example = "atom_style atomic",
+                .syntax = {"atomic | sphere | dipole | hybrid <style> ...", 1, -1, NULL},
+                .summary = "What atoms have: size, own mass, direction",
+                .details =
+                    "`atomic` (the default): atoms are points with a type, a position and a velocity; masses belong to "
+                    "types. "
+                    "`sphere`: each atom also has a diameter, a mass (set by its density) and an angular velocity; new "
+                    "atoms "
+                    "have diameter 1 and density 1, and the command mass is refused. `dipole`: each atom has a dipole "
+                    "moment, "
+                    "0 at first, which is also the direction of an active particle; there are no charges and no dipole "
+                    "forces. `hybrid` joins them; `hybrid dipole sphere` is the style of active Brownian particles. As "
+                    "in "
+                    "LAMMPS, masses of types are then not used. Must come before the box.\n",
+                .example = "atom_style atomic\natom_style hybrid dipole sphere",
             },
         .run = atom_style_run,
         .check = atom_style_check,

@@ -5,6 +5,7 @@
 
 #include "base/memory.h"
 #include "base/text.h"
+#include "core/atom_style.h"
 #include "core/random.h"
 #include "deck/by_id.h"
 #include "deck/command.h"
@@ -111,7 +112,7 @@ static void draw(const velocity *vel, hs_park *park, double v[3])
 static void assign(const velocity *vel, int i, const double drawn[3])
 {
     hs_atoms *atoms = &vel->sim->atoms;
-    const double factor = 1.0 / sqrt(atoms->mass[atoms->type[i]]);
+    const double factor = 1.0 / sqrt(hs_atom_mass(atoms, i));
     for (int axis = 0; axis < 3; ++axis) atoms->v[axis][i] = drawn[axis] * factor;
     if (vel->sim->box.dimension == 2) atoms->v[2][i] = 0.0;
 }

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "base/memory.h"
+#include "core/atom_style.h"
 #include "deck/formula_nodes.h"
 #include "deck/variables.h"
 #include "sim/thermo.h"
@@ -22,7 +23,7 @@ double hs_formula_attribute(const hs_sim *sim, int attribute, int i)
     case 0:
         return (double)atoms->id[i];
     case 1:
-        return atoms->mass[atoms->type[i]];
+        return hs_atom_mass(atoms, i);
     case 2:
         return (double)atoms->type[i];
     case 3:

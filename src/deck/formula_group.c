@@ -2,6 +2,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "core/atom_style.h"
 #include "core/exact_sum.h"
 #include "deck/formula_nodes.h"
 
@@ -77,7 +78,7 @@ static void sum_mass(const selection *chosen, double sums[4])
         if (!is_chosen(chosen, i)) continue;
         double x[3];
         unwrap(chosen->sim, i, x);
-        const double mass = atoms->mass[atoms->type[i]];
+        const double mass = hs_atom_mass(atoms, i);
         hs_exact_add(&exact[0], mass);
         for (int d = 0; d < 3; ++d) hs_exact_add(&exact[1 + d], x[d] * mass);
     }
@@ -118,7 +119,7 @@ static hs_status do_vcm(hs_deck *deck, const hs_node *node, double *value, hs_er
     double sums[2];
     for (int i = 0; i < atoms->n_local; ++i) {
         if (!is_chosen(&chosen, i)) continue;
-        const double mass = atoms->mass[atoms->type[i]];
+        const double mass = hs_atom_mass(atoms, i);
         hs_exact_add(&exact[0], mass);
         hs_exact_add(&exact[1], atoms->v[axis][i] * mass);
     }
@@ -171,7 +172,7 @@ static hs_status do_ke(hs_deck *deck, const hs_node *node, double *value, hs_err
     for (int i = 0; i < atoms->n_local; ++i) {
         if (!is_chosen(&chosen, i)) continue;
         const double vx = atoms->v[0][i], vy = atoms->v[1][i], vz = atoms->v[2][i];
-        hs_exact_add(&exact, (vx * vx + vy * vy + vz * vz) * atoms->mass[atoms->type[i]]);
+        hs_exact_add(&exact, (vx * vx + vy * vy + vz * vz) * hs_atom_mass(atoms, i));
     }
     hs_exact_total(&exact, 1, &chosen.sim->parallel, &sum);
     *value = 0.5 * chosen.sim->env.units->mvv2e * sum;
@@ -203,7 +204,7 @@ static hs_status do_gyration(hs_deck *deck, const hs_node *node, double *value, 
         double x[3];
         unwrap(chosen.sim, i, x);
         const double dx = x[0] - centre[0], dy = x[1] - centre[1], dz = x[2] - centre[2];
-        hs_exact_add(&exact, (dx * dx + dy * dy + dz * dz) * atoms->mass[atoms->type[i]]);
+        hs_exact_add(&exact, (dx * dx + dy * dy + dz * dz) * hs_atom_mass(atoms, i));
     }
     hs_exact_total(&exact, 1, &chosen.sim->parallel, &sum);
     *value = sqrt(sum / mass);
@@ -227,7 +228,7 @@ static hs_status sum_moment(hs_deck *deck, const hs_node *node, bool of_forces, 
         if (!is_chosen(&chosen, i)) continue;
         double x[3];
         unwrap(chosen.sim, i, x);
-        const double weight = of_forces ? 1.0 : atoms->mass[atoms->type[i]];
+        const double weight = of_forces ? 1.0 : hs_atom_mass(atoms, i);
         hs_exact_add(&sum, weight * ((x[a] - centre[a]) * vector[b][i] - (x[b] - centre[b]) * vector[a][i]));
     }
     hs_exact_total(&sum, 1, &chosen.sim->parallel, value);
@@ -261,7 +262,7 @@ static hs_status do_inertia(hs_deck *deck, const hs_node *node, double *value, h
         double x[3], r2 = 0.0;
         unwrap(chosen.sim, i, x);
         for (int d = 0; d < 3; ++d) x[d] -= centre[d], r2 += x[d] * x[d];
-        hs_exact_add(&sum, atoms->mass[atoms->type[i]] * ((a == b ? r2 : 0.0) - x[a] * x[b]));
+        hs_exact_add(&sum, hs_atom_mass(atoms, i) * ((a == b ? r2 : 0.0) - x[a] * x[b]));
     }
     hs_exact_total(&sum, 1, &chosen.sim->parallel, value);
     return HS_OK;

@@ -1,4 +1,5 @@
 #include "deck/velocity.h"
+#include "core/atom_style.h"
 
 #include <math.h>
 #include <string.h>
@@ -35,7 +36,7 @@ double hs_velocity_temperature(const hs_velocity_group *group)
     for (int k = 0; k < group->n; ++k) {
         const int i = group->member[k];
         const double vx = atoms->v[0][i], vy = atoms->v[1][i], vz = atoms->v[2][i];
-        hs_exact_add(&mv2, (vx * vx + vy * vy + vz * vz) * atoms->mass[atoms->type[i]]);
+        hs_exact_add(&mv2, (vx * vx + vy * vy + vz * vz) * hs_atom_mass(atoms, i));
     }
     hs_exact_total(&mv2, 1, &group->sim->parallel, &sum);
     const double n_dof = (double)dimension * (double)group->n_all - dimension;
@@ -61,7 +62,7 @@ static double total_mass(const hs_velocity_group *group)
     const hs_atoms *atoms = &group->sim->atoms;
     hs_exact_sum sum = {0};
     double mass;
-    for (int k = 0; k < group->n; ++k) hs_exact_add(&sum, atoms->mass[atoms->type[group->member[k]]]);
+    for (int k = 0; k < group->n; ++k) hs_exact_add(&sum, hs_atom_mass(atoms, group->member[k]));
     hs_exact_total(&sum, 1, &group->sim->parallel, &mass);
     return mass;
 }
@@ -81,7 +82,7 @@ hs_status hs_velocity_zero_momentum(const hs_velocity_group *group, hs_error *er
     double p[3];
     for (int k = 0; k < group->n; ++k) {
         const int i = group->member[k];
-        for (int axis = 0; axis < 3; ++axis) hs_exact_add(&sum[axis], atoms->v[axis][i] * atoms->mass[atoms->type[i]]);
+        for (int axis = 0; axis < 3; ++axis) hs_exact_add(&sum[axis], atoms->v[axis][i] * hs_atom_mass(atoms, i));
     }
     hs_exact_total(sum, 3, &group->sim->parallel, p);
     for (int axis = 0; axis < 3; ++axis) {
@@ -107,7 +108,7 @@ static void center_of_mass(const hs_velocity_group *group, double center[3])
         const int i = group->member[k];
         double x[3];
         unwrap(group->sim, i, x);
-        for (int axis = 0; axis < 3; ++axis) hs_exact_add(&sum[axis], x[axis] * atoms->mass[atoms->type[i]]);
+        for (int axis = 0; axis < 3; ++axis) hs_exact_add(&sum[axis], x[axis] * hs_atom_mass(atoms, i));
     }
     hs_exact_total(sum, 3, &group->sim->parallel, center);
     for (int axis = 0; axis < 3; ++axis) center[axis] /= mass;
@@ -122,7 +123,7 @@ static void rotation_sums(const hs_velocity_group *group, const double center[3]
     double sum[9]; /* Lx Ly Lz, Ixx Iyy Izz Ixy Iyz Ixz */
     for (int k = 0; k < group->n; ++k) {
         const int i = group->member[k];
-        const double mass = atoms->mass[atoms->type[i]];
+        const double mass = hs_atom_mass(atoms, i);
         double x[3];
         unwrap(group->sim, i, x);
         const double dx = x[0] - center[0], dy = x[1] - center[1], dz = x[2] - center[2];

@@ -5,7 +5,8 @@
 #include "style/fix.h"
 
 typedef struct nve_state {
-    double *half_kick; /**< owned [n_types + 1]: (dt/2) ftm2v / m, by type */
+    double half_dt;    /**< (dt/2) ftm2v */
+    double *half_kick; /**< owned [n_types + 1]: half_dt / m, by type */
     int n_types;
 } nve_state;
 
@@ -17,51 +18,47 @@ static hs_status init(hs_fix *fix, hs_error *err)
         HS_TRY(HS_GROW(nve->half_kick, 0, (size_t)atoms->n_types + 1, err));
         nve->n_types = atoms->n_types;
     }
-    const double half_dt = 0.5 * fix->env->dt * fix->env->units->ftm2v;
-    for (int type = 1; type <= atoms->n_types; ++type) nve->half_kick[type] = half_dt / atoms->mass[type];
+    nve->half_dt = 0.5 * fix->env->dt * fix->env->units->ftm2v;
+    for (int type = 1; type <= atoms->n_types; ++type) nve->half_kick[type] = nve->half_dt / atoms->mass[type];
     return HS_OK;
 }
 
 static void destroy(hs_fix *fix) { HS_FREE(((nve_state *)fix->state)->half_kick); }
 
-static hs_status initial_integrate(hs_fix *fix, hs_error *err)
+/** v += (dt/2) f/m, and with @p drift x += dt v. */
+static inline void move(const hs_fix *fix, bool drift)
 {
-    (void)err;
+    const nve_state *nve = fix->state;
     const hs_atoms *atoms = fix->env->atoms;
-    const double *half_kick = ((nve_state *)fix->state)->half_kick, dt = fix->env->dt;
+    const double *half_kick = nve->half_kick, half_dt = nve->half_dt, dt = drift ? fix->env->dt : 0.0;
     const uint32_t mask = fix->mask;
 #pragma omp parallel
     for (int axis = 0; axis < 3; ++axis) {
         double *restrict x = atoms->x[axis], *restrict v = atoms->v[axis];
-        const double *restrict f = atoms->f[axis];
+        const double *restrict f = atoms->f[axis], *restrict rmass = atoms->rmass;
         const int32_t *restrict type = atoms->type;
         const uint32_t *restrict group = atoms->mask;
 #pragma omp for schedule(static) nowait
         for (int i = 0; i < atoms->n_local; ++i) {
             const bool is_moved = (group[i] & mask) != 0;
-            const double v_new = v[i] + half_kick[type[i]] * f[i];
+            const double v_new = v[i] + (rmass != NULL ? half_dt / rmass[i] : half_kick[type[i]]) * f[i];
             v[i] = is_moved ? v_new : v[i];
-            x[i] = is_moved ? x[i] + dt * v_new : x[i];
+            if (drift) x[i] = is_moved ? x[i] + dt * v_new : x[i];
         }
     }
+}
+
+static hs_status initial_integrate(hs_fix *fix, hs_error *err)
+{
+    (void)err;
+    move(fix, true);
     return HS_OK;
 }
 
 static hs_status final_integrate(hs_fix *fix, hs_error *err)
 {
     (void)err;
-    const hs_atoms *atoms = fix->env->atoms;
-    const double *half_kick = ((nve_state *)fix->state)->half_kick;
-    const uint32_t mask = fix->mask;
-#pragma omp parallel
-    for (int axis = 0; axis < 3; ++axis) {
-        double *restrict v = atoms->v[axis];
-        const double *restrict f = atoms->f[axis];
-        const int32_t *restrict type = atoms->type;
-        const uint32_t *restrict group = atoms->mask;
-#pragma omp for schedule(static) nowait
-        for (int i = 0; i < atoms->n_local; ++i) v[i] = group[i] & mask ? v[i] + half_kick[type[i]] * f[i] : v[i];
-    }
+    move(fix, false);
     return HS_OK;
 }
 

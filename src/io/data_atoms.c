@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "base/memory.h"
+#include "core/atom_style.h"
 #include "io/data_internal.h"
 
 enum { IMAGE_MAX = 1 << 30 };
@@ -50,11 +51,12 @@ static hs_status read_type(const hs_data_reader *reader, const char *word, int64
                    (long long)*type, reader->env->atoms->n_types);
 }
 
-static hs_status read_images(const hs_lines *lines, int32_t image[3], hs_error *err)
+/** Three image flags from word @p first on, or zeros when the line ends before. */
+static hs_status read_images(const hs_lines *lines, int first, int32_t image[3], hs_error *err)
 {
     for (int axis = 0; axis < 3; ++axis) {
         int64_t value = 0;
-        const char *word = lines->n_words == 8 ? lines->word[5 + axis] : "0";
+        const char *word = lines->n_words > first ? lines->word[first + axis] : "0";
         if (!hs_text_to_int64(word, &value) || value > IMAGE_MAX || value < -IMAGE_MAX)
             return hs_fail(err, HS_ERROR_INPUT, "'%s' is not an image flag (a whole number)", word);
         image[axis] = (int32_t)value;
@@ -102,24 +104,26 @@ static hs_status read_atom(hs_data_reader *reader, hs_error *err)
     const hs_lines *lines = &reader->lines;
     hs_atoms *atoms = reader->env->atoms;
     int64_t id, type;
-    double x[3];
+    double x[3], value[HS_LINE_WORDS_MAX];
     int32_t image[3];
-    if (lines->n_words != 5 && lines->n_words != 8)
-        return hs_fail(err, HS_ERROR_INPUT,
-                       "a line of Atoms (style atomic) is 'id type x y z' with three image flags or none; this "
-                       "one has %d words",
-                       lines->n_words);
+    const hs_data_columns layout = hs_data_columns_of(&atoms->style);
+    if (lines->n_words != layout.n_words && lines->n_words != layout.n_words + 3)
+        return hs_data_refuse_columns(&atoms->style, lines->n_words, err);
     HS_TRY(read_id(reader, lines->word[0], &id, err));
     HS_TRY(read_type(reader, lines->word[1], &type, err));
-    HS_TRY(read_doubles(lines, 2, 3, x, "coordinate", err));
-    HS_TRY(read_images(lines, image, err));
-    for (int axis = 0; axis < 3; ++axis) x[axis] += reader->options->shift[axis];
+    HS_TRY(read_doubles(lines, 2, layout.n_words - 2, value, layout.n > 1 ? "value of an atom" : "coordinate", err));
+    HS_TRY(read_images(lines, layout.n_words, image, err));
+    int place = 0;
+    for (int k = 0; layout.column[k] != HS_DATA_PLACE; ++k) place += hs_data_column_words(layout.column[k]);
+    for (int axis = 0; axis < 3; ++axis) x[axis] = value[place + axis] + reader->options->shift[axis];
     HS_TRY(settle(reader->env->box, x, image, err));
     forget_images(reader, image);
     HS_TRY(hs_atoms_add(atoms, id, (int)type, x, err));
     const int i = atoms->n_local - 1;
     for (int axis = 0; axis < 3; ++axis) atoms->image[axis][i] = image[axis];
     atoms->mask[i] |= reader->options->mask;
+    for (int k = 0, word = 0; k < layout.n; word += hs_data_column_words(layout.column[k++]))
+        HS_TRY(hs_data_set_column(atoms, i, layout.column[k], value + word, err));
     return HS_OK;
 }
 
@@ -164,9 +168,12 @@ hs_status hs_data_read_atoms(hs_data_reader *reader, hs_error *err)
     hs_atoms *atoms = reader->env->atoms;
     int capacity = 0;
     if (reader->has_atoms) return hs_fail(err, HS_ERROR_INPUT, "there is a section Atoms already");
-    if (reader->lines.comment[0] != '\0' && strcmp(reader->lines.comment, "atomic") != 0)
-        hs_warn(reader->env->out, "%s:%ld: the comment says the atom style is '%s'; it is read as atomic",
-                reader->lines.path, reader->lines.number, reader->lines.comment);
+    char style[HS_ATOM_STYLE_NAME_SIZE];
+    hs_atom_style_name(&atoms->style, style);
+    if (atoms->style.is_hybrid) *strchr(style, ' ') = '\0'; /* LAMMPS writes the first word only */
+    if (reader->lines.comment[0] != '\0' && strncmp(reader->lines.comment, style, strlen(style)) != 0)
+        hs_warn(reader->env->out, "%s:%ld: the comment says the atom style is '%s'; it is read as %s",
+                reader->lines.path, reader->lines.number, reader->lines.comment, style);
     hs_say(reader->env->out, "  reading atoms ...\n");
     for (int i = 0; i < reader->n_before; ++i) HS_TRY(append_id(reader, &capacity, 0, err));
     /* Room grows as lines are read, so that a wrong count in the header costs no memory. */
@@ -187,12 +194,14 @@ static hs_status read_velocity(hs_data_reader *reader, hs_error *err)
 {
     const hs_lines *lines = &reader->lines;
     hs_data_id key = {0};
-    double v[3];
-    if (lines->n_words != 4)
-        return hs_fail(err, HS_ERROR_INPUT, "a line of Velocities is 'id vx vy vz'; this one has %d words",
-                       lines->n_words);
+    double v[6];
+    const bool has_omega = reader->env->atoms->omega[0] != NULL;
+    const int n_values = has_omega ? 6 : 3;
+    if (lines->n_words != 1 + n_values)
+        return hs_fail(err, HS_ERROR_INPUT, "a line of Velocities is 'id vx vy vz%s'; this one has %d words",
+                       has_omega ? " wx wy wz" : "", lines->n_words);
     HS_TRY(read_id(reader, lines->word[0], &key.id, err));
-    HS_TRY(read_doubles(lines, 1, 3, v, "velocity", err));
+    HS_TRY(read_doubles(lines, 1, n_values, v, "velocity", err));
     /* line is not compared: every id occurs once */
     int lo = 0, hi = reader->n_ids;
     while (lo < hi) {
@@ -208,6 +217,7 @@ static hs_status read_velocity(hs_data_reader *reader, hs_error *err)
     if (found->has_velocity) return hs_fail(err, HS_ERROR_INPUT, "atom %s has a velocity already", lines->word[0]);
     found->has_velocity = true;
     for (int axis = 0; axis < 3; ++axis) reader->env->atoms->v[axis][found->index] = v[axis];
+    for (int axis = 0; axis < 3 && has_omega; ++axis) reader->env->atoms->omega[axis][found->index] = v[3 + axis];
     return HS_OK;
 }
 

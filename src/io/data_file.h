@@ -1,4 +1,4 @@
-/** LAMMPS's data files, atom style atomic: the commands read_data and write_data. */
+/** LAMMPS's data files: the commands read_data and write_data. */
 #ifndef HS_IO_DATA_FILE_H
 #define HS_IO_DATA_FILE_H
 

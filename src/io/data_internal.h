@@ -32,6 +32,24 @@ typedef struct hs_data_reader {
     bool has_atoms, has_velocities, has_masses;
 } hs_data_reader;
 
+/** What stands in a line of the section Atoms after id and type. */
+typedef enum { HS_DATA_PLACE, HS_DATA_DIAMETER, HS_DATA_DENSITY, HS_DATA_CHARGE, HS_DATA_DIPOLE } hs_data_column;
+typedef struct hs_data_columns {
+    hs_data_column column[8];
+    int n;
+    int n_words; /**< with id and type, without image flags */
+} hs_data_columns;
+
+/** The columns of an atom style, in LAMMPS's order. */
+hs_data_columns hs_data_columns_of(const hs_atom_style *style);
+/** Refuse a line of Atoms that has another number of words. */
+HS_MUST_USE hs_status hs_data_refuse_columns(const hs_atom_style *style, int n_words, hs_error *err);
+/** Values of one column into atom i (not its place), or out of it: the latter gives their number. */
+HS_MUST_USE hs_status hs_data_set_column(hs_atoms *atoms, int i, hs_data_column kind, const double *value,
+                                         hs_error *err);
+int hs_data_column_words(hs_data_column kind);
+int hs_data_get_column(const hs_atoms *atoms, int i, hs_data_column kind, const double place[3], double value[3]);
+
 /** The lines up to the first section; leaves that line held. */
 HS_MUST_USE hs_status hs_data_read_header(hs_data_reader *reader, hs_error *err);
 /** The section Atoms (the present line is its name). */

@@ -6,6 +6,7 @@
 #include "base/memory.h"
 #include "base/timer.h"
 #include "comm/domain.h"
+#include "core/atom_style.h"
 #include "io/data_internal.h"
 
 /** Make the box and the types, or widen the box to hold the file's. */
@@ -55,6 +56,10 @@ static hs_status read_masses(hs_data_reader *reader, hs_error *err)
     const hs_lines *lines = &reader->lines;
     if (reader->has_masses) return hs_fail(err, HS_ERROR_INPUT, "there is a section Masses already");
     reader->has_masses = true;
+    const hs_atoms *atoms = reader->env->atoms;
+    if (atoms->rmass != NULL && !hs_atom_style_has(&atoms->style, HS_ATOM_DIPOLE))
+        return hs_fail(err, HS_ERROR_INPUT,
+                       "atoms of style sphere have masses of their own (the densities in Atoms): no section Masses");
     for (int64_t k = 0; k < reader->n_types; ++k) {
         int64_t type;
         double mass;
@@ -152,7 +157,7 @@ static hs_status read_section(hs_data_reader *reader, hs_error *err)
         break;
     }
     if (is_foreign(name))
-        return hs_fail(err, HS_ERROR_INPUT, "the section '%s' is not for atoms of style atomic", name);
+        return hs_fail(err, HS_ERROR_INPUT, "the section '%s' is not for atoms of the supported styles", name);
     if (strchr("0123456789+-.", name[0]) != NULL)
         return hs_fail(err, HS_ERROR_INPUT,
                        "a section name was expected, not '%s': the section before has more lines than the "

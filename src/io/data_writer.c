@@ -3,7 +3,8 @@
 #include <stdlib.h>
 
 #include "base/memory.h"
-#include "io/data_file.h"
+#include "core/atom_style.h"
+#include "io/data_internal.h"
 #include "io/writer.h"
 
 const char *hs_data_shortest(double value, char text[HS_SHORTEST_SIZE])
@@ -26,6 +27,9 @@ static hs_status write_header(const hs_env *env, hs_writer *writer, hs_error *er
     for (int axis = 0; axis < 3; ++axis)
         HS_TRY(hs_writer_printf(writer, err, "%s %s %s\n", hs_data_shortest(env->box->lo[axis], lo),
                                 hs_data_shortest(env->box->hi[axis], hi), bounds[axis]));
+    bool has_masses = true; /* masses of types are optional where atoms have their own */
+    for (int type = 1; type <= atoms->n_types; ++type) has_masses = has_masses && atoms->mass[type] > 0.0;
+    if (!has_masses) return HS_OK;
     HS_TRY(hs_writer_printf(writer, err, "\nMasses\n\n"));
     for (int type = 1; type <= atoms->n_types; ++type)
         HS_TRY(hs_writer_printf(writer, err, "%d %s\n", type, hs_data_shortest(atoms->mass[type], mass)));
@@ -72,26 +76,52 @@ static hs_status sorted_atoms(const hs_atoms *atoms, id_index **order, hs_error 
     return HS_OK;
 }
 
+/** Numbers, each after a space. */
+static hs_status write_values(hs_writer *writer, const double *value, int n, hs_error *err)
+{
+    char text[HS_SHORTEST_SIZE];
+    for (int k = 0; k < n; ++k) HS_TRY(hs_writer_printf(writer, err, " %s", hs_data_shortest(value[k], text)));
+    return HS_OK;
+}
+
 static hs_status write_atoms(const hs_env *env, hs_writer *writer, const id_index *order, hs_error *err)
 {
     const hs_atoms *atoms = env->atoms;
-    char text[3][HS_SHORTEST_SIZE];
-    HS_TRY(hs_writer_printf(writer, err, "\nAtoms # atomic\n\n"));
+    const hs_data_columns layout = hs_data_columns_of(&atoms->style);
+    char style[HS_ATOM_STYLE_NAME_SIZE];
+    hs_atom_style_name(&atoms->style, style);
+    HS_TRY(hs_writer_printf(writer, err, "\nAtoms # %s\n\n", atoms->style.is_hybrid ? "hybrid" : style));
     for (int k = 0; k < atoms->n_local; ++k) {
         const int i = order[k].index;
         double x[3];
         int32_t image[3];
         for (int axis = 0; axis < 3; ++axis) x[axis] = atoms->x[axis][i], image[axis] = atoms->image[axis][i];
         hs_box_wrap(env->box, x, image);
-        for (int axis = 0; axis < 3; ++axis) hs_data_shortest(x[axis], text[axis]);
-        HS_TRY(hs_writer_printf(writer, err, "%lld %d %s %s %s %d %d %d\n", (long long)atoms->id[i], atoms->type[i],
-                                text[0], text[1], text[2], image[0], image[1], image[2]));
+        HS_TRY(hs_writer_printf(writer, err, "%lld %d", (long long)atoms->id[i], atoms->type[i]));
+        for (int c = 0; c < layout.n; ++c) {
+            double value[3];
+            const int n = hs_data_get_column(atoms, i, layout.column[c], x, value);
+            HS_TRY(write_values(writer, value, n, err));
+        }
+        HS_TRY(hs_writer_printf(writer, err, " %d %d %d\n", image[0], image[1], image[2]));
     }
+    return HS_OK;
+}
+
+static hs_status write_velocities(const hs_env *env, hs_writer *writer, const id_index *order, hs_error *err)
+{
+    const hs_atoms *atoms = env->atoms;
     HS_TRY(hs_writer_printf(writer, err, "\nVelocities\n\n"));
     for (int k = 0; k < atoms->n_local; ++k) {
         const int i = order[k].index;
-        for (int axis = 0; axis < 3; ++axis) hs_data_shortest(atoms->v[axis][i], text[axis]);
-        HS_TRY(hs_writer_printf(writer, err, "%lld %s %s %s\n", (long long)atoms->id[i], text[0], text[1], text[2]));
+        const double v[3] = {atoms->v[0][i], atoms->v[1][i], atoms->v[2][i]};
+        HS_TRY(hs_writer_printf(writer, err, "%lld", (long long)atoms->id[i]));
+        HS_TRY(write_values(writer, v, 3, err));
+        if (atoms->omega[0] != NULL) {
+            const double omega[3] = {atoms->omega[0][i], atoms->omega[1][i], atoms->omega[2][i]};
+            HS_TRY(write_values(writer, omega, 3, err));
+        }
+        HS_TRY(hs_writer_printf(writer, err, "\n"));
     }
     return HS_OK;
 }
@@ -104,7 +134,8 @@ static hs_status write_file(const hs_env *env, hs_writer *writer, const hs_data_
         HS_TRY(write_coefficients(env, writer, options, err));
     if (env->atoms->n_local == 0) return HS_OK;
     HS_TRY(sorted_atoms(env->atoms, &order, err));
-    const hs_status status = write_atoms(env, writer, order, err);
+    hs_status status = write_atoms(env, writer, order, err);
+    if (status == HS_OK) status = write_velocities(env, writer, order, err);
     HS_FREE(order);
     return status;
 }

@@ -137,6 +137,10 @@ static hs_status modify_thresh(hs_dump *dump, const hs_args *args, int *n_used, 
     if (strchr(args->word[1], '*') != NULL)
         return hs_arg_refuse(args, 1, "one value: c_ID, c_ID[i], f_ID, f_ID[i] or v_name", NULL, err);
     HS_TRY(hs_dump_parse_column(args->word[1], &condition.column, err));
+    if (hs_attribute_check(condition.column.attribute, dump->env->atoms, err) != HS_OK) {
+        hs_dump_fini_column(&condition.column);
+        return HS_ERROR_INPUT;
+    }
     if (condition.column.attribute == HS_ATTR_ELEMENT) {
         hs_dump_fini_column(&condition.column);
         return hs_fail(err, HS_ERROR_INPUT, "%s: thresh compares numbers; use type instead of element", args->command);

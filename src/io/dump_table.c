@@ -20,7 +20,11 @@ static hs_status add_column(hs_dump *dump, const hs_args *args, const char *word
 {
     hs_dump_table *table = dump->state;
     HS_TRY(HS_GROW(table->column, (size_t)table->n_columns, (size_t)table->n_columns + 1, err));
-    if (hs_dump_parse_column(word, &table->column[table->n_columns], err) != HS_OK) {
+    hs_dump_column *added = &table->column[table->n_columns];
+    hs_status status = hs_dump_parse_column(word, added, err);
+    if (status == HS_OK) status = hs_attribute_check(added->attribute, dump->env->atoms, err);
+    if (status != HS_OK) {
+        hs_dump_fini_column(added);
         hs_error cause = *err;
         hs_error_clear(err);
         return hs_fail(err, cause.status, "%s: %s", args->command, cause.text);

@@ -3,7 +3,7 @@
 
 #include "sim/sim.h"
 
-/** Energies and virials of the fixes that count, over all ranks. Fixes' scalars are sums over ranks already. */
+/** Energies and virials of the fixes that count, over all ranks. What a fix gives is summed over ranks already. */
 static hs_status add_up(hs_sim *sim, hs_error *err)
 {
     hs_env *env = &sim->env;
@@ -17,7 +17,6 @@ static hs_status add_up(hs_sim *sim, hs_error *err)
         if (!fix->adds_virial) continue;
         for (int c = 0; c < 6; ++c) env->fix_virial[c] += fix->virial[c];
     }
-    hs_parallel_sum_double(&sim->parallel, env->fix_virial, 6);
     return HS_OK;
 }
 

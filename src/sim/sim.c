@@ -141,6 +141,13 @@ hs_status hs_sim_need_pair(const hs_sim *sim, const char *command, hs_error *err
 
 hs_status hs_sim_need_masses(const hs_sim *sim, const char *command, hs_error *err)
 {
+    const hs_atoms *atoms = &sim->atoms;
+    for (int i = 0; atoms->rmass != NULL && i < atoms->n_local && err->status == HS_OK; ++i)
+        if (!(atoms->rmass[i] > 0.0))
+            (void)hs_fail(err, HS_ERROR_INPUT,
+                          "%s: atom %lld has no mass; 'set atom %lld density <value>' gives it one", command,
+                          (long long)atoms->id[i], (long long)atoms->id[i]);
+    if (atoms->rmass != NULL) return hs_parallel_agree(&sim->parallel, err);
     for (int type = 1; type <= sim->atoms.n_types; ++type)
         if (!(sim->atoms.mass[type] > 0.0))
             return hs_fail(err, HS_ERROR_INPUT, "%s: atom type %d has no mass; 'mass %d <value>' sets it", command,

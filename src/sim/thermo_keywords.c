@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "base/text.h"
+#include "core/atom_style.h"
 #include "sim/thermo_internal.h"
 #include "style/atom_sum.h"
 
@@ -178,7 +179,7 @@ static hs_status get_fmax(T *t, double *value, hs_error *err)
 static void add_mass(const hs_atoms *atoms, const void *context, int begin, int end, hs_exact_sum *sums)
 {
     (void)context;
-    for (int i = begin; i < end; ++i) hs_exact_add(&sums[0], atoms->mass[atoms->type[i]]);
+    for (int i = begin; i < end; ++i) hs_exact_add(&sums[0], hs_atom_mass(atoms, i));
 }
 
 /** Mass density: mass/distance^3 in lj units, gram/cm^3 in real and metal units (masses there are gram/mole). */

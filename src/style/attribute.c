@@ -2,9 +2,12 @@
 
 #include <string.h>
 
+#include "core/atom_style.h"
+
 const char *const hs_attributes[] = {
-    "id", "type", "element", "mass", "proc", "procp1", "x",  "y",  "z",  "xs", "ys", "zs", "xu", "yu",
-    "zu", "xsu",  "ysu",     "zsu",  "ix",   "iy",     "iz", "vx", "vy", "vz", "fx", "fy", "fz", NULL,
+    "id", "type", "element", "mass", "proc",   "procp1", "x",      "y",  "z",      "xs",       "ys", "zs", "xu",
+    "yu", "zu",   "xsu",     "ysu",  "zsu",    "ix",     "iy",     "iz", "vx",     "vy",       "vz", "fx", "fy",
+    "fz", "mux",  "muy",     "muz",  "omegax", "omegay", "omegaz", "mu", "radius", "diameter", NULL,
 };
 
 int hs_attribute_find(const char *name)
@@ -12,6 +15,15 @@ int hs_attribute_find(const char *name)
     for (int k = 0; k < HS_N_ATTRIBUTES; ++k)
         if (strcmp(hs_attributes[k], name) == 0) return k;
     return -1;
+}
+
+hs_status hs_attribute_check(hs_attribute attribute, const hs_atoms *atoms, hs_error *err)
+{
+    if (attribute < HS_ATTR_MUX || attribute >= HS_N_ATTRIBUTES) return HS_OK;
+    const bool is_dipole = attribute <= HS_ATTR_MUZ || attribute == HS_ATTR_MU;
+    if ((is_dipole ? atoms->mu_length : atoms->radius) != NULL) return HS_OK;
+    return hs_fail(err, HS_ERROR_INPUT, "'%s' needs atoms %s: 'atom_style %s'", hs_attributes[attribute],
+                   is_dipole ? "with dipoles" : "that are spheres", is_dipole ? "dipole" : "sphere");
 }
 
 /** Position along an axis and image. */
@@ -39,7 +51,13 @@ double hs_attribute_value(const hs_env *env, hs_attribute attribute, bool is_wra
     case HS_ATTR_ELEMENT:
         return atoms->type[i];
     case HS_ATTR_MASS:
-        return atoms->mass[atoms->type[i]];
+        return hs_atom_mass(atoms, i);
+    case HS_ATTR_MU:
+        return atoms->mu_length[i];
+    case HS_ATTR_RADIUS:
+        return atoms->radius[i];
+    case HS_ATTR_DIAMETER:
+        return 2.0 * atoms->radius[i];
     case HS_ATTR_PROC:
         return env->parallel->rank;
     case HS_ATTR_PROCP1:
@@ -53,6 +71,10 @@ double hs_attribute_value(const hs_env *env, hs_attribute attribute, bool is_wra
         return atoms->v[axis][i];
     case HS_ATTR_FX:
         return atoms->f[axis][i];
+    case HS_ATTR_MUX:
+        return atoms->mu[axis][i];
+    case HS_ATTR_OMEGAX:
+        return atoms->omega[axis][i];
     default:
         break;
     }

@@ -33,6 +33,15 @@ typedef enum {
     HS_ATTR_FX,
     HS_ATTR_FY,
     HS_ATTR_FZ,
+    HS_ATTR_MUX,
+    HS_ATTR_MUY,
+    HS_ATTR_MUZ,
+    HS_ATTR_OMEGAX,
+    HS_ATTR_OMEGAY,
+    HS_ATTR_OMEGAZ,
+    HS_ATTR_MU,
+    HS_ATTR_RADIUS,
+    HS_ATTR_DIAMETER,
     HS_N_ATTRIBUTES,
     HS_ATTR_VARIABLE = HS_N_ATTRIBUTES /**< a value per atom of a compute or fix, or an atom-style variable */
 } hs_attribute;
@@ -41,6 +50,8 @@ typedef enum {
 extern const char *const hs_attributes[];
 /** The attribute of that name, or -1. */
 int hs_attribute_find(const char *name);
+/** An error when atoms of the present style have no such attribute. */
+HS_MUST_USE hs_status hs_attribute_check(hs_attribute attribute, const hs_atoms *atoms, hs_error *err);
 /** Value of local atom i (the element is its type's number). With @p is_wrapped, positions and images are those within the
  *  box. */
 double hs_attribute_value(const hs_env *env, hs_attribute attribute, bool is_wrapped, int i);

@@ -73,4 +73,12 @@ typedef struct hs_env {
 /** Atoms were changed: remembered results of computes are void. */
 static inline void hs_env_changed(hs_env *env) { ++env->revision; }
 
+/** How far ramps (from a start to a stop value) have gone at the present step: 0 at ramp_start, 1 at ramp_stop. */
+static inline double hs_env_ramp(const hs_env *env)
+{
+    return env->ramp_stop > env->ramp_start
+               ? (double)(env->step - env->ramp_start) / (double)(env->ramp_stop - env->ramp_start)
+               : 0.0;
+}
+
 #endif

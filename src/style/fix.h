@@ -35,10 +35,6 @@ typedef struct hs_fix_style {
     HS_MUST_USE hs_status (*array)(struct hs_fix *fix, int i, int j, double *value, hs_error *err);
     /** One column (from 0) of the values per atom: values[n_local]. */
     HS_MUST_USE hs_status (*per_atom)(struct hs_fix *fix, int column, double *values, hs_error *err);
-    /** What the future depends on and the deck does not say, for restarts: append it to @p state, or take it from there.
-     *  NULL for the many fixes that remember nothing. */
-    HS_MUST_USE hs_status (*write_state)(struct hs_fix *fix, hs_text *state, hs_error *err);
-    HS_MUST_USE hs_status (*read_state)(struct hs_fix *fix, const char *state, hs_error *err);
     int n_vector;                           /**< copied to fix->n_vector; create may set that to another number */
     bool is_extensive, is_vector_extensive; /**< as for computes; copied to the fix */
     /** Whether end_of_step of that step will ask for a pair energy or virial; NULL: never. */
@@ -62,7 +58,7 @@ typedef struct hs_fix {
     hs_env *env;                   /**< borrowed */
     void *state;                   /**< style's own */
     bool adds_energy, adds_virial; /**< fix_modify energy, virial */
-    double virial[6];              /**< sum of r_a F_b over the atoms of this rank: xx yy zz xy xz yz; energy. Set by
+    double virial[6];              /**< sum of r_a F_b over all atoms: xx yy zz xy xz yz; energy. Set by
                                         post_force when hs_fix_needs_virial. */
     int n_vector;
     int n_rows, n_columns; /**< of the array */
@@ -79,8 +75,18 @@ static inline bool hs_fix_needs_virial(const hs_fix *fix) { return fix->adds_vir
 HS_MUST_USE hs_status hs_fix_noise(const hs_fix *fix, int64_t seed, hs_noise *noise, hs_error *err);
 /** Step number for noise: it counts on where reset_timestep sets the step back, so that noise never repeats. */
 static inline int64_t hs_fix_clock(const hs_fix *fix) { return fix->env->step + fix->env->clock_ahead; }
-/** Add r_a f_b of local atom i to a virial, r unwrapped: a force on one atom alone acts from outside. */
-void hs_fix_add_virial(double virial[6], const hs_env *env, int i, const double f[3]);
+/** A vector for each atom that travels with the atoms, zero at first. */
+typedef struct hs_fix_vector {
+    double *of[3]; /**< [n_local]; memory of hs_atoms */
+    char *name[3]; /**< owned: "fix <ID> <what> x", ... */
+} hs_fix_vector;
+HS_MUST_USE hs_status hs_fix_vector_add(const hs_fix *fix, hs_fix_vector *vector, const char *what, hs_error *err);
+/** Also for one that was never, or not wholly, added. */
+void hs_fix_vector_remove(const hs_fix *fix, hs_fix_vector *vector);
+/** The force of a fix on local atom i of its group; false when there is none. */
+typedef bool (*hs_fix_force)(const hs_fix *fix, int i, double f[3]);
+/** fix->virial of forces that act from outside: the sum of r_a f_b with unwrapped coordinates r (collective). */
+void hs_fix_sum_virial(hs_fix *fix, hs_fix_force force);
 
 /** All fix styles, ended by NULL; made by the build from the files in src/fix/. */
 extern const hs_fix_style *const hs_fix_styles[];

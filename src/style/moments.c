@@ -1,5 +1,6 @@
 #include "style/moments.h"
 
+#include "core/atom_style.h"
 #include "style/atom_sum.h"
 
 typedef struct moment_context {
@@ -12,7 +13,7 @@ static void add_moments(const hs_atoms *atoms, const void *context, int begin, i
     const moment_context *c = context;
     for (int i = begin; i < end; ++i) {
         if (!(atoms->mask[i] & c->mask)) continue;
-        const double mass = atoms->mass[atoms->type[i]];
+        const double mass = hs_atom_mass(atoms, i);
         hs_exact_add(&sums[0], mass);
         for (int axis = 0; axis < 3; ++axis) {
             hs_exact_add(&sums[1 + axis], mass * hs_unwrapped(c->env, axis, i));

@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "base/memory.h"
+#include "core/atom_style.h"
 #include "style/atom_sum.h"
 
 hs_status hs_temperature_create(hs_compute *compute, double n_per_atom, double n_fixed, hs_error *err)
@@ -53,7 +54,7 @@ static void add_mv2(const hs_atoms *atoms, const void *context, int begin, int e
         double v[3];
         if (!counts(compute, atoms, i)) continue;
         thermal(compute, atoms, i, v);
-        hs_exact_add(&sums[0], (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) * atoms->mass[atoms->type[i]]);
+        hs_exact_add(&sums[0], (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) * hs_atom_mass(atoms, i));
     }
 }
 
@@ -64,7 +65,7 @@ static void add_tensor(const hs_atoms *atoms, const void *context, int begin, in
         double v[3];
         if (!counts(compute, atoms, i)) continue;
         thermal(compute, atoms, i, v);
-        const double m = atoms->mass[atoms->type[i]];
+        const double m = hs_atom_mass(atoms, i);
         const double term[6] = {m * v[0] * v[0], m * v[1] * v[1], m * v[2] * v[2],
                                 m * v[0] * v[1], m * v[0] * v[2], m * v[1] * v[2]};
         for (int k = 0; k < 6; ++k) hs_exact_add(&sums[k], term[k]);

@@ -163,7 +163,7 @@ START_TEST(test_bad_sections)
 {
     enter_directory();
     expect_error_with("Masses", "Massses", 10, "unknown section 'Massses'; did you mean 'Masses'?");
-    expect_error_with("Masses", "Bonds", 10, "'Bonds' is not for atoms of style atomic");
+    expect_error_with("Masses", "Bonds", 10, "'Bonds' is not for atoms of the supported styles");
     expect_error_with("1 1.5", "1 0", 12, "is not a mass");
     expect_error_with("1 1.5", "1 -1.5", 12, "is not a mass");
     expect_error_with("1 1.5", "3 1.5", 12, "not an atom type from 1 to 2");
