@@ -96,6 +96,13 @@ static void propel_along_velocities(const hs_fix *fix)
     }
 }
 
+static void virial_of(const hs_fix *fix, int i, double w[6])
+{
+    double r[3], f[3] = {0.0};
+    hs_fix_unwrapped(fix, i, r);
+    if (force_of(fix, i, f)) hs_fix_add_virial(r, f, w);
+}
+
 static hs_status post_force(hs_fix *fix, hs_error *err)
 {
     (void)err;
@@ -103,7 +110,7 @@ static hs_status post_force(hs_fix *fix, hs_error *err)
         propel_along_dipoles(fix);
     else
         propel_along_velocities(fix);
-    if (hs_fix_needs_virial(fix)) hs_fix_sum_virial(fix, force_of);
+    if (hs_fix_needs_virial(fix)) hs_fix_sum_virial(fix, virial_of);
     return HS_OK;
 }
 

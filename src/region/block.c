@@ -21,6 +21,24 @@ static bool inside(const hs_region *region, const double x[3])
     return true;
 }
 
+/** Inside every face within reach, outside the nearest point of the block. */
+static int surfaces(const hs_region *region, const double x[3], double cutoff, hs_contact *contact)
+{
+    const int dimension = region->env->box->dimension;
+    double outside[3] = {0.0};
+    int n = 0;
+    for (int axis = 0; axis < dimension; ++axis) {
+        for (int end = 0; end < 2; ++end) {
+            double d[3] = {0.0};
+            d[axis] = x[axis] - region->extent[axis][end];
+            if (region->is_outside && (end == 0 ? d[axis] < 0.0 : d[axis] > 0.0)) outside[axis] = d[axis];
+            if (!region->is_outside) hs_region_touch(d, cutoff, contact, &n);
+        }
+    }
+    if (region->is_outside) hs_region_touch(outside, cutoff, contact, &n);
+    return n;
+}
+
 const hs_region_style hs_region_style_block = {
     .about =
         {
@@ -38,4 +56,5 @@ const hs_region_style hs_region_style_block = {
         },
     .create = create,
     .inside = inside,
+    .surfaces = surfaces,
 };

@@ -43,6 +43,34 @@ static bool inside(const hs_region *region, const double x[3])
     return sqrt(d1 * d1 + d2 * d2) <= c->radius && x[c->axis] >= c->lo && x[c->axis] <= c->hi;
 }
 
+/** Inside the mantle and the ends within reach, outside the nearest point of the cylinder. */
+static int surfaces(const hs_region *region, const double x[3], double cutoff, hs_contact *contact)
+{
+    const cylinder *c = region->state;
+    const bool is_closed = region->env->box->dimension == 3 || c->axis != 2;
+    const double d1 = x[c->across[0]] - c->center[0], d2 = x[c->across[1]] - c->center[1],
+                 radius = sqrt(d1 * d1 + d2 * d2);
+    const double below = x[c->axis] - c->lo, above = x[c->axis] - c->hi;
+    double d[3] = {0.0};
+    int n = 0;
+    if (radius > 0.0 && (!region->is_outside || radius > c->radius)) {
+        d[c->across[0]] = d1 * (radius - c->radius) / radius;
+        d[c->across[1]] = d2 * (radius - c->radius) / radius;
+    }
+    if (region->is_outside) {
+        if (is_closed) d[c->axis] = below < 0.0 ? below : above > 0.0 ? above : 0.0;
+        hs_region_touch(d, cutoff, contact, &n);
+        return n;
+    }
+    if (radius > 0.0) hs_region_touch(d, cutoff, contact, &n); /* on the axis the mantle pushes to no side */
+    for (int end = 0; end < 2 && is_closed; ++end) {
+        double along[3] = {0.0};
+        along[c->axis] = end == 0 ? below : above;
+        hs_region_touch(along, cutoff, contact, &n);
+    }
+    return n;
+}
+
 const hs_region_style hs_region_style_cylinder = {
     .about =
         {
@@ -65,4 +93,5 @@ const hs_region_style hs_region_style_cylinder = {
     .state_size = sizeof(cylinder),
     .create = create,
     .inside = inside,
+    .surfaces = surfaces,
 };

@@ -33,6 +33,17 @@ static bool inside(const hs_region *region, const double x[3])
     return height >= 0.0;
 }
 
+static int surfaces(const hs_region *region, const double x[3], double cutoff, hs_contact *contact)
+{
+    const plane *p = region->state;
+    double height = 0.0, d[3];
+    int n = 0;
+    for (int axis = 0; axis < 3; ++axis) height += (x[axis] - p->point[axis]) * p->normal[axis];
+    for (int axis = 0; axis < 3; ++axis) d[axis] = height * p->normal[axis];
+    hs_region_touch(d, cutoff, contact, &n);
+    return n;
+}
+
 const hs_region_style hs_region_style_plane = {
     .about =
         {
@@ -50,4 +61,5 @@ const hs_region_style hs_region_style_plane = {
     .state_size = sizeof(plane),
     .create = create,
     .inside = inside,
+    .surfaces = surfaces,
 };

@@ -27,6 +27,18 @@ static bool inside(const hs_region *region, const double x[3])
     return sqrt(dx * dx + dy * dy + dz * dz) <= s->radius;
 }
 
+static int surfaces(const hs_region *region, const double x[3], double cutoff, hs_contact *contact)
+{
+    const sphere *s = region->state;
+    double d[3] = {x[0] - s->center[0], x[1] - s->center[1], x[2] - s->center[2]};
+    const double length = sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+    int n = 0;
+    if (!(length > 0.0)) return 0; /* at the center every direction is the same: no force */
+    for (int axis = 0; axis < 3; ++axis) d[axis] *= (length - s->radius) / length;
+    hs_region_touch(d, cutoff, contact, &n);
+    return n;
+}
+
 const hs_region_style hs_region_style_sphere = {
     .about =
         {
@@ -45,4 +57,5 @@ const hs_region_style hs_region_style_sphere = {
     .state_size = sizeof(sphere),
     .create = create,
     .inside = inside,
+    .surfaces = surfaces,
 };

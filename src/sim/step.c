@@ -33,6 +33,7 @@ hs_status hs_sim_step(hs_sim *sim, bool with_energy, hs_error *err)
     sim->env.with_energy = with_energy;
     hs_timer_mark(&sim->timer);
     CALL_FIXES(sim, initial_integrate, err);
+    CALL_FIXES(sim, post_integrate, err);
     hs_timer_add(&sim->timer, HS_PHASE_MODIFY);
 
     HS_TRY(bring_neighbors_up_to_date(sim, err));

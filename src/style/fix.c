@@ -32,30 +32,39 @@ void hs_fix_vector_remove(const hs_fix *fix, hs_fix_vector *vector)
     }
 }
 
+void hs_fix_unwrapped(const hs_fix *fix, int i, double r[3])
+{
+    const hs_atoms *atoms = fix->env->atoms;
+    for (int axis = 0; axis < 3; ++axis)
+        r[axis] = atoms->x[axis][i] + atoms->image[axis][i] * hs_box_length(fix->env->box, axis);
+}
+
+void hs_fix_add_virial(const double r[3], const double f[3], double w[6])
+{
+    for (int axis = 0; axis < 3; ++axis) w[axis] += r[axis] * f[axis];
+    w[3] += r[0] * f[1];
+    w[4] += r[0] * f[2];
+    w[5] += r[1] * f[2];
+}
+
 typedef struct virial_context {
     const hs_fix *fix;
-    hs_fix_force force;
+    hs_fix_virial virial;
 } virial_context;
 
-static void add_virial(const hs_atoms *atoms, const void *context, int begin, int end, hs_exact_sum *sums)
+static void add_virials(const hs_atoms *atoms, const void *context, int begin, int end, hs_exact_sum *sums)
 {
-    const virial_context *virial = context;
-    const hs_box *box = virial->fix->env->box;
+    const virial_context *c = context;
     for (int i = begin; i < end; ++i) {
-        double f[3] = {0.0}, r[3];
-        if (!(atoms->mask[i] & virial->fix->mask) || !virial->force(virial->fix, i, f)) continue;
-        for (int axis = 0; axis < 3; ++axis) {
-            r[axis] = atoms->x[axis][i] + atoms->image[axis][i] * hs_box_length(box, axis);
-            hs_exact_add(&sums[axis], r[axis] * f[axis]);
-        }
-        hs_exact_add(&sums[3], r[0] * f[1]);
-        hs_exact_add(&sums[4], r[0] * f[2]);
-        hs_exact_add(&sums[5], r[1] * f[2]);
+        double w[6] = {0.0};
+        if (!(atoms->mask[i] & c->fix->mask)) continue;
+        c->virial(c->fix, i, w);
+        for (int k = 0; k < 6; ++k) hs_exact_add(&sums[k], w[k]);
     }
 }
 
-void hs_fix_sum_virial(hs_fix *fix, hs_fix_force force)
+void hs_fix_sum_virial(hs_fix *fix, hs_fix_virial virial)
 {
-    const virial_context context = {.fix = fix, .force = force};
-    hs_atom_sum(fix->env->atoms, fix->env->parallel, add_virial, &context, 6, fix->virial);
+    const virial_context context = {.fix = fix, .virial = virial};
+    hs_atom_sum(fix->env->atoms, fix->env->parallel, add_virials, &context, 6, fix->virial);
 }

@@ -21,6 +21,7 @@ typedef struct hs_fix_style {
     HS_MUST_USE hs_status (*init)(struct hs_fix *fix, hs_error *err);  /**< before each run: check, read dt */
     HS_MUST_USE hs_status (*setup)(struct hs_fix *fix, hs_error *err); /**< after the run's first forces */
     HS_MUST_USE hs_status (*initial_integrate)(struct hs_fix *fix, hs_error *err); /**< half kick and drift */
+    HS_MUST_USE hs_status (*post_integrate)(struct hs_fix *fix, hs_error *err); /**< after all drifts: walls, shifts */
     /** Add to, or constrain, forces; called after the set-up's forces too, following setup. */
     HS_MUST_USE hs_status (*post_force)(struct hs_fix *fix, hs_error *err);
     HS_MUST_USE hs_status (*final_integrate)(struct hs_fix *fix, hs_error *err); /**< half kick */
@@ -83,10 +84,14 @@ typedef struct hs_fix_vector {
 HS_MUST_USE hs_status hs_fix_vector_add(const hs_fix *fix, hs_fix_vector *vector, const char *what, hs_error *err);
 /** Also for one that was never, or not wholly, added. */
 void hs_fix_vector_remove(const hs_fix *fix, hs_fix_vector *vector);
-/** The force of a fix on local atom i of its group; false when there is none. */
-typedef bool (*hs_fix_force)(const hs_fix *fix, int i, double f[3]);
-/** fix->virial of forces that act from outside: the sum of r_a f_b with unwrapped coordinates r (collective). */
-void hs_fix_sum_virial(hs_fix *fix, hs_fix_force force);
+/** Unwrapped place of a local atom. */
+void hs_fix_unwrapped(const hs_fix *fix, int i, double r[3]);
+/** Add to w the virial r_a f_b of the fix's force f on local atom i of its group: xx yy zz xy xz yz. */
+typedef void (*hs_fix_virial)(const hs_fix *fix, int i, double w[6]);
+/** w += r_a f_b. */
+void hs_fix_add_virial(const double r[3], const double f[3], double w[6]);
+/** fix->virial from the atoms' parts (collective). */
+void hs_fix_sum_virial(hs_fix *fix, hs_fix_virial virial);
 
 /** All fix styles, ended by NULL; made by the build from the files in src/fix/. */
 extern const hs_fix_style *const hs_fix_styles[];

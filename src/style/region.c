@@ -1,5 +1,6 @@
 #include "style/region.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -16,6 +17,14 @@ const hs_keyword hs_region_keywords[] = {
 bool hs_region_contains(const hs_region *region, const double x[3])
 {
     return region->style->inside(region, x) != region->is_outside;
+}
+
+void hs_region_touch(const double d[3], double cutoff, hs_contact *contact, int *n)
+{
+    const double r = sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+    if (!(r < cutoff)) return;
+    for (int axis = 0; axis < 3; ++axis) contact[*n].away[axis] = r > 0.0 ? d[axis] / r : 0.0;
+    contact[(*n)++].r = r;
 }
 
 bool hs_region_uses(const hs_region *region, const hs_region *other)

@@ -7,6 +7,13 @@
 
 struct hs_region;
 
+/** A surface near a point. */
+typedef struct hs_contact {
+    double r;       /**< distance from the surface, >= 0 */
+    double away[3]; /**< unit vector from the surface to the point */
+} hs_contact;
+enum { HS_CONTACTS_MAX = 6 };
+
 typedef struct hs_region_style {
     hs_description about; /**< syntax of the style's own words; side, units, ... are common to all (style/region.c) */
     size_t state_size;
@@ -16,6 +23,9 @@ typedef struct hs_region_style {
     void (*destroy)(struct hs_region *region);
     /** Whether x is inside the shape, its surface included (side is applied by hs_region_contains). */
     bool (*inside)(const struct hs_region *region, const double x[3]);
+    /** Surfaces nearer than cutoff to a point x that the region (with its side in or out) contains: fills contact[], gives
+     *  their number. NULL: the region cannot be a wall. In two dimensions surfaces across z do not count. */
+    int (*surfaces)(const struct hs_region *region, const double x[3], double cutoff, hs_contact *contact);
     /** Whether this region is made of that one; NULL: of none. */
     bool (*uses)(const struct hs_region *region, const struct hs_region *other);
 } hs_region_style;
@@ -33,6 +43,9 @@ typedef struct hs_region {
 
 /** Whether the region holds x, with side in or out. */
 bool hs_region_contains(const hs_region *region, const double x[3]);
+
+/** Note a contact at the distance |d| along d, from the surface to the point, when it is below cutoff; *n counts. */
+void hs_region_touch(const double d[3], double cutoff, hs_contact *contact, int *n);
 
 /** Whether @p region refers to @p other, which must then outlive it. */
 bool hs_region_uses(const hs_region *region, const hs_region *other);

@@ -1,0 +1,80 @@
+/** What fixes with flat walls share: which faces, where they stand, forces of a wall potential. */
+#ifndef HS_FIX_WALL_H
+#define HS_FIX_WALL_H
+
+#include <string.h>
+
+#include "base/memory.h"
+#include "core/lattice.h"
+#include "style/atom_sum.h"
+#include "style/fix.h"
+
+enum { WALL_MAX = 6 };
+
+static const char *const wall_faces[] = {"xlo", "xhi", "ylo", "yhi", "zlo", "zhi", NULL};
+
+/** One flat wall, across an axis. Particles are above a lower wall and below an upper one. */
+typedef struct wall_face {
+    int axis, end;                 /**< end 0: lower, 1: upper */
+    bool is_edge;                  /**< stands at the box's face */
+    char *variable;                /**< owned; equal-style variable that gives the place; NULL without */
+    double place;                  /**< distance, from the box's origin */
+    double epsilon, sigma, cutoff; /**< wall potentials only; energy, distance */
+} wall_face;
+
+typedef struct wall_state {
+    wall_face face[WALL_MAX];
+    int n;
+    /** Energy and force away from the wall at distance r < cutoff. */
+    void (*potential)(const wall_face *face, double r, double *energy, double *force);
+} wall_state;
+
+static inline void wall_destroy(hs_fix *fix)
+{
+    wall_state *state = fix->state;
+    for (int k = 0; k < state->n; ++k) HS_FREE(state->face[k].variable);
+}
+
+/** Read a face and its place: words i and i + 1. */
+static inline hs_status wall_read_face(hs_fix *fix, const hs_args *args, int i, hs_error *err)
+{
+    wall_state *state = fix->state;
+    const hs_box *box = fix->env->box;
+    int which;
+    HS_TRY(hs_arg_choice(args, i, wall_faces, &which, err));
+    for (int k = 0; k < state->n; ++k)
+        if (2 * state->face[k].axis + state->face[k].end == which)
+            return hs_fail(err, HS_ERROR_INPUT, "%s: the wall %s is there twice", args->command, args->word[i]);
+    wall_face *face = &state->face[state->n++];
+    *face = (wall_face){.axis = which / 2, .end = which % 2};
+    if (box->dimension == 2 && face->axis == 2)
+        return hs_fail(err, HS_ERROR_INPUT, "%s: there is no wall %s in two dimensions", args->command, args->word[i]);
+    if (box->periodic[face->axis])
+        return hs_fail(err, HS_ERROR_INPUT,
+                       "%s: the wall %s needs a boundary that is not periodic along %c ('boundary' with f, s or m)",
+                       args->command, args->word[i], "xyz"[face->axis]);
+    HS_TRY(hs_arg_need(args, i + 1, "the place of the wall", err));
+    face->is_edge = strcmp(args->word[i + 1], "EDGE") == 0;
+    if (face->is_edge) return HS_OK;
+    if (strncmp(args->word[i + 1], "v_", 2) == 0) return hs_memory_strdup(&face->variable, args->word[i + 1] + 2, err);
+    return hs_arg_double(args, i + 1, &face->place, err);
+}
+
+/** Places that are numbers in lattice units become distances; those of variables do when they are read. */
+static inline double wall_unit(const hs_fix *fix, const wall_face *face, bool is_lattice)
+{
+    return is_lattice ? fix->env->lattice->spacing[face->axis] : 1.0;
+}
+
+/** Where the wall stands at this step; @p unit as from wall_unit. */
+static inline hs_status wall_place(const hs_fix *fix, wall_face *face, double unit, hs_error *err)
+{
+    const hs_env *env = fix->env;
+    if (face->is_edge) face->place = face->end == 0 ? env->box->lo[face->axis] : env->box->hi[face->axis];
+    if (face->variable == NULL) return HS_OK;
+    HS_TRY(env->variable_value(env->deck, face->variable, &face->place, err));
+    face->place *= unit;
+    return HS_OK;
+}
+
+#endif

@@ -1,0 +1,174 @@
+/** Flat walls with a potential: forces on atoms, energy, forces on the walls. */
+#ifndef HS_FIX_WALL_POTENTIAL_H
+#define HS_FIX_WALL_POTENTIAL_H
+
+#include "fix/wall.h"
+
+typedef struct wall_potential_state {
+    wall_state wall; /**< first: wall.h takes the state as one */
+    double unit[WALL_MAX];
+} wall_potential_state;
+
+/** face place epsilon sigma cutoff, once or more; units, fld, pbc. */
+static inline hs_status wall_potential_read(hs_fix *fix, const hs_args *args, hs_error *err)
+{
+    wall_potential_state *state = fix->state;
+    bool is_lattice = true;
+    int i = 0;
+    while (i < args->n && strcmp(args->word[i], "units") != 0 && strcmp(args->word[i], "fld") != 0 &&
+           strcmp(args->word[i], "pbc") != 0) {
+        HS_TRY(wall_read_face(fix, args, i, err));
+        wall_face *face = &state->wall.face[state->wall.n - 1];
+        HS_TRY(hs_arg_need(args, i + 4, "one of the wall's epsilon, sigma and cutoff", err));
+        HS_TRY(hs_arg_not_negative(args, i + 2, &face->epsilon, err));
+        HS_TRY(hs_arg_positive(args, i + 3, &face->sigma, err));
+        HS_TRY(hs_arg_positive(args, i + 4, &face->cutoff, err));
+        i += 5;
+    }
+    if (state->wall.n == 0) return hs_arg_need(args, args->n, "a wall (xlo, xhi, ylo, yhi, zlo or zhi)", err);
+    for (; i < args->n; i += 2) {
+        static const char *const units[] = {"box", "lattice", NULL}, *const no[] = {"no", NULL};
+        int choice;
+        HS_TRY(hs_arg_need(args, i + 1, "the value of the last keyword", err));
+        if (strcmp(args->word[i], "units") == 0) {
+            HS_TRY(hs_arg_choice(args, i + 1, units, &choice, err));
+            is_lattice = choice == 1;
+        } else if (strcmp(args->word[i], "fld") == 0 || strcmp(args->word[i], "pbc") == 0) {
+            HS_TRY(hs_arg_choice(args, i + 1, no, &choice, err));
+        } else {
+            return hs_arg_refuse(args, i, "a keyword (units, fld, pbc); all walls come before them", NULL, err);
+        }
+    }
+    for (int k = 0; k < state->wall.n; ++k) {
+        wall_face *face = &state->wall.face[k];
+        state->unit[k] = wall_unit(fix, face, is_lattice);
+        face->place *= state->unit[k];
+    }
+    fix->n_vector = state->wall.n;
+    return HS_OK;
+}
+
+/** Distance of atom i from the wall, positive on the particles' side. */
+static inline double wall_distance(const hs_atoms *atoms, const wall_face *face, int i)
+{
+    const double x = atoms->x[face->axis][i];
+    return face->end == 0 ? x - face->place : face->place - x;
+}
+
+/** Force on atom i along the axis of a wall; 0 beyond its cutoff. */
+static inline double wall_force(const wall_state *state, const hs_atoms *atoms, const wall_face *face, int i,
+                                double *energy)
+{
+    const double r = wall_distance(atoms, face, i);
+    double force = 0.0;
+    *energy = 0.0;
+    if (r < face->cutoff) state->potential(face, r, energy, &force);
+    return face->end == 0 ? force : -force;
+}
+
+static inline hs_status wall_report(const hs_fix *fix, const wall_face *face, hs_error *err)
+{
+    const hs_atoms *atoms = fix->env->atoms;
+    int first = -1;
+    for (int i = 0; i < atoms->n_local; ++i)
+        if (atoms->mask[i] & fix->mask && !(wall_distance(atoms, face, i) > 0.0) &&
+            (first < 0 || atoms->id[i] < atoms->id[first]))
+            first = i;
+    return hs_fail(err, HS_ERROR_RUN,
+                   "fix '%s' (%s): at step %lld atom %lld at (%g %g %g) is on or behind the wall %s at %g. Place atoms "
+                   "inside of the walls, or use a shorter timestep or a stronger wall",
+                   fix->id, fix->style->about.name, (long long)fix->env->step, (long long)atoms->id[first],
+                   atoms->x[0][first], atoms->x[1][first], atoms->x[2][first], wall_faces[2 * face->axis + face->end],
+                   face->place);
+}
+
+/** The lever is the distance from the wall, as in LAMMPS: the wall is part of the system. */
+static inline void wall_virial_of(const hs_fix *fix, int i, double w[6])
+{
+    const wall_state *state = fix->state;
+    for (int k = 0; k < state->n; ++k) {
+        const wall_face *face = &state->face[k];
+        double energy;
+        const double force = wall_force(state, fix->env->atoms, face, i, &energy);
+        w[face->axis] += wall_distance(fix->env->atoms, face, i) * (face->end == 0 ? force : -force);
+    }
+}
+
+static inline hs_status wall_post_force(hs_fix *fix, hs_error *err)
+{
+    wall_potential_state *state = fix->state;
+    const hs_atoms *atoms = fix->env->atoms;
+    const wall_face *crossed = NULL;
+    for (int k = 0; k < state->wall.n; ++k) {
+        wall_face *face = &state->wall.face[k];
+        bool is_inside = true;
+        HS_TRY(wall_place(fix, face, state->unit[k], err));
+#pragma omp parallel for schedule(static) reduction(&& : is_inside)
+        for (int i = 0; i < atoms->n_local; ++i) {
+            const double r = wall_distance(atoms, face, i);
+            double energy;
+            if (!(atoms->mask[i] & fix->mask) || r >= face->cutoff) continue;
+            is_inside = is_inside && r > 0.0;
+            if (r > 0.0) atoms->f[face->axis][i] += wall_force(&state->wall, atoms, face, i, &energy);
+        }
+        if (!is_inside && crossed == NULL) crossed = face;
+    }
+    if (crossed != NULL) (void)wall_report(fix, crossed, err);
+    HS_TRY(hs_parallel_agree(fix->env->parallel, err));
+    if (hs_fix_needs_virial(fix)) hs_fix_sum_virial(fix, wall_virial_of);
+    return HS_OK;
+}
+
+static inline void wall_terms(const hs_atoms *atoms, const void *context, int begin, int end, hs_exact_sum *sums)
+{
+    const hs_fix *fix = context;
+    const wall_state *state = fix->state;
+    for (int i = begin; i < end; ++i) {
+        if (!(atoms->mask[i] & fix->mask)) continue;
+        for (int k = 0; k < state->n; ++k) {
+            double energy;
+            const double force = wall_force(state, atoms, &state->face[k], i, &energy);
+            hs_exact_add(&sums[0], energy);
+            hs_exact_add(&sums[1 + k], -force);
+        }
+    }
+}
+
+static inline hs_status wall_scalar(hs_fix *fix, double *value, hs_error *err)
+{
+    double sums[1 + WALL_MAX];
+    (void)err;
+    hs_atom_sum(fix->env->atoms, fix->env->parallel, wall_terms, fix, 1 + ((wall_state *)fix->state)->n, sums);
+    *value = sums[0];
+    return HS_OK;
+}
+
+static inline hs_status wall_vector(hs_fix *fix, int i, double *value, hs_error *err)
+{
+    double sums[1 + WALL_MAX];
+    (void)err;
+    hs_atom_sum(fix->env->atoms, fix->env->parallel, wall_terms, fix, 1 + ((wall_state *)fix->state)->n, sums);
+    *value = sums[1 + i];
+    return HS_OK;
+}
+
+#define WALL_USAGE "<face> <place> <epsilon> <sigma> <cutoff> ... [units lattice|box] [fld no] [pbc no]"
+
+#define WALL_DETAILS                                                                                                   \
+    "A face is xlo, xhi, ylo, yhi, zlo or zhi; up to six walls can be given one after the other, each with its own "   \
+    "values. The place is a coordinate, `EDGE` (the box's face, where it is at that step), or an equal-style "         \
+    "variable "                                                                                                        \
+    "`v_name`; numbers and variables are in lattice spacings unless `units box` is said. epsilon (energy), sigma and " \
+    "cutoff (distance) are in plain units. Walls must stand across directions that are not periodic. An atom on or "   \
+    "behind a wall stops the run.\n\nThe scalar `f_ID` is the energy of all walls, `f_ID[1]` ... the force on each "   \
+    "wall. `fix_modify energy yes` adds the energy to the potential energy, `virial yes` the virial, with distances "  \
+    "from the walls, to the pressure. "                                                                                \
+    "`fld` and `pbc` are known and only `no` is supported."
+
+/** The rest of a wall style's descriptor. */
+#define WALL_HOOKS                                                                                                     \
+    .state_size = sizeof(wall_potential_state), .create = create, .destroy = wall_destroy,                             \
+    .post_force = wall_post_force, .scalar = wall_scalar, .vector = wall_vector, .n_vector = WALL_MAX,                 \
+    .is_extensive = true, .is_vector_extensive = true, .has_energy = true, .has_virial = true
+
+#endif

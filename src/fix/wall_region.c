@@ -1,0 +1,204 @@
+/* The surface of a region as a wall with a potential of the distance to it. */
+#include <math.h>
+#include <string.h>
+
+#include "base/memory.h"
+#include "style/atom_sum.h"
+#include "style/fix.h"
+#include "style/region.h"
+
+typedef struct region_wall_state {
+    char *region_id;               /**< owned */
+    hs_region *region;             /**< borrowed for a run */
+    int potential;                 /**< index into potentials[] */
+    double epsilon, sigma, cutoff; /**< energy, distance */
+} region_wall_state;
+
+static double lj93(double s, double epsilon, double r, double *force)
+{
+    const double s3 = s * s * s;
+    *force = epsilon * (1.2 * s3 * s3 * s3 - 3.0 * s3) / r;
+    return epsilon * (2.0 / 15.0 * s3 * s3 * s3 - s3);
+}
+
+static double lj126(double s, double epsilon, double r, double *force)
+{
+    const double s6 = s * s * s * s * s * s;
+    *force = 24.0 * epsilon * (2.0 * s6 * s6 - s6) / r;
+    return 4.0 * epsilon * (s6 * s6 - s6);
+}
+
+static const char *const potentials[] = {"lj93", "lj126", "harmonic", NULL};
+
+/** Energy at distance r from the surface, and the force away from it. */
+static double energy_at(const region_wall_state *state, double r, double *force)
+{
+    if (state->potential == 2) {
+        const double depth = state->cutoff - r;
+        *force = 2.0 * state->epsilon * depth;
+        return state->epsilon * depth * depth;
+    }
+    double (*const lj)(double, double, double, double *) = state->potential == 0 ? lj93 : lj126;
+    double unused;
+    const double shift = lj(state->sigma / state->cutoff, state->epsilon, state->cutoff, &unused);
+    return lj(state->sigma / r, state->epsilon, r, force) - shift;
+}
+
+static hs_status find_region(hs_fix *fix, hs_error *err)
+{
+    region_wall_state *state = fix->state;
+    state->region = fix->env->find_region(fix->env, state->region_id);
+    if (state->region == NULL)
+        return hs_fail(err, HS_ERROR_INPUT, "fix '%s' (wall/region): there is no region '%s'", fix->id,
+                       state->region_id);
+    if (state->region->style->surfaces != NULL) return HS_OK;
+    return hs_fail(err, HS_ERROR_INPUT,
+                   "fix '%s' (wall/region): region '%s' (%s) cannot be a wall; block, cylinder, plane and sphere can",
+                   fix->id, state->region_id, state->region->style->about.name);
+}
+
+static hs_status create(hs_fix *fix, const hs_args *args, hs_error *err)
+{
+    region_wall_state *state = fix->state;
+    HS_TRY(hs_syntax_check(&fix->style->about.syntax, args, false, err));
+    HS_TRY(hs_memory_strdup(&state->region_id, args->word[0], err));
+    HS_TRY(find_region(fix, err));
+    HS_TRY(hs_arg_choice(args, 1, potentials, &state->potential, err));
+    HS_TRY(hs_arg_not_negative(args, 2, &state->epsilon, err));
+    HS_TRY(hs_arg_positive(args, 3, &state->sigma, err));
+    return hs_arg_positive(args, 4, &state->cutoff, err);
+}
+
+static void destroy(hs_fix *fix) { HS_FREE(((region_wall_state *)fix->state)->region_id); }
+
+static hs_status init(hs_fix *fix, hs_error *err) { return find_region(fix, err); }
+
+/** Force, energy and virial of the surfaces within reach of an atom; the lever is the distance from the surface. */
+typedef struct touch {
+    double f[3], energy, virial[6];
+} touch;
+
+/** Add up the surfaces within reach of atom i; false when it is not inside of the region. */
+static bool add_surfaces(const hs_fix *fix, int i, touch *sum)
+{
+    const region_wall_state *state = fix->state;
+    const hs_atoms *atoms = fix->env->atoms;
+    const double x[3] = {atoms->x[0][i], atoms->x[1][i], atoms->x[2][i]};
+    hs_contact contact[HS_CONTACTS_MAX];
+    memset(sum, 0, sizeof *sum);
+    if (!hs_region_contains(state->region, x)) return false;
+    const int n = state->region->style->surfaces(state->region, x, state->cutoff, contact);
+    for (int k = 0; k < n; ++k) {
+        double force, f[3], lever[3];
+        if (!(contact[k].r > 0.0)) return false;
+        sum->energy += energy_at(state, contact[k].r, &force);
+        for (int axis = 0; axis < 3; ++axis) {
+            f[axis] = force * contact[k].away[axis];
+            lever[axis] = contact[k].r * contact[k].away[axis];
+            sum->f[axis] += f[axis];
+        }
+        hs_fix_add_virial(lever, f, sum->virial);
+    }
+    return true;
+}
+
+static void virial_of(const hs_fix *fix, int i, double w[6])
+{
+    touch sum;
+    (void)add_surfaces(fix, i, &sum);
+    for (int k = 0; k < 6; ++k) w[k] += sum.virial[k];
+}
+
+static hs_status report_outside(const hs_fix *fix, hs_error *err)
+{
+    const hs_atoms *atoms = fix->env->atoms;
+    int first = -1;
+    for (int i = 0; i < atoms->n_local; ++i) {
+        touch sum;
+        if (atoms->mask[i] & fix->mask && !add_surfaces(fix, i, &sum) && (first < 0 || atoms->id[i] < atoms->id[first]))
+            first = i;
+    }
+    return hs_fail(
+        err, HS_ERROR_RUN,
+        "fix '%s' (wall/region): at step %lld atom %lld at (%g %g %g) is on the surface or outside of the region "
+        "'%s'. Place atoms inside, or use a shorter timestep or a stronger wall",
+        fix->id, (long long)fix->env->step, (long long)atoms->id[first], atoms->x[0][first], atoms->x[1][first],
+        atoms->x[2][first], ((region_wall_state *)fix->state)->region_id);
+}
+
+static hs_status post_force(hs_fix *fix, hs_error *err)
+{
+    const hs_atoms *atoms = fix->env->atoms;
+    bool is_inside = true;
+#pragma omp parallel for schedule(static) reduction(&& : is_inside)
+    for (int i = 0; i < atoms->n_local; ++i) {
+        touch sum;
+        if (!(atoms->mask[i] & fix->mask)) continue;
+        is_inside = add_surfaces(fix, i, &sum) && is_inside;
+        for (int axis = 0; axis < 3; ++axis) atoms->f[axis][i] += sum.f[axis];
+    }
+    if (!is_inside) (void)report_outside(fix, err);
+    HS_TRY(hs_parallel_agree(fix->env->parallel, err));
+    if (hs_fix_needs_virial(fix)) hs_fix_sum_virial(fix, virial_of);
+    return HS_OK;
+}
+
+/** Energy, and the force on the wall. */
+static void wall_terms(const hs_atoms *atoms, const void *context, int begin, int end, hs_exact_sum *sums)
+{
+    const hs_fix *fix = context;
+    for (int i = begin; i < end; ++i) {
+        touch sum;
+        if (!(atoms->mask[i] & fix->mask) || !add_surfaces(fix, i, &sum)) continue;
+        hs_exact_add(&sums[0], sum.energy);
+        for (int axis = 0; axis < 3; ++axis) hs_exact_add(&sums[1 + axis], -sum.f[axis]);
+    }
+}
+
+static hs_status scalar(hs_fix *fix, double *value, hs_error *err)
+{
+    double sums[4];
+    (void)err;
+    hs_atom_sum(fix->env->atoms, fix->env->parallel, wall_terms, fix, 4, sums);
+    *value = sums[0];
+    return HS_OK;
+}
+
+static hs_status vector(hs_fix *fix, int i, double *value, hs_error *err)
+{
+    double sums[4];
+    (void)err;
+    hs_atom_sum(fix->env->atoms, fix->env->parallel, wall_terms, fix, 4, sums);
+    *value = sums[1 + i];
+    return HS_OK;
+}
+
+const hs_fix_style hs_fix_style_wall_region = {
+    .about =
+        {.name = "wall/region",
+         .syntax = {.usage = "<region-ID> lj93|lj126|harmonic <epsilon> <sigma> <cutoff>", .n_min = 5, .n_max = 5},
+         .summary = "the surface of a region as a wall",
+         .details =
+             "Atoms of the group, which must be inside of the region (outside of the shape with `side out`), are "
+             "pushed "
+             "by the potential of `wall/lj93`, `wall/lj126` or `wall/harmonic` at their distance r from the surface, "
+             "when r is below the cutoff. In a corner every face within reach pushes. Regions of style block, "
+             "cylinder, "
+             "plane and sphere can be walls; faces at INF are open. An atom on the surface or outside stops the "
+             "run.\n\n"
+             "The scalar `f_ID` is the wall's energy, `f_ID[1]` ... `f_ID[3]` the force on it. `fix_modify energy yes` "
+             "adds the energy to the potential energy, `virial yes` the virial to the pressure.",
+         .example = "region drop sphere 0 0 0 10 units box\nfix wall all wall/region drop lj126 1.0 1.0 1.12"},
+    .state_size = sizeof(region_wall_state),
+    .create = create,
+    .destroy = destroy,
+    .init = init,
+    .post_force = post_force,
+    .scalar = scalar,
+    .vector = vector,
+    .n_vector = 3,
+    .is_extensive = true,
+    .is_vector_extensive = true,
+    .has_energy = true,
+    .has_virial = true,
+};
