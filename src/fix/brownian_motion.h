@@ -69,23 +69,35 @@ static inline hs_status brownian_init(hs_fix *fix, hs_error *err)
     return HS_OK;
 }
 
+/** One axis of brownian_translate; without @p is_all, atoms of other groups stay. */
+static inline void brownian_translate_axis(const brownian_state *state, double dt, const uint32_t *restrict group,
+                                           uint32_t mask, int n, const double *restrict f,
+                                           const double *restrict number, double *restrict x, double *restrict v,
+                                           const bool is_all)
+{
+    const double drift = state->drift, kick = state->kick;
+    for (int i = 0; i < n; ++i) {
+        const bool is_moved = is_all || (group[i] & mask) != 0;
+        const double v_new = drift * f[i] + kick * number[i];
+        v[i] = is_moved ? v_new : v[i];
+        x[i] = is_moved ? x[i] + dt * v_new : x[i];
+    }
+}
+
 /** Move the atoms [begin, begin + n) by the forces and the first numbers of the block; velocities become displacements
  *  per time. Atoms of other groups stay. */
 static inline void brownian_translate(const hs_fix *fix, int begin, int n, const hs_noise_block *noise)
 {
-    const brownian_state *state = fix->state;
     const hs_atoms *atoms = fix->env->atoms;
-    const double drift = state->drift, kick = state->kick, dt = fix->env->dt;
-    const uint32_t mask = fix->mask, *restrict group = atoms->mask + begin;
+    const double dt = fix->env->dt;
+    const uint32_t *group = atoms->mask + begin;
     for (int axis = 0; axis < fix->env->box->dimension; ++axis) {
-        double *restrict x = atoms->x[axis] + begin, *restrict v = atoms->v[axis] + begin;
-        const double *restrict f = atoms->f[axis] + begin, *restrict number = noise->number[axis];
-        for (int i = 0; i < n; ++i) {
-            const bool is_moved = (group[i] & mask) != 0;
-            const double v_new = drift * f[i] + kick * number[i];
-            v[i] = is_moved ? v_new : v[i];
-            x[i] = is_moved ? x[i] + dt * v_new : x[i];
-        }
+        double *x = atoms->x[axis] + begin, *v = atoms->v[axis] + begin;
+        const double *f = atoms->f[axis] + begin, *number = noise->number[axis];
+        if (fix->group == 0) /* group all: half as many instructions */
+            brownian_translate_axis(fix->state, dt, group, fix->mask, n, f, number, x, v, true);
+        else
+            brownian_translate_axis(fix->state, dt, group, fix->mask, n, f, number, x, v, false);
     }
 }
 

@@ -30,7 +30,8 @@ static void rotate_2d(const hs_fix *fix, const hs_noise_set *functions, int begi
     const uint32_t mask = fix->mask, *restrict group = atoms->mask + begin;
     double *restrict mu_x = atoms->mu[0] + begin, *restrict mu_y = atoms->mu[1] + begin;
     double angle[HS_NOISE_BLOCK], sine[HS_NOISE_BLOCK], cosine[HS_NOISE_BLOCK];
-    for (int i = 0; i < n; ++i) angle[i] = group[i] & mask ? turn * xi[i] : 0.0;
+    for (int i = 0; i < n; ++i) angle[i] = turn * xi[i];
+    for (int i = 0; i < n && fix->group != 0; ++i) angle[i] = group[i] & mask ? angle[i] : 0.0;
     functions->sincos(angle, n, sine, cosine);
     for (int i = 0; i < n; ++i) {
         const double x = mu_x[i], y = mu_y[i];

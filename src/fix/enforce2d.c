@@ -15,6 +15,11 @@ static void clear(const hs_fix *fix, double *values)
 {
     const hs_atoms *atoms = fix->env->atoms;
     const uint32_t mask = fix->mask;
+    if (fix->group == 0) {
+#pragma omp parallel for simd schedule(static)
+        for (int i = 0; i < atoms->n_local; ++i) values[i] = 0.0;
+        return;
+    }
 #pragma omp parallel for schedule(static)
     for (int i = 0; i < atoms->n_local; ++i) values[i] = atoms->mask[i] & mask ? 0.0 : values[i];
 }

@@ -60,7 +60,10 @@ static void propel_along_dipoles(const hs_fix *fix)
     for (int axis = 0; axis < fix->env->box->dimension; ++axis) {
         double *restrict f = atoms->f[axis];
         const double *restrict mu = atoms->mu[axis], force = state->force;
-        if (is_propelled == NULL) {
+        if (is_propelled == NULL && fix->group == 0) {
+#pragma omp for schedule(static) nowait
+            for (int i = 0; i < atoms->n_local; ++i) f[i] += force * mu[i];
+        } else if (is_propelled == NULL) {
 #pragma omp for schedule(static) nowait
             for (int i = 0; i < atoms->n_local; ++i) f[i] = group[i] & mask ? f[i] + force * mu[i] : f[i];
         } else {
