@@ -1,6 +1,7 @@
 /* Walls, gravity, springs and the like against the numbers that LAMMPS prints (tests/golden/fixes.txt). */
-#include "physics/physics.h"
 #include "support/run_deck.h"
+
+#include "physics/physics.h" /* after the others: its type `table` would be shadowed in their headers */
 
 enum { N_COLUMNS_MAX = 16 };
 
