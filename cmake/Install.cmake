@@ -5,6 +5,7 @@ include(CMakePackageConfigHelpers)
 # Only the public API is visible from outside: everything else may change between versions.
 add_library(halfshell_shared SHARED $<TARGET_OBJECTS:halfshell_objects> ${kernel_objects})
 target_link_libraries(halfshell_shared PRIVATE OpenMP::OpenMP_C PNG::PNG ZLIB::ZLIB PkgConfig::FFTW m)
+target_link_libraries(halfshell_shared PRIVATE Halfshell::HDF5)
 if(HALFSHELL_MPI)
   target_link_libraries(halfshell_shared PRIVATE MPI::MPI_C)
 endif()
@@ -33,6 +34,9 @@ install(EXPORT HalfshellStatic NAMESPACE halfshell:: FILE halfshell-static.cmake
 
 # pkg-config halfshell; with --static it names what the static library needs.
 set(pc_private "-lm -lpng -lz -lfftw3 ${OpenMP_C_FLAGS}")
+foreach(word IN LISTS HALFSHELL_HDF5_LINK)
+  string(APPEND pc_private " ${word}")
+endforeach()
 if(HALFSHELL_MPI)
   foreach(library IN LISTS MPI_C_LIBRARIES)
     string(APPEND pc_private " ${library}")

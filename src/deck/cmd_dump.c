@@ -105,8 +105,7 @@ static hs_status run_write_dump(hs_deck *deck, const hs_args *args, hs_error *er
     HS_TRY(hs_sim_need_box(deck->sim, args->command, err));
     HS_TRY(hs_sim_add_dump(deck->sim, id, args->word[0], args->word[1], 1, args->word[2], &words, err));
     hs_dump *dump = hs_sim_find_dump(deck->sim, id);
-    hs_dump_table *table = dump->state; /* all styles share it */
-    table->is_single = true;
+    dump->is_single = true;
     hs_status status = hs_dump_modify(dump, &changes, err);
     if (status == HS_OK) status = dump->style->init(dump, err);
     if (status == HS_OK && !deck->options.dry_run) status = dump->style->write(dump, err);
@@ -118,7 +117,7 @@ static hs_status run_write_dump(hs_deck *deck, const hs_args *args, hs_error *er
 const hs_command hs_commands_dump[] = {
     {.about =
          {.name = "dump",
-          .syntax = {.usage = "<ID> <group-ID> <atom | custom | image | xyz> <N> <file> [words of the style]",
+          .syntax = {.usage = "<ID> <group-ID> <style> <N> <file> [words of the style]",
                      .n_min = 5,
                      .n_max = -1},
           .summary = "Write snapshots of atoms every N steps",

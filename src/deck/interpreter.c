@@ -28,12 +28,20 @@ static int variable_kind(void *deck, const char *name)
     return variable == NULL ? 0 : variable->style == HS_VARIABLE_ATOM ? 2 : 1;
 }
 
+static const char *deck_text(void *deck)
+{
+    const hs_source *source = ((hs_deck *)deck)->source;
+    while (source != NULL && source->below != NULL) source = source->below;
+    return source != NULL ? hs_text_get(&source->text) : NULL;
+}
+
 static void connect(hs_deck *deck)
 {
     deck->sim->env.deck = deck;
     deck->sim->env.variable_value = variable_value;
     deck->sim->env.variable_atoms = variable_atoms;
     deck->sim->env.variable_kind = variable_kind;
+    deck->sim->env.deck_text = deck_text;
 }
 
 hs_status hs_deck_create(hs_deck **deck, const hs_options *options, hs_sink *out, hs_error *err)

@@ -1,4 +1,6 @@
 /* dump custom: chosen values of every atom. */
+#include <string.h>
+
 #include "io/dump_table.h"
 
 static const hs_dump_layout layout = {.has_atom_header = true, .has_column_formats = true};

@@ -15,6 +15,7 @@ const hs_keyword hs_dump_modify_keywords[] = {
     {"boxcolor", 1, "<colour>", "style image: colour of the box (default yellow)"},
     {"buffer", 1, "yes|no", "accepted: output is always buffered until a snapshot is whole"},
     {"color", 4, "<name> <red> <green> <blue>", "style image: a new colour name, from parts from 0 to 1"},
+    {"compress", 1, "<level>", "style h5md: compress with zlib, 0 (not at all, the default) to 9"},
     {"delay", 1, "<step>", "write nothing before this step"},
     {"element", -1, "<name of type 1> <name of type 2> ...",
      "names of the types for xyz files and the attribute element"},

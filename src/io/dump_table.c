@@ -129,7 +129,7 @@ static hs_status make_formats(hs_dump *dump, hs_error *err)
 
 static bool is_file_per_step(const hs_dump *dump)
 {
-    return strchr(dump->file, '*') != NULL || ((const hs_dump_table *)dump->state)->is_single;
+    return strchr(dump->file, '*') != NULL || dump->is_single;
 }
 
 /** The compute, fix or variable must be there and have values per atom. */

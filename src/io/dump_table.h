@@ -55,7 +55,6 @@ typedef struct hs_dump_table {
     bool is_unsorted, is_descending, has_time, has_units, units_written, no_header;
     int sort_column;           /**< 1 .. n_columns; 0: by id */
     bool is_scaled, has_image; /**< of style atom */
-    bool is_single;            /**< write_dump: one snapshot, a file that appears whole */
 
     hs_writer *writer; /**< owned; of a growing file, open from init on */
     int32_t *order;    /**< owned; atoms of the snapshot being written */

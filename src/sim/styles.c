@@ -270,8 +270,13 @@ hs_status hs_sim_add_dump(hs_sim *sim, const char *id, const char *group, const 
         return hs_fail(err, HS_ERROR_INPUT, "dump: the ID '%s' is taken; undump it first or use another", id);
     hs_dump *dump;
     HS_TRY(HS_ALLOC(dump, 1, err));
-    *dump = (hs_dump){
-        .style = style, .group = bit, .mask = hs_group_mask(bit), .env = &sim->env, .every = every, .last_written = -1};
+    *dump = (hs_dump){.style = style,
+                      .group = bit,
+                      .mask = hs_group_mask(bit),
+                      .env = &sim->env,
+                      .every = every,
+                      .last_written = -1,
+                      .resume_at = -1};
     hs_status status = hs_memory_strdup(&dump->id, id, err);
     if (status == HS_OK) status = hs_memory_strdup(&dump->file, file, err);
     if (status == HS_OK) status = hs_memory_alloc(&dump->state, 1, style->state_size + 1, err);

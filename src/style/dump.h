@@ -32,6 +32,9 @@ typedef struct hs_dump {
     int64_t every;        /**< steps between snapshots */
     int64_t last_written; /**< step, -1 for never: a step is written once */
     bool sort_by_id, write_first, append, flush, wrap; /**< dump_modify sort id, first, append, flush, pbc */
+    bool is_resumed;   /**< the run goes on from a checkpoint: what was written of later steps is to be dropped */
+    int64_t resume_at; /**< of text files then: bytes to be kept, -1: all */
+    bool is_single;    /**< write_dump: one snapshot, a file that appears whole */
 } hs_dump;
 
 extern const hs_dump_style *const hs_dump_styles[];

@@ -67,6 +67,8 @@ typedef struct hs_env {
     hs_status (*variable_atoms)(void *deck, const char *name, double *values, hs_error *err);
     /** 0: there is no variable of that name, 1: it has one value, 2: one for each atom. */
     int (*variable_kind)(void *deck, const char *name);
+    /** Text of the deck's first file, for files that tell what made them; NULL without one. Borrowed. */
+    const char *(*deck_text)(void *deck);
     void *deck;
 } hs_env;
 

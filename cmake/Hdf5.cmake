@@ -1,0 +1,21 @@
+# HDF5 for trajectories and checkpoints: the target Halfshell::HDF5. One rank writes each file, so the serial library is what
+# is wanted; a parallel one serves as well. Debian keeps each flavor's headers and library in folders of their own, which
+# pkg-config knows; elsewhere CMake's own search finds them.
+find_package(PkgConfig QUIET)
+if(PKG_CONFIG_FOUND AND NOT HDF5_ROOT)
+  pkg_search_module(HDF5_PC QUIET IMPORTED_TARGET hdf5-serial hdf5 hdf5-openmpi hdf5-mpich)
+endif()
+add_library(halfshell_hdf5 INTERFACE)
+add_library(Halfshell::HDF5 ALIAS halfshell_hdf5)
+if(HDF5_PC_FOUND)
+  target_link_libraries(halfshell_hdf5 INTERFACE PkgConfig::HDF5_PC)
+  set(HALFSHELL_HDF5_LINK "${HDF5_PC_LDFLAGS}")
+  set(HALFSHELL_HDF5_VERSION "${HDF5_PC_VERSION}")
+else()
+  find_package(HDF5 1.10 REQUIRED COMPONENTS C)
+  target_include_directories(halfshell_hdf5 INTERFACE ${HDF5_C_INCLUDE_DIRS})
+  target_link_libraries(halfshell_hdf5 INTERFACE ${HDF5_C_LIBRARIES})
+  set(HALFSHELL_HDF5_LINK "${HDF5_C_LIBRARIES}")
+  set(HALFSHELL_HDF5_VERSION "${HDF5_VERSION}")
+endif()
+message(STATUS "HDF5 ${HALFSHELL_HDF5_VERSION}: ${HALFSHELL_HDF5_LINK}")

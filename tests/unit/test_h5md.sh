@@ -1,0 +1,129 @@
+#!/bin/bash
+# The trajectory of dump h5md as h5py, h5dump and MDAnalysis see it: equal to the text dump of the same steps.
+set -eu
+for python in /usr/bin/python3 python3; do
+    if "$python" -c 'import h5py, numpy' 2>/dev/null; then break; fi
+    python=
+done
+[ -n "$python" ] || { echo "skipped: no Python with h5py"; exit 77; }
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cd "$folder"
+
+cat >run.in <<END
+units lj
+lattice fcc 0.8442
+region box block -1 2 0 3 0 4
+create_box 2 box
+create_atoms 1 box
+set group all type/fraction 2 0.3 4711
+mass 1 1.0
+mass 2 2.0
+velocity all create 3.0 87287 loop geom
+pair_style lj/cut 2.5
+pair_coeff * * 1.0 1.0
+fix 1 all nve
+variable T equal temp
+group two type 2
+dump t all h5md 10 run.h5md position velocity force image v_T c_thermo_press
+dump u two h5md 20 two.h5md velocity species
+dump_modify u compress 5
+dump s all custom 10 run.dump id type x y z vx vy vz fx fy fz ix iy iz
+dump_modify s format float %.17g
+run 50
+write_dump two h5md one.h5md
+dump_modify t every 5
+run 10
+write_data last.data
+END
+"$HALFSHELL" run.in -log none >/dev/null
+[ -z "$(find . -name '*.part-*')" ] || { echo "parts of files were left" >&2; exit 1; }
+
+cat >add.in <<END
+units lj
+lattice fcc 0.8442
+region box block -1 2 0 3 0 4
+create_box 2 box
+create_atoms 1 box
+mass * 1.0
+pair_style zero 2.5
+pair_coeff * *
+reset_timestep 60
+dump t all h5md 1 run.h5md position velocity force image v_T c_thermo_press
+dump_modify t append yes
+variable T equal temp
+fix 1 all nve
+run 1
+END
+"$HALFSHELL" add.in -log none >/dev/null
+sed 's/reset_timestep 60/reset_timestep 3/' add.in >back.in
+if "$HALFSHELL" back.in -log none >/dev/null 2>back.err; then echo "frames of later steps were overwritten" >&2; exit 1; fi
+grep -q 'run.h5md.*up to step 61' back.err
+
+cat >look.py <<END
+import h5py, numpy as np
+frames = {}
+lines = open('run.dump').read().split('ITEM: TIMESTEP\n')[1:]
+for text in lines:
+    rows = text.split('\n')
+    frames[int(rows[0])] = np.array([[float(w) for w in row.split()] for row in rows[8:] if row])
+f = h5py.File('run.h5md', 'r')
+p = f['particles/all']
+steps = list(p['position/step'][:])
+assert steps == [0, 10, 20, 30, 40, 50, 55, 60, 61], steps
+assert abs(p['position/time'][:7] - 0.005 * np.array(steps[:7])).max() < 1e-12 # rounding of products
+assert (p['id'][:] == np.arange(1, 145)).all()
+for k, step in enumerate(steps[:7]):
+    if step not in frames: continue
+    t = frames[step]
+    assert (p['species'][:] == t[:, 1]).all() and (p['mass'][:] == t[:, 1]).all()
+    edges, lo = p['box/edges/value'][k], p['box/offset/value'][k]
+    x, image = p['position/value'][k], p['image/value'][k]
+    assert ((x >= lo) & (x < lo + np.diag(edges))).all(), 'positions are not in the box'
+    # unwrapped positions are the same; a wrap is one rounded addition
+    assert abs(x + image @ edges - (t[:, 2:5] + t[:, 11:14] @ edges)).max() < 1e-14 * 8 * abs(image).max() + 1e-14
+    assert (p['velocity/value'][k] == t[:, 5:8]).all() and (p['force/value'][k] == t[:, 8:11]).all()
+assert p['box'].attrs['dimension'] == 3 and list(p['box'].attrs['boundary']) == [b'periodic'] * 3
+assert list(f['h5md'].attrs['version']) == [1, 1] and f['h5md/creator'].attrs['name'] == b'Halfshell'
+assert 'unit' not in p['position/value'].attrs and 'unit' not in p['position/time'].attrs
+# step and time of box, elements and observables are one dataset, hard-linked
+for other in [p['box/edges'], p['velocity'], p['image'], f['observables/v_T']]:
+    for name in ['step', 'time']:
+        assert other[name] == p['position'][name], other
+assert f['observables/v_T/value'].shape == (9,) and abs(f['observables/v_T/value'][0] - 3.0) < 1e-12
+assert f['parameters/halfshell/deck'][()].decode() == open('run.in').read()
+assert f['parameters/halfshell/version'][()].decode()
+
+# A group: rows are its atoms in the order of ids; species as an element that changes with time.
+u = h5py.File('two.h5md', 'r')['particles/all']
+t = frames[20]
+two = t[:, 1] == 2
+assert (u['id'][:] == t[two, 0]).all() and (u['velocity/value'][1] == t[two, 5:8]).all()
+assert (u['species/value'][:] == 2).all() and u['velocity/value'].compression == 'gzip'
+one = h5py.File('one.h5md', 'r')['particles/all']
+assert one['position/value'].shape == (1, two.sum(), 3)
+END
+"$python" look.py
+
+if command -v h5dump >/dev/null; then h5dump -d /particles/all/position/step run.h5md | grep -q '0, 10, 20'; fi
+if "$python" -c 'import MDAnalysis' 2>/dev/null; then
+    cat >mda.py <<END
+import warnings
+warnings.simplefilter('ignore')
+import h5py, numpy as np, MDAnalysis
+u = MDAnalysis.Universe('last.data', atom_style='id type x y z')
+u.load_new('run.h5md', convert_units=False)
+p = h5py.File('run.h5md', 'r')['particles/all']
+assert u.trajectory.n_frames == 9 and len(u.atoms) == 144
+for k in [0, 3, 7]:
+    ts = u.trajectory[k]
+    # MDAnalysis keeps single precision
+    assert abs(u.atoms.positions - p['position/value'][k]).max() < 2e-6
+    assert abs(u.atoms.velocities - p['velocity/value'][k]).max() < 2e-6
+    assert abs(ts.dimensions[:3] - np.diag(p['box/edges/value'][k])).max() < 2e-6
+    assert abs(ts.time - p['position/time'][k]) < 1e-9
+v = MDAnalysis.Universe('last.data', 'run.dump', atom_style='id type x y z', format='LAMMPSDUMP')
+assert v.trajectory.n_frames == 7
+END
+    "$python" -W ignore mda.py 2>mda.err || { cat mda.err >&2; exit 1; }
+fi
