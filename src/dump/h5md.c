@@ -1,14 +1,11 @@
 /* dump h5md: a binary trajectory that stays readable whatever happens to the run. */
-#include <stdio.h>
 #include <string.h>
 
 #include "base/memory.h"
-#include "base/text.h"
 #include "io/h5md.h"
 #include "io/rows.h"
-#include "style/compute.h"
 #include "style/dump.h"
-#include "style/fix.h"
+#include "style/value.h"
 
 typedef enum { POSITION, VELOCITY, FORCE, IMAGE, SPECIES, N_ELEMENTS } element_kind;
 
@@ -19,7 +16,8 @@ typedef struct h5md_dump {
     element_kind kind[N_ELEMENTS];
     hs_h5md_element element[N_ELEMENTS];
     int n_observables;
-    char **observable; /**< owned [n_observables]: words as in the deck */
+    hs_value *observable; /**< owned [n_observables] */
+    const char **names;   /**< owned [n_observables]: their words, borrowed */
     int deflate;
     bool is_open;  /**< on all ranks */
     hs_h5md *file; /**< owned; rank 0 only */
@@ -28,17 +26,15 @@ typedef struct h5md_dump {
     int64_t n_atoms, id_sum;
 } h5md_dump;
 
-/** Whether a word is a number of the whole system: c_ID, f_ID or v_name. */
-static bool is_observable(const char *word)
-{
-    return word[0] != '\0' && strchr("cfv", word[0]) != NULL && word[1] == '_' && word[2] != '\0';
-}
-
 static hs_status check_words(const hs_args *args, hs_error *err)
 {
+    bool is_behind = false;
     for (int i = 0; i < args->n; ++i) {
         int kind;
-        if (strchr(args->word[i], '$') != NULL || is_observable(args->word[i])) continue;
+        if (strchr(args->word[i], '$') != NULL) continue;
+        is_behind = is_behind || hs_value_is_reference(args->word[i]);
+        if (hs_value_is_reference(args->word[i])) continue;
+        if (is_behind) return hs_arg_refuse(args, i, "one of c_ID, f_ID, v_name, which come last", NULL, err);
         const hs_status status = hs_arg_choice(args, i, element_names, &kind, err);
         if (status != HS_OK) return status;
         for (int k = 0; k < i; ++k)
@@ -82,17 +78,17 @@ static hs_status create(hs_dump *dump, const hs_args *args, hs_error *err)
     if (strchr(dump->file, '*') != NULL)
         return hs_fail(err, HS_ERROR_INPUT, "%s: the file '%s' cannot have a '*': all frames go into one file",
                        args->command, dump->file);
-    HS_TRY(HS_ALLOC(self->observable, (size_t)args->n, err));
-    for (int i = 0; i < args->n; ++i) {
-        int kind;
-        if (is_observable(args->word[i])) {
-            HS_TRY(hs_memory_strdup(&self->observable[self->n_observables], args->word[i], err));
-            ++self->n_observables;
-        } else {
-            HS_TRY(hs_arg_choice(args, i, element_names, &kind, err));
-            add_element(self, (element_kind)kind, dump->env->units);
-        }
+    int n_words = 0;
+    while (n_words < args->n && !hs_value_is_reference(args->word[n_words])) ++n_words;
+    for (int i = 0, kind; i < n_words; ++i) {
+        HS_TRY(hs_arg_choice(args, i, element_names, &kind, err));
+        add_element(self, (element_kind)kind, dump->env->units);
     }
+    if (n_words < args->n)
+        HS_TRY(hs_values_create(&self->observable, &self->n_observables, dump->env, args, n_words, args->n - n_words,
+                                HS_VALUE_NUMBER, err));
+    HS_TRY(HS_ALLOC(self->names, (size_t)self->n_observables, err));
+    for (int k = 0; k < self->n_observables; ++k) self->names[k] = self->observable[k].word;
     if (self->n_elements > 0) return HS_OK;
     add_element(self, POSITION, dump->env->units);
     add_element(self, IMAGE, dump->env->units);
@@ -104,8 +100,8 @@ static void destroy(hs_dump *dump)
     h5md_dump *self = dump->state;
     hs_error ignored = {0};
     (void)!hs_h5md_close(&self->file, &ignored); /* every frame was committed when it was written */
-    for (int k = 0; k < self->n_observables; ++k) HS_FREE(self->observable[k]);
-    HS_FREE(self->observable);
+    hs_values_destroy(&self->observable, self->n_observables);
+    HS_FREE(self->names);
 }
 
 static hs_status modify(hs_dump *dump, const hs_args *args, int *n_used, hs_error *err)
@@ -138,49 +134,6 @@ static hs_status modify(hs_dump *dump, const hs_args *args, int *n_used, hs_erro
     return HS_OK;
 }
 
-/* ---- Observables ---- */
-
-/** ID and index of c_ID[i]; index -1 without brackets. */
-static hs_status split(const char *word, char *id, size_t size, int *index, hs_error *err)
-{
-    const char *bracket = strchr(word, '[');
-    const size_t n = bracket != NULL ? (size_t)(bracket - word) - 2 : strlen(word) - 2;
-    int64_t i;
-    char digits[16] = "";
-    *index = -1;
-    snprintf(id, size, "%.*s", (int)n, word + 2);
-    if (bracket == NULL) return HS_OK;
-    const char *end = strchr(bracket, ']');
-    if (end != NULL && end[1] == '\0') snprintf(digits, sizeof digits, "%.*s", (int)(end - bracket - 1), bracket + 1);
-    if (!hs_text_to_int64(digits, &i) || i < 1 || i > INT32_MAX)
-        return hs_fail(err, HS_ERROR_INPUT, "dump h5md: '%s' should end in a number in brackets, as in c_ID[1]", word);
-    *index = (int)i - 1;
-    return HS_OK;
-}
-
-static hs_status evaluate(const hs_dump *dump, const char *word, double *value, hs_error *err)
-{
-    hs_env *env = dump->env;
-    char id[256];
-    int index;
-    if (word[0] == 'v') {
-        if (env->variable_value != NULL) return env->variable_value(env->deck, word + 2, value, err);
-        return hs_fail(err, HS_ERROR_INPUT, "dump h5md: there is no variable for '%s'", word);
-    }
-    HS_TRY(split(word, id, sizeof id, &index, err));
-    if (word[0] == 'c') {
-        hs_compute *compute = env->find_compute(env, id);
-        if (compute == NULL) return hs_fail(err, HS_ERROR_INPUT, "dump h5md: there is no compute '%s'", id);
-        return index < 0 ? hs_compute_scalar(compute, value, err) : hs_compute_vector(compute, index, value, err);
-    }
-    hs_fix *fix = env->find_fix(env, id);
-    if (fix == NULL) return hs_fail(err, HS_ERROR_INPUT, "dump h5md: there is no fix '%s'", id);
-    if (index < 0 && fix->style->scalar != NULL) return fix->style->scalar(fix, value, err);
-    if (index >= 0 && fix->style->vector != NULL && index < fix->style->n_vector)
-        return fix->style->vector(fix, index, value, err);
-    return hs_fail(err, HS_ERROR_INPUT, "dump h5md: fix '%s' has no value '%s'", id, word);
-}
-
 /* ---- Files and frames ---- */
 
 static hs_status open_file(hs_dump *dump, int64_t n_rows, hs_error *err)
@@ -189,7 +142,7 @@ static hs_status open_file(hs_dump *dump, int64_t n_rows, hs_error *err)
     const hs_env *env = dump->env;
     const hs_h5md_plan plan = {.element = self->element,
                                .n_elements = self->n_elements,
-                               .observable = (const char *const *)self->observable,
+                               .observable = self->names,
                                .n_observables = self->n_observables,
                                .box = env->box,
                                .units = env->units,
@@ -411,7 +364,7 @@ static hs_status write_frame(hs_dump *dump, hs_error *err)
     hs_status status = hs_parallel_agree(env->parallel, err);
     for (int k = 0; k < self->n_observables && status == HS_OK; ++k) {
         double value;
-        status = evaluate(dump, self->observable[k], &value, err);
+        status = hs_value_number(dump->env, &self->observable[k], &value, err);
         if (status == HS_OK && is_root) (void)!hs_h5md_put_observable(self->file, k, value, err);
         status = hs_parallel_agree(env->parallel, err);
     }
@@ -451,7 +404,7 @@ static hs_status write(hs_dump *dump, hs_error *err)
 const hs_dump_style hs_dump_style_h5md = {
     .about =
         {.name = "h5md",
-         .syntax = {.usage = "[position | velocity | force | image | species | c_ID | f_ID | v_name] ...",
+         .syntax = {.usage = "[position | velocity | force | image | species] ... [c_ID | f_ID | v_name] ...",
                     .n_min = 0,
                     .n_max = -1},
          .summary = "a binary trajectory in the H5MD 1.1 format",
@@ -461,8 +414,10 @@ const hs_dump_style hs_dump_style_h5md = {
              "what is stored of each atom of the group (default `position image`), in double precision: `position` "
              "(distance, wrapped into the box), `velocity` (distance/time), `force` (energy/distance), `image` (box "
              "lengths to add to an unwrapped position). `species` is the type; without the word it is stored once, as "
-             "are `id` and `mass`. Numbers of the whole system, `c_ID`, `c_ID[i]`, `f_ID`, `f_ID[i]` and `v_name`, go "
-             "to `/observables`.\n\nRows are in the order of ids. An atom keeps its row; one that is gone has NaN "
+             "are `id` and `mass`. Numbers of the whole system, `c_ID`, `c_ID[i]`, `f_ID`, `f_ID[i]` and `v_name`, "
+             "come "
+             "after these and go to `/observables`.\n\nRows are in the order of ids. An atom keeps its row; one that "
+             "is gone has NaN "
              "there (the least integer for images), and atoms that come later get rows at the end. The box's edges are "
              "stored with every frame, its lower corner as `box/offset`. The deck's text, version and build stand in "
              "`/parameters/halfshell`. In `units lj` nothing has a unit: MDAnalysis needs `convert_units=False`.\n\n"

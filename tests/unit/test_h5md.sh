@@ -48,10 +48,10 @@ create_atoms 1 box
 mass * 1.0
 pair_style zero 2.5
 pair_coeff * *
+variable T equal temp
 reset_timestep 60
 dump t all h5md 1 run.h5md position velocity force image v_T c_thermo_press
 dump_modify t append yes
-variable T equal temp
 fix 1 all nve
 run 1
 END
