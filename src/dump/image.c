@@ -251,7 +251,7 @@ static hs_status init(hs_dump *dump, hs_error *err)
 {
     const image_dump *state = dump->state;
     const char *region = state->table.region_id;
-    if (strchr(dump->file, '*') == NULL && !state->table.is_single)
+    if (strchr(dump->file, '*') == NULL && !dump->is_single)
         return hs_fail(err, HS_ERROR_INPUT,
                        "dump '%s': every picture is a file of its own: the name '%s' needs a *, which becomes the step",
                        dump->id, dump->file);
