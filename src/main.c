@@ -30,6 +30,7 @@ static hs_status run_subcommand(const hs_cli *cli, const char *name, int *exit_c
     if (strcmp(name, "bench") == 0) return hs_cli_bench(cli, err);
     if (strcmp(name, "plot") == 0) return hs_cli_plot(cli, err);
     if (strcmp(name, "report") == 0) return hs_cli_report(cli, err);
+    if (strcmp(name, "resume") == 0) return hs_cli_resume(cli, exit_code, err);
     if (strcmp(name, "help") == 0) return hs_cli_help(cli, err);
     return hs_cli_run(cli, exit_code, err);
 }

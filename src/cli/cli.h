@@ -7,7 +7,15 @@
 #include "deck/deck.h"
 
 /** Subcommands, as bits: which of them know an option. */
-enum { HS_CLI_RUN = 1, HS_CLI_CHECK = 2, HS_CLI_BENCH = 4, HS_CLI_HELP = 8, HS_CLI_PLOT = 16, HS_CLI_REPORT = 32 };
+enum {
+    HS_CLI_RUN = 1,
+    HS_CLI_CHECK = 2,
+    HS_CLI_BENCH = 4,
+    HS_CLI_HELP = 8,
+    HS_CLI_PLOT = 16,
+    HS_CLI_REPORT = 32,
+    HS_CLI_RESUME = 64
+};
 
 /** One option. The table serves the parser, `halfshell --help`, the man page, the manual and shell completion. */
 typedef struct hs_cli_option {
@@ -46,6 +54,7 @@ enum { HS_CLI_NO_EFFECT_MAX = 2 }; /* -suffix, -package */
 typedef struct hs_cli_settings {
     const char *deck; /**< NULL: none was given; "-": standard input */
     hs_options options;
+    double walltime_s;        /**< -walltime: wall time after which to stop; 0: no limit */
     const char *log, *screen; /**< file, or "none"; NULL: the default */
     bool echo_screen, echo_log;
     const char *no_effect[HS_CLI_NO_EFFECT_MAX]; /**< LAMMPS options that were accepted and change nothing */
@@ -69,8 +78,14 @@ int hs_cli_values_end(const hs_cli *cli, int from);
 HS_MUST_USE hs_status hs_cli_find_option(const char *word, unsigned command, const hs_cli_option **option,
                                          hs_error *err);
 
+/** What stops a run early (signals, -walltime) writes a checkpoint. */
+void hs_cli_prepare_stop(const hs_cli *cli, const hs_cli_settings *settings, hs_deck *deck);
+/** Flush what people were told; a full disk must not pass for a finished run. */
+HS_MUST_USE hs_status hs_cli_flush(FILE *stream, const char *what, hs_error *err);
+
 /* The subcommands. Errors are returned; *exit_code is set by the deck's `quit N`. */
 HS_MUST_USE hs_status hs_cli_run(const hs_cli *cli, int *exit_code, hs_error *err);
+HS_MUST_USE hs_status hs_cli_resume(const hs_cli *cli, int *exit_code, hs_error *err);
 HS_MUST_USE hs_status hs_cli_check(const hs_cli *cli, hs_error *err);
 HS_MUST_USE hs_status hs_cli_bench(const hs_cli *cli, hs_error *err);
 /** `bench neighbors`; called by hs_cli_bench. */

@@ -3,10 +3,18 @@
 
 #include "cli/cli.h"
 
-enum { RUN = HS_CLI_RUN, CHECK = HS_CLI_CHECK, BENCH = HS_CLI_BENCH, PLOT = HS_CLI_PLOT, REPORT = HS_CLI_REPORT };
+enum {
+    RUN = HS_CLI_RUN,
+    CHECK = HS_CLI_CHECK,
+    BENCH = HS_CLI_BENCH,
+    PLOT = HS_CLI_PLOT,
+    REPORT = HS_CLI_REPORT,
+    RESUME = HS_CLI_RESUME
+};
 
 const hs_cli_command hs_cli_commands[] = {
     {"run", "[options] DECK", HS_CLI_RUN, "run a deck; the word `run` may be left out"},
+    {"resume", "[options] CHECKPOINT", HS_CLI_RESUME, "go on from a checkpoint to the end of the deck that wrote it"},
     {"check", "[options] DECK", HS_CLI_CHECK,
      "read and validate a deck, run no step, write no file, print what it would do"},
     {"bench", "[neighbors] [options]", HS_CLI_BENCH,
@@ -22,14 +30,17 @@ const hs_cli_command hs_cli_commands[] = {
 const hs_cli_option hs_cli_options[] = {
     {"-in", "-i", "DECK", RUN | CHECK, "the deck to read; `-` is standard input"},
     {"-var", "-v", "NAME VALUE...", RUN | CHECK, "set a variable; wins over `variable NAME index` in the deck"},
-    {"-log", "-l", "FILE|none", RUN, "log file (default: log.halfshell)"},
+    {"-log", "-l", "FILE|none", RUN | RESUME,
+     "log file (default: log.halfshell; of `resume`: the run's own, added to)"},
+    {"-walltime", NULL, "HH:MM:SS", RUN | RESUME,
+     "stop with a checkpoint (exit code 3) before so much wall time has passed"},
     {"-screen", "-sc", "FILE|none", RUN, "write to a file what goes to the screen, or nowhere"},
     {"-echo", "-e", "none|screen|log|both", RUN, "where commands are echoed as they are read (default: log)"},
-    {"-threads", "-t", "N", RUN | CHECK, "OpenMP threads of each rank (default: OMP_NUM_THREADS, else 1)"},
-    {"-neigh", NULL, "METHOD", RUN | CHECK, "neighbor method; wins over the deck's neighbor_method"},
-    {"-precision", NULL, "double|mixed", RUN | CHECK | BENCH,
+    {"-threads", "-t", "N", RUN | RESUME | CHECK, "OpenMP threads of each rank (default: OMP_NUM_THREADS, else 1)"},
+    {"-neigh", NULL, "METHOD", RUN | RESUME | CHECK, "neighbor method; wins over the deck's neighbor_method"},
+    {"-precision", NULL, "double|mixed", RUN | RESUME | CHECK | BENCH,
      "precision of the pair forces; wins over the deck's `precision`"},
-    {"-isa", NULL, "NAME", RUN | CHECK | BENCH,
+    {"-isa", NULL, "NAME", RUN | RESUME | CHECK | BENCH,
      "instruction set of the kernels (default: auto, the widest of this machine)"},
     {"-suffix", "-sf", "STYLE", RUN | CHECK, "accepted for LAMMPS's sake; has no effect"},
     {"-package", "-pk", "WORD...", RUN | CHECK, "accepted for LAMMPS's sake; has no effect"},
@@ -146,6 +157,26 @@ static hs_status parse_threads(const char *word, hs_cli_settings *settings, hs_e
     return HS_OK;
 }
 
+/** HH:MM:SS, MM:SS or SS. */
+static hs_status parse_walltime(const char *word, hs_cli_settings *settings, hs_error *err)
+{
+    double total = 0.0;
+    char part[32];
+    for (const char *at = word; at != NULL;) {
+        const char *colon = strchr(at, ':');
+        int64_t n;
+        snprintf(part, sizeof part, "%.*s", colon != NULL ? (int)(colon - at) : 31, at);
+        if (!hs_text_to_int64(part, &n) || n < 0 || n > 1000000 || (at != word && n > 59))
+            return hs_fail(err, HS_ERROR_INPUT, "-walltime: '%s' is not a time like 12:30:00 (hours, minutes, seconds)",
+                           word);
+        total = 60.0 * total + (double)n;
+        at = colon != NULL ? colon + 1 : NULL;
+    }
+    if (total <= 0.0) return hs_fail(err, HS_ERROR_INPUT, "-walltime: '%s' leaves no time", word);
+    settings->walltime_s = total;
+    return HS_OK;
+}
+
 static hs_status set_deck(const char *word, hs_cli_settings *settings, hs_error *err)
 {
     if (settings->deck == NULL) {
@@ -172,6 +203,7 @@ static hs_status parse_option(const hs_cli *cli, const hs_cli_option *option, in
     *used = 1;
     if (strcmp(option->name, "-in") == 0) return set_deck(value, settings, err);
     if (strcmp(option->name, "-log") == 0) return settings->log = value, HS_OK;
+    if (strcmp(option->name, "-walltime") == 0) return parse_walltime(value, settings, err);
     if (strcmp(option->name, "-screen") == 0) return settings->screen = value, HS_OK;
     if (strcmp(option->name, "-echo") == 0) return parse_echo(value, settings, err);
     if (strcmp(option->name, "-threads") == 0) return parse_threads(value, settings, err);

@@ -5,8 +5,10 @@
 #include <unistd.h>
 
 #include "base/machine.h"
+#include "base/memory.h"
 #include "base/timer.h"
 #include "cli/cli.h"
+#include "sim/saving.h"
 
 enum { SECONDS_A_MINUTE = 60, SECONDS_AN_HOUR = 3600 };
 
@@ -23,8 +25,7 @@ static hs_status open_output(const hs_cli *cli, const char *option, const char *
     return hs_parallel_agree(cli->parallel, err);
 }
 
-/** Flush what people were told; a full disk must not pass for a finished run. */
-static hs_status flush_output(FILE *stream, const char *what, hs_error *err)
+hs_status hs_cli_flush(FILE *stream, const char *what, hs_error *err)
 {
     if (stream == NULL) return HS_OK;
     if (fflush(stream) == 0 && !ferror(stream)) return HS_OK;
@@ -50,15 +51,24 @@ static void greet(const hs_cli *cli, const hs_cli_settings *settings, hs_sink *o
         hs_say(out, "The option %s has no effect: Halfshell chooses its own kernels\n", settings->no_effect[i]);
 }
 
+void hs_cli_prepare_stop(const hs_cli *cli, const hs_cli_settings *settings, hs_deck *deck)
+{
+    deck->sim->stop_requested = cli->stop_requested;
+    deck->sim->saving->on_stop = true;
+    if (settings->walltime_s > 0.0) deck->sim->saving->deadline_s = hs_time_now_s() + settings->walltime_s;
+}
+
 /** First pass over the deck, before anything is written: a deck that is refused leaves the last run's log in place. */
 static hs_status prepare(const hs_cli *cli, const hs_cli_settings *settings, hs_deck *deck, hs_error *err)
 {
     deck->echo_screen = settings->echo_screen;
     deck->echo_log = settings->echo_log;
-    deck->sim->stop_requested = cli->stop_requested;
+    hs_cli_prepare_stop(cli, settings, deck);
     HS_TRY(hs_cli_set_variables(cli, HS_CLI_RUN, deck, err));
     HS_TRY(hs_deck_check(deck, settings->deck, err));
-    HS_TRY(open_output(cli, "-log", settings->log != NULL ? settings->log : "log.halfshell", &deck->log_opened, err));
+    const char *const log = settings->log != NULL ? settings->log : "log.halfshell";
+    HS_TRY(open_output(cli, "-log", log, &deck->log_opened, err));
+    HS_TRY(hs_memory_strdup(&deck->log_name, log, err));
     deck->out->log = deck->log_opened; /* the deck closes it, and the deck's own `log` may replace it */
     greet(cli, settings, deck->out);
     return HS_OK;
@@ -80,7 +90,7 @@ static hs_status run_deck(const hs_cli *cli, const hs_cli_settings *settings, hs
                    err->file[0] != '\0' ? err->file : settings->deck, err->line);
     else
         say_wall_time(out, start_s);
-    if (status == HS_OK) status = flush_output(out->log, "log file", err);
+    if (status == HS_OK) status = hs_cli_flush(out->log, "log file", err);
     hs_deck_destroy(&deck);
     return status;
 }
@@ -100,7 +110,7 @@ hs_status hs_cli_run(const hs_cli *cli, int *exit_code, hs_error *err)
     hs_sink out = {.screen = settings.screen != NULL ? file : cli->parallel->rank == 0 ? stdout : NULL};
     hs_threads_set(settings.options.n_threads);
     hs_status status = run_deck(cli, &settings, &out, exit_code, err);
-    if (status == HS_OK) status = flush_output(out.screen, "screen output", err);
+    if (status == HS_OK) status = hs_cli_flush(out.screen, "screen output", err);
     if (file != NULL) fclose(file);
     return status;
 }

@@ -117,9 +117,7 @@ static hs_status run_write_dump(hs_deck *deck, const hs_args *args, hs_error *er
 const hs_command hs_commands_dump[] = {
     {.about =
          {.name = "dump",
-          .syntax = {.usage = "<ID> <group-ID> <style> <N> <file> [words of the style]",
-                     .n_min = 5,
-                     .n_max = -1},
+          .syntax = {.usage = "<ID> <group-ID> <style> <N> <file> [words of the style]", .n_min = 5, .n_max = -1},
           .summary = "Write snapshots of atoms every N steps",
           .details =
               "A `*` in the file's name becomes the step: one file a snapshot, which appears whole or not at all. "

@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "deck/command.h"
+#include "deck/frames.h"
 #include "sim/report.h"
 #include "sim/thermo.h"
 
@@ -119,20 +120,50 @@ static hs_status pretend(hs_deck *deck, const hs_run_plan *plan, hs_error *err)
     return HS_OK;
 }
 
-/** One run of the series; the last one of a series always has its timing table, and the first one its set-up. */
-static hs_status run_part(hs_deck *deck, const run_words *run, int64_t n_steps, bool is_first, bool is_last,
-                          hs_error *err)
+/** The present part of the series; the last one always has its timing table, and the first one its set-up. */
+static hs_status run_part(hs_deck *deck, const run_words *run, const hs_frame *frame, bool is_within, hs_error *err)
 {
     hs_sim *sim = deck->sim;
-    hs_run_plan plan = {.n_steps = n_steps};
-    plan.pre = run->pre || (run->every > 0 && is_first);
+    const bool is_last = frame->part == frame->left;
+    hs_run_plan plan = {.n_steps = frame->part, .is_resumed = is_within};
+    plan.pre = run->pre || (run->every > 0 && frame->is_first);
     plan.post = run->post || (run->every > 0 && is_last);
     plan.start = run->has_start ? run->start : sim->env.step;
-    plan.stop = run->has_stop ? run->stop : sim->env.step + n_steps;
+    plan.stop = run->has_stop ? run->stop : sim->env.step + frame->part;
     if (deck->options.dry_run) return pretend(deck, &plan, err);
     deck->is_running = true;
     hs_status status = hs_sim_run(sim, &plan, err);
     deck->is_running = false;
+    return status;
+}
+
+static hs_status run_parts(hs_deck *deck, const run_words *run, hs_frame *frame, bool is_within, hs_error *err)
+{
+    const bool is_cut = run->every > 0 && !deck->options.dry_run;
+    for (;;) {
+        if (!frame->is_in_commands) {
+            if (!is_within) frame->part = is_cut && run->every < frame->left ? run->every : frame->left;
+            HS_TRY(run_part(deck, run, frame, is_within, err));
+            frame->is_in_commands = true;
+            frame->next = run->first_command;
+        }
+        while (frame->next < run->end && !deck->quit)
+            HS_TRY(hs_deck_command(deck, frame->words.word[frame->next++], err));
+        frame->left -= frame->part;
+        frame->is_first = frame->is_in_commands = is_within = false;
+        if (frame->left <= 0 || deck->quit || deck->label_wanted != NULL) return HS_OK;
+    }
+}
+
+hs_status hs_frame_run_run(hs_deck *deck, hs_frame *frame, bool is_within, hs_error *err)
+{
+    run_words run;
+    HS_TRY(read_run(&frame->words, &run, err));
+    if (frame->left < 0 || frame->part < 0 || frame->part > frame->left || frame->next < 0)
+        return hs_fail(err, HS_ERROR_INPUT, "run: the place within it is none");
+    hs_frame_push(deck, frame);
+    const hs_status status = run_parts(deck, &run, frame, is_within, err);
+    hs_frame_pop(deck);
     return status;
 }
 
@@ -144,18 +175,8 @@ static hs_status run_run(hs_deck *deck, const hs_args *args, hs_error *err)
     HS_TRY(read_run(args, &run, err));
     HS_TRY(hs_sim_need_box(deck->sim, "run", err));
     HS_TRY(plan_run(deck->sim, &run, &plan, err));
-    const bool is_cut = run.every > 0 && !deck->options.dry_run;
-    int64_t left = plan.n_steps;
-    bool is_first = true;
-    do {
-        const int64_t n = is_cut && run.every < left ? run.every : left;
-        HS_TRY(run_part(deck, &run, n, is_first, n == left, err));
-        for (int i = run.first_command; i < run.end && !deck->quit; ++i)
-            HS_TRY(hs_deck_command(deck, args->word[i], err));
-        left -= n;
-        is_first = false;
-    } while (left > 0 && !deck->quit && deck->label_wanted == NULL);
-    return HS_OK;
+    hs_frame frame = {.kind = HS_FRAME_RUN, .words = *args, .left = plan.n_steps, .is_first = true};
+    return hs_frame_run_run(deck, &frame, false, err);
 }
 
 /* ---- timestep, reset_timestep ---- */

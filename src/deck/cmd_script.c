@@ -7,6 +7,7 @@
 #include "deck/boolean.h"
 #include "deck/branches.h"
 #include "deck/command.h"
+#include "deck/frames.h"
 #include "deck/interpreter.h"
 #include "deck/source.h"
 #include "deck/substitute.h"
@@ -46,7 +47,9 @@ static hs_status log_run(hs_deck *deck, const hs_args *args, hs_error *err)
         (void)hs_fail(err, HS_ERROR_IO, "log: the log file before could not be written in full; is the disk full?");
     deck->out->log = NULL;
     HS_TRY(hs_parallel_agree(parallel, err));
+    HS_FREE(deck->log_name);
     if (strcmp(args->word[0], "none") == 0) return HS_OK;
+    HS_TRY(hs_memory_strdup(&deck->log_name, args->word[0], err));
     if (parallel->rank == 0) {
         deck->log_opened = fopen(args->word[0], is_append ? "a" : "w");
         if (deck->log_opened == NULL)
@@ -183,8 +186,20 @@ static hs_status if_run(hs_deck *deck, const hs_args *args, hs_error *err)
         holds = branch.condition == NULL;
         if (!holds) HS_TRY(decide(deck, branch.condition, &holds, err));
     }
-    for (int i = branch.first; i < branch.end; ++i) HS_TRY(hs_deck_command(deck, args->word[i], err));
-    return HS_OK;
+    hs_frame frame = {
+        .kind = HS_FRAME_LIST,
+        .words = {.command = args->command, .n = branch.end - branch.first, .word = args->word + branch.first}};
+    return hs_frame_run_list(deck, &frame, err);
+}
+
+hs_status hs_frame_run_list(hs_deck *deck, hs_frame *frame, hs_error *err)
+{
+    hs_status status = HS_OK;
+    hs_frame_push(deck, frame);
+    while (frame->next < frame->words.n && status == HS_OK)
+        status = hs_deck_command(deck, frame->words.word[frame->next++], err);
+    hs_frame_pop(deck);
+    return status;
 }
 
 /* ---- quit, clear ---- */

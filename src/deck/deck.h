@@ -16,15 +16,20 @@ typedef struct hs_deck {
     struct hs_variables *variables; /**< owned; kept over `clear` */
     struct hs_source *source;       /**< owned stack of files being read; deck/interpreter.c */
     bool echo_screen, echo_log;
-    FILE *log_opened;   /**< log file opened by -log or the command `log`; owned; NULL: out->log is not ours */
-    char *label_wanted; /**< owned; skipping to this label (jump); NULL: not skipping */
-    bool jump_skipped;  /**< `next` has come to its end: the next jump does nothing */
-    bool quit;          /**< the command quit was met */
-    bool is_stopping;   /**< several ranks: one of them was asked to stop; agreed after every line */
-    int exit_code;      /**< given with quit */
-    bool is_running;    /**< within hs_sim_run: functions of time since the run's start have a value */
-    int depth;          /**< commands within commands (if, run every) being carried out */
-    hs_text input;      /**< owned; standard input, read once for both passes */
+    FILE *log_opened;       /**< log file opened by -log or the command `log`; owned; NULL: out->log is not ours */
+    char *label_wanted;     /**< owned; skipping to this label (jump); NULL: not skipping */
+    char *log_name;         /**< owned; name of the log file, for going on with it; NULL: none */
+    hs_text done;           /**< owned; the commands carried out, for checkpoints: deck/save.c */
+    struct hs_frame *frame; /**< innermost `if` or `run every` that is being carried out; borrowed from its stack */
+    /** hs_deck_resume calls this when all is as it was, before it goes on: for opening the log. NULL: nothing to do. */
+    hs_status (*at_resumed)(struct hs_deck *deck, hs_error *err);
+    bool jump_skipped; /**< `next` has come to its end: the next jump does nothing */
+    bool quit;         /**< the command quit was met */
+    bool is_stopping;  /**< several ranks: one of them was asked to stop; agreed after every line */
+    int exit_code;     /**< given with quit */
+    bool is_running;   /**< within hs_sim_run: functions of time since the run's start have a value */
+    int depth;         /**< commands within commands (if, run every) being carried out */
+    hs_text input;     /**< owned; standard input, read once for both passes */
     bool input_is_read;
     hs_text pipe;    /**< owned; the same for a file that is a pipe */
     char *pipe_name; /**< owned; name of that file, NULL: none was read */

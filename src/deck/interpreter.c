@@ -3,11 +3,13 @@
 
 #include "base/memory.h"
 #include "deck/command.h"
+#include "deck/frames.h"
 #include "deck/interpreter.h"
 #include "deck/lexer.h"
 #include "deck/source.h"
 #include "deck/substitute.h"
 #include "deck/variables.h"
+#include "sim/saving.h"
 
 /** Commands within commands (if within if, run every): deeper ones would only end in the stack's overflow. */
 enum { DEPTH_MAX = 32 };
@@ -42,6 +44,7 @@ static void connect(hs_deck *deck)
     deck->sim->env.variable_atoms = variable_atoms;
     deck->sim->env.variable_kind = variable_kind;
     deck->sim->env.deck_text = deck_text;
+    deck->sim->saving->write = hs_deck_save;
 }
 
 hs_status hs_deck_create(hs_deck **deck, const hs_options *options, hs_sink *out, hs_error *err)
@@ -62,6 +65,8 @@ hs_status hs_deck_clear(hs_deck *deck, hs_error *err)
     hs_sim *fresh = NULL;
     HS_TRY(hs_sim_create(&fresh, &deck->options, deck->out, err));
     fresh->stop_requested = deck->sim->stop_requested;
+    hs_saving_inherit(fresh->saving, deck->sim->saving);
+    hs_text_clear(&deck->done);
     hs_sim_destroy(&deck->sim);
     deck->sim = fresh;
     connect(deck);
@@ -88,6 +93,8 @@ void hs_deck_destroy(hs_deck **deck)
     hs_text_fini(&(*deck)->pipe);
     HS_FREE((*deck)->pipe_name);
     HS_FREE((*deck)->label_wanted);
+    HS_FREE((*deck)->log_name);
+    hs_text_fini(&(*deck)->done);
     HS_FREE(*deck);
 }
 
@@ -107,10 +114,10 @@ void hs_deck_make_printable(char *text)
     }
 }
 
-static hs_status stop_if_asked(const hs_deck *deck, hs_error *err)
+static hs_status stop_if_asked(hs_deck *deck, hs_error *err)
 {
     if (deck->sim->parallel.n_ranks > 1 ? !deck->is_stopping : !hs_sim_is_asked_to_stop(deck->sim)) return HS_OK;
-    return hs_fail(err, HS_INTERRUPTED, "stopped by a signal before this command");
+    return hs_sim_stop(deck->sim, "before this command", err);
 }
 
 static void echo(hs_deck *deck, const char *line)
@@ -143,7 +150,8 @@ static hs_status run_words(hs_deck *deck, const hs_words *words, hs_error *err)
     HS_TRY(refuse_dollars(&args, err));
     HS_TRY(hs_syntax_check(&command->about.syntax, &args, false, err));
     if (command->check != NULL) HS_TRY(command->check(&args, false, err));
-    return command->run(deck, &args, err);
+    HS_TRY(command->run(deck, &args, err));
+    return hs_deck_remember(deck, &args, err);
 }
 
 /** While a label is looked for nothing is replaced or run but the command `label` itself: variables of skipped lines
@@ -198,6 +206,7 @@ hs_status hs_source_run(hs_deck *deck, hs_error *err)
     hs_status status = HS_OK;
     while (status == HS_OK && !deck->quit) {
         hs_source *source = deck->source;
+        const hs_cursor before = source->cursor;
         bool found;
         status =
             hs_lexer_line(source->text.data, source->text.length, &source->cursor, &line, &source->line, &found, err);
@@ -205,7 +214,10 @@ hs_status hs_source_run(hs_deck *deck, hs_error *err)
             if (deck->label_wanted != NULL) status = fail_label(deck, err);
             break;
         }
+        const hs_cursor behind = source->cursor;
+        source->cursor = before; /* a checkpoint must find the command that was not carried out */
         if (status == HS_OK) status = stop_if_asked(deck, err);
+        source->cursor = behind;
         if (status == HS_OK) status = run_line(deck, hs_text_get(&line), err);
         if (status != HS_OK) hs_error_locate(err, source->name, source->line);
         status = settle(deck, err);

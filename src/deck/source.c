@@ -134,6 +134,28 @@ hs_status hs_source_push(hs_deck *deck, const char *file, hs_error *err)
     return HS_OK;
 }
 
+hs_status hs_source_push_text(hs_deck *deck, const char *name, const char *text, size_t at, long n_lines_read,
+                              long line, hs_error *err)
+{
+    const int depth = deck->source != NULL ? deck->source->depth + 1 : 1;
+    const size_t n = strlen(text);
+    if (depth > HS_SOURCES_MAX || at > n) return hs_fail(err, HS_ERROR_INPUT, "the place in the deck is none");
+    hs_source *source = NULL;
+    HS_TRY(HS_ALLOC(source, 1, err));
+    hs_status status = hs_memory_strdup(&source->name, name, err);
+    if (status == HS_OK) status = hs_text_append(&source->text, text, n, err);
+    if (status != HS_OK) {
+        destroy(source);
+        return status;
+    }
+    source->cursor = (hs_cursor){.at = at, .n_lines_read = n_lines_read};
+    source->line = line;
+    source->depth = depth;
+    source->below = deck->source;
+    deck->source = source;
+    return HS_OK;
+}
+
 hs_status hs_source_jump(hs_deck *deck, const char *file, hs_error *err)
 {
     hs_source *top = deck->source;

@@ -26,6 +26,9 @@ const char *hs_source_name(const char *file);
 
 /** Read a file and put it on top of deck->source (collective). */
 HS_MUST_USE hs_status hs_source_push(hs_deck *deck, const char *file, hs_error *err);
+/** Put a text on top of deck->source, at a place within it. */
+HS_MUST_USE hs_status hs_source_push_text(hs_deck *deck, const char *name, const char *text, size_t at,
+                                          long n_lines_read, long line, hs_error *err);
 /** Continue with another file (or the same one, "SELF") from its start, in place of the top one (collective). */
 HS_MUST_USE hs_status hs_source_jump(hs_deck *deck, const char *file, hs_error *err);
 void hs_source_pop(hs_deck *deck);

@@ -121,6 +121,29 @@ hs_status hs_variables_set_index(hs_variables *variables, const char *name, int 
     return copy_values(variable, n, values, err);
 }
 
+hs_status hs_variables_restore(hs_variables *variables, const char *name, hs_variable **variable, hs_error *err)
+{
+    HS_TRY(check_name(name, err));
+    *variable = hs_variables_find(variables, name);
+    return *variable != NULL ? HS_OK : add(variables, name, HS_VARIABLE_INTERNAL, variable, err);
+}
+
+hs_status hs_variables_refill(hs_variable *variable, int n, const char *const *values, const char *formula,
+                              hs_error *err)
+{
+    const int style = (int)variable->style;
+    forget(variable);
+    if (style < 0 || style > HS_VARIABLE_INTERNAL ||
+        (style == HS_VARIABLE_INDEX && (variable->which < 0 || variable->which >= n)) ||
+        ((style == HS_VARIABLE_EQUAL || style == HS_VARIABLE_ATOM) && formula == NULL) ||
+        ((style == HS_VARIABLE_STRING || style == HS_VARIABLE_GETENV) && n < 1) ||
+        (style == HS_VARIABLE_FORMAT && (n < 2 || !hs_format_is_for_double(values[1]))))
+        return hs_fail(err, HS_ERROR_INPUT, "the variable '%s' has no sound value", variable->name);
+    if (n > 0) HS_TRY(copy_values(variable, n, values, err));
+    if (formula == NULL) return HS_OK;
+    return hs_formula_parse(&variable->formula, formula, style == HS_VARIABLE_ATOM, err);
+}
+
 static hs_status set_loop(hs_variable *variable, const hs_args *args, hs_error *err)
 {
     int64_t n[2] = {1, 0};

@@ -56,6 +56,11 @@ HS_MUST_USE hs_status hs_variables_define(hs_deck *deck, const hs_args *args, hs
 /** What of it can be checked without values: style, counts, formulas. In the first pass words that hold `$` are not yet
  *  known and pass. */
 HS_MUST_USE hs_status hs_variables_check(const hs_args *args, bool first_pass, hs_error *err);
+/** For checkpoints: the variable of that name, made if there is none, and its values and formula (NULL: none). */
+HS_MUST_USE hs_status hs_variables_restore(hs_variables *variables, const char *name, hs_variable **variable,
+                                           hs_error *err);
+HS_MUST_USE hs_status hs_variables_refill(hs_variable *variable, int n, const char *const *values, const char *formula,
+                                          hs_error *err);
 /** -var: an index variable that later definitions in the deck do not change. */
 HS_MUST_USE hs_status hs_variables_set_index(hs_variables *variables, const char *name, int n,
                                              const char *const *values, hs_error *err);

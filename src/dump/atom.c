@@ -45,5 +45,6 @@ const hs_dump_style hs_dump_style_atom = {
     .modify = hs_dump_table_modify,
     .destroy = hs_dump_table_destroy,
     .init = init,
+    .position = hs_dump_table_position,
     .write = hs_dump_table_write,
 };

@@ -28,5 +28,6 @@ const hs_dump_style hs_dump_style_xyz = {
     .modify = hs_dump_table_modify,
     .destroy = hs_dump_table_destroy,
     .init = hs_dump_table_init,
+    .position = hs_dump_table_position,
     .write = hs_dump_table_write,
 };

@@ -127,10 +127,7 @@ static hs_status make_formats(hs_dump *dump, hs_error *err)
     return status;
 }
 
-static bool is_file_per_step(const hs_dump *dump)
-{
-    return strchr(dump->file, '*') != NULL || dump->is_single;
-}
+static bool is_file_per_step(const hs_dump *dump) { return strchr(dump->file, '*') != NULL || dump->is_single; }
 
 /** The compute, fix or variable must be there and have values per atom. */
 static hs_status check_reference(hs_dump *dump, const hs_dump_column *column, hs_error *err)
@@ -160,7 +157,10 @@ hs_status hs_dump_table_init(hs_dump *dump, hs_error *err)
     for (int k = 0; k < table->n_conditions; ++k) HS_TRY(check_reference(dump, &table->condition[k].column, err));
     HS_TRY(make_formats(dump, err));
     if (env->dry_run || is_file_per_step(dump) || table->writer != NULL) return HS_OK;
-    return hs_writer_open(&table->writer, dump->file, dump->append ? HS_WRITE_APPEND : HS_WRITE_REPLACE, err);
+    HS_TRY(hs_writer_open(&table->writer, dump->file, dump->append ? HS_WRITE_APPEND : HS_WRITE_REPLACE, err));
+    if (!dump->is_resumed || dump->resume_at < 0) return HS_OK;
+    table->units_written = dump->resume_at > 0;
+    return hs_writer_cut(table->writer, dump->resume_at, err);
 }
 
 static hs_status write_xyz_header(const hs_dump *dump, hs_writer *writer, hs_error *err)
@@ -260,6 +260,12 @@ hs_status hs_dump_write_step_file(hs_dump *dump, hs_status (*write)(hs_dump *dum
     if (status == HS_OK) status = keep_recent(table, &name, err);
     HS_FREE(name);
     return status;
+}
+
+int64_t hs_dump_table_position(const hs_dump *dump)
+{
+    const hs_dump_table *table = dump->state;
+    return table->writer != NULL ? hs_writer_committed(table->writer) : -1;
 }
 
 hs_status hs_dump_table_write(hs_dump *dump, hs_error *err)

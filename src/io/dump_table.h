@@ -70,6 +70,7 @@ const char *hs_dump_check_word(const char *word);
 void hs_dump_table_destroy(hs_dump *dump);
 /** Before a run: find the region, make the formats, open a growing file. */
 HS_MUST_USE hs_status hs_dump_table_init(hs_dump *dump, hs_error *err);
+int64_t hs_dump_table_position(const hs_dump *dump);
 /** Write a snapshot of the present step (collective). */
 HS_MUST_USE hs_status hs_dump_table_write(hs_dump *dump, hs_error *err);
 

@@ -152,6 +152,16 @@ hs_status hs_writer_open(hs_writer **writer, const char *path, hs_write_mode mod
     return status;
 }
 
+int64_t hs_writer_committed(const hs_writer *writer) { return writer->committed; }
+
+hs_status hs_writer_cut(hs_writer *writer, int64_t size, hs_error *err)
+{
+    if (!writer->is_regular || size >= writer->committed) return HS_OK;
+    if (ftruncate(writer->fd, size) != 0 || lseek(writer->fd, size, SEEK_SET) < 0) return fail_io(writer, "cut", err);
+    writer->committed = size;
+    return HS_OK;
+}
+
 hs_status hs_writer_bytes(hs_writer *writer, const char *bytes, size_t n, hs_error *err)
 {
     while (n > 0) {

@@ -195,7 +195,11 @@ hs_status hs_sim_exchange(hs_sim *sim, bool is_listing, hs_error *err)
         hs_sim_shrink_box(sim);
     }
     HS_TRY(hs_migrate(&sim->atoms, &sim->domain, &sim->parallel, &sim->box, err));
-    if (is_listing) hs_neighbor_list_now(&sim->neighbor, &sim->atoms);
+    if (is_listing) {
+        hs_neighbor_list_now(&sim->neighbor, &sim->atoms);
+        memcpy(sim->neighbor.lo_listed, sim->box.lo, sizeof sim->box.lo);
+        memcpy(sim->neighbor.hi_listed, sim->box.hi, sizeof sim->box.hi);
+    }
     hs_timer_add(&sim->timer, HS_PHASE_COMM);
     if (sim->pair->cutoff_max <= 0.0) return HS_OK;
 

@@ -1,7 +1,9 @@
 /* A run: set-up, steps, output. */
+#include <stdio.h>
 #include <string.h>
 
 #include "sim/report.h"
+#include "sim/saving.h"
 #include "sim/sim.h"
 #include "sim/thermo.h"
 
@@ -33,6 +35,13 @@ static hs_status init_styles(hs_sim *sim, hs_error *err)
     for (int k = 0; k < sim->n_dumps; ++k)
         if (sim->dump[k]->style->init != NULL) HS_TRY(sim->dump[k]->style->init(sim->dump[k], err));
     return hs_thermo_init(sim->thermo, err);
+}
+
+hs_status hs_sim_init_resumed(hs_sim *sim, hs_error *err)
+{
+    HS_TRY(check_system(sim, err));
+    HS_TRY(hs_sim_setup_pair(sim, err));
+    return init_styles(sim, err);
 }
 
 hs_status hs_sim_setup(hs_sim *sim, hs_error *err)
@@ -93,6 +102,11 @@ static bool is_energy_due(const hs_sim *sim, int64_t step)
 
 static hs_status begin_run(hs_sim *sim, const hs_run_plan *plan, hs_error *err)
 {
+    if (plan->is_resumed) { /* all is as it was at this step, and its output is written */
+        hs_thermo_header(sim->thermo);
+        hs_timer_reset(&sim->timer);
+        return HS_OK;
+    }
     sim->env.first_step = sim->env.step;
     sim->env.last_step = sim->env.step + plan->n_steps;
     sim->env.ramp_start = plan->start;
@@ -122,8 +136,10 @@ static hs_status write_output(hs_sim *sim, hs_error *err)
 
 static hs_status stop_if_asked(hs_sim *sim, hs_error *err)
 {
+    char where[64];
     if (sim->parallel.n_ranks > 1 ? !sim->is_stopping : !hs_sim_is_asked_to_stop(sim)) return HS_OK;
-    return hs_fail(err, HS_INTERRUPTED, "stopped by a signal after step %lld", (long long)sim->env.step);
+    snprintf(where, sizeof where, "after step %lld", (long long)sim->env.step);
+    return hs_sim_stop(sim, where, err);
 }
 
 /** Commands of `run ... every`, between steps. */
@@ -143,6 +159,7 @@ static hs_status run_steps(hs_sim *sim, const hs_run_plan *plan, hs_error *err)
         if (is_due) HS_TRY(write_output(sim, err));
         hs_report_progress(sim);
         HS_TRY(run_commands(sim, plan, err));
+        HS_TRY(hs_sim_save_if_due(sim, err));
         HS_TRY(stop_if_asked(sim, err));
     }
     return HS_OK;
@@ -162,13 +179,24 @@ static void warn_of_late_lists(hs_sim *sim)
         hs_neighbor_methods[neighbor->settings.method]);
 }
 
+/** A run that failed can go on from the last checkpoint, perhaps with other settings. */
+static hs_status tell_last_checkpoint(const hs_sim *sim, hs_status status, hs_error *err)
+{
+    const hs_saving *saving = sim->saving;
+    const size_t n = strlen(err->text);
+    if (status != HS_INTERRUPTED && saving->last_path != NULL)
+        snprintf(err->text + n, sizeof err->text - n, ". The last checkpoint is '%s', of step %lld", saving->last_path,
+                 (long long)saving->last_step);
+    return status;
+}
+
 hs_status hs_sim_run(hs_sim *sim, const hs_run_plan *plan, hs_error *err)
 {
     HS_TRY(begin_run(sim, plan, err));
     const double start_s = hs_time_now_s(), start_cpu_s = hs_time_cpu_s();
     const hs_status status = run_steps(sim, plan, err);
     hs_progress_wipe(sim->env.out);
-    if (status != HS_OK) return status;
+    if (status != HS_OK) return tell_last_checkpoint(sim, status, err);
     if (plan->post) hs_report_finish(sim, plan->n_steps, hs_time_now_s() - start_s, hs_time_cpu_s() - start_cpu_s);
     hs_thermo_say_means(sim->thermo);
     warn_of_late_lists(sim);

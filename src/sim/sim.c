@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "base/memory.h"
+#include "sim/saving.h"
 #include "sim/thermo.h"
 #include "style/pair_scan.h"
 
@@ -59,6 +60,7 @@ static hs_status create(hs_sim *sim, const hs_options *options, hs_sink *out, hs
                         .find_region = find_region};
     hs_parallel_world(&sim->parallel);
     hs_domain_init(&sim->domain, &sim->parallel);
+    HS_TRY(HS_ALLOC(sim->saving, 1, err));
     HS_TRY(add_thermo_computes(sim, err));
     return hs_thermo_create(&sim->thermo, sim, err);
 }
@@ -79,6 +81,8 @@ void hs_sim_destroy(hs_sim **sim_pointer)
     hs_sim_destroy_styles(sim);
     for (int k = 0; k < sim->n_pair_tables; ++k) HS_FREE(sim->pair_table[k].values);
     HS_FREE(sim->pair_table);
+    hs_saving_fini(sim->saving);
+    HS_FREE(sim->saving);
     HS_FREE(sim->n_of_type);
     hs_force_space_fini(&sim->forces);
     hs_cluster_list_fini(&sim->list);

@@ -66,6 +66,7 @@ typedef struct hs_sim {
     bool is_initialized; /**< a run has been set up since the last change of the system (run pre no is allowed) */
     int64_t *n_of_type;  /**< owned [n_types + 1]: atoms of each type on all ranks, counted at set-up */
     volatile sig_atomic_t *stop_requested; /**< borrowed: set by a signal handler; NULL without one */
+    struct hs_saving *saving;              /**< owned; checkpoints and when they are due: sim/saving.h */
     bool is_stopping;                      /**< some rank was asked to stop; agreed once a step */
 } hs_sim;
 
@@ -99,11 +100,8 @@ hs_compute *hs_sim_find_compute(hs_sim *sim, const char *id);
 hs_region *hs_sim_find_region(hs_sim *sim, const char *id);
 hs_dump *hs_sim_find_dump(hs_sim *sim, const char *id);
 
-/** Whether this rank was asked to stop (by a signal that other ranks may not have seen yet). */
-static inline bool hs_sim_is_asked_to_stop(const hs_sim *sim)
-{
-    return sim->stop_requested != NULL && *sim->stop_requested;
-}
+/** Whether this rank was asked to stop (by a signal that other ranks may not have seen yet), or its time is over. */
+bool hs_sim_is_asked_to_stop(const hs_sim *sim);
 
 /** Let shrink-wrapped faces follow the outermost atoms (collective).  sim/exchange.c */
 void hs_sim_shrink_box(hs_sim *sim);
@@ -125,6 +123,7 @@ typedef struct hs_run_plan {
     int64_t n_steps;
     bool pre, post;      /**< full set-up before; timing table after */
     int64_t start, stop; /**< steps that ramps in fixes and thermo's time left refer to */
+    bool is_resumed;     /**< go on within a run: env.first_step and last_step say where; needs hs_sim_setup_resumed */
     bool is_quiet;       /**< used by nested runs: no thermo header */
     int64_t every;       /**< > 0: call at_every after each so many steps */
     hs_status (*at_every)(void *context, hs_error *err);

@@ -16,6 +16,8 @@ typedef struct hs_dump_style {
     /** dump_modify keywords of this style alone; *n_used = words taken, 0 when the keyword is not the style's. */
     HS_MUST_USE hs_status (*modify)(struct hs_dump *dump, const hs_args *args, int *n_used, hs_error *err);
     void (*destroy)(struct hs_dump *dump);
+    /** Bytes of a growing file that hold whole snapshots, -1 when there is none; NULL: the file tells itself. */
+    int64_t (*position)(const struct hs_dump *dump);
     HS_MUST_USE hs_status (*init)(struct hs_dump *dump, hs_error *err); /**< before each run */
     HS_MUST_USE hs_status (*write)(struct hs_dump *dump,
                                    hs_error *err); /**< one snapshot of the present step (collective) */

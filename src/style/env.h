@@ -30,6 +30,9 @@ typedef struct hs_env {
 
     hs_isa isa; /**< instruction set of kernels */
 
+    /** Commands are repeated to make styles anew before their state comes from a checkpoint: files that were written before
+     *  are to be added to, not emptied, and nothing is to be written. */
+    bool is_resuming;
     bool dry_run; /**< halfshell check: nothing may open, write or remove a file */
 
     int64_t step;        /**< number of the present timestep */

@@ -18,10 +18,10 @@
 #include "base/error.h"
 
 typedef struct hs_state_value {
-    char *name;      /**< owned */
-    bool is_integer; /**< int64_t, else double */
+    char *name;                                                   /**< owned */
+    enum { HS_STATE_REAL, HS_STATE_INTEGER, HS_STATE_TEXT } kind; /**< double, int64_t, bytes */
     int64_t n;
-    void *data; /**< owned [n], of 8 bytes each */
+    void *data; /**< owned [n]; a text is followed by a zero, which n does not count */
 } hs_state_value;
 
 /** The values of one style. Zero-initialised it is empty and ready to be written to. */
@@ -33,7 +33,7 @@ typedef struct hs_state {
 
 void hs_state_fini(hs_state *state);
 /** Append a value; @p data is copied. For readers of files. */
-HS_MUST_USE hs_status hs_state_add(hs_state *state, const char *name, bool is_integer, const void *data, int64_t n,
+HS_MUST_USE hs_status hs_state_add(hs_state *state, const char *name, int kind, const void *data, int64_t n,
                                    hs_error *err);
 /** NULL when there is none of that name. */
 const hs_state_value *hs_state_find(const hs_state *state, const char *name);
@@ -46,5 +46,7 @@ HS_MUST_USE hs_status hs_state_bool(hs_state *state, const char *name, bool *val
 /** Arrays whose length is part of the state: when reading, *values is given back and allocated anew (hs_memory_alloc). */
 HS_MUST_USE hs_status hs_state_doubles(hs_state *state, const char *name, double **values, int64_t *n, hs_error *err);
 HS_MUST_USE hs_status hs_state_int64s(hs_state *state, const char *name, int64_t **values, int64_t *n, hs_error *err);
+/** A string, or NULL: when reading, *text is given back and allocated anew. */
+HS_MUST_USE hs_status hs_state_text(hs_state *state, const char *name, char **text, hs_error *err);
 
 #endif

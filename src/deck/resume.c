@@ -1,0 +1,383 @@
+/* Going on from a checkpoint; save.c says what is in it. */
+#include <stdio.h>
+#include <string.h>
+
+#include "base/memory.h"
+#include "comm/domain.h"
+#include "deck/command.h"
+#include "deck/interpreter.h"
+#include "deck/saved.h"
+#include "deck/source.h"
+#include "io/checkpoint.h"
+#include "sim/saving.h"
+
+/** Words of a joined text: cut in place. The caller frees words->word (the array). */
+static hs_status cut_words(char *text, hs_args *words, hs_error *err)
+{
+    const char **word;
+    int n = 1;
+    for (const char *c = text; *c != '\0'; ++c) n += *c == HS_SAVED_WORD;
+    HS_TRY(HS_ALLOC(word, (size_t)n, err));
+    words->n = 0;
+    for (char *at = text; at != NULL;) {
+        char *end = strchr(at, HS_SAVED_WORD);
+        if (end != NULL) *end++ = '\0';
+        word[words->n++] = at;
+        at = end;
+    }
+    words->word = word;
+    return HS_OK;
+}
+
+/* ---- Variables ---- */
+
+static hs_status get_variable(hs_checkpoint *checkpoint, hs_deck *deck, const char *name, hs_error *err)
+{
+    hs_state state;
+    hs_variable *variable;
+    char section[300], *values = NULL, *formula = NULL;
+    hs_args words = {0};
+    int n_values = 0;
+    snprintf(section, sizeof section, "variables/%s", name);
+    HS_TRY(hs_checkpoint_get(checkpoint, section, &state, err));
+    hs_status status = hs_variables_restore(deck->variables, name, &variable, err);
+    if (status == HS_OK) status = hs_saved_keep_variable(variable, &state, err);
+    if (status == HS_OK) status = hs_state_text(&state, "values", &values, err);
+    if (status == HS_OK) status = hs_state_text(&state, "formula", &formula, err);
+    if (status == HS_OK) status = hs_state_int(&state, "value count", &n_values, err);
+    if (status == HS_OK && values != NULL) status = cut_words(values, &words, err);
+    if (status == HS_OK && (words.n != n_values && n_values > 0))
+        status = hs_fail(err, HS_ERROR_INPUT, "the variable '%s' has %d values; there should be %d", name, words.n,
+                         n_values);
+    if (status == HS_OK) status = hs_variables_refill(variable, n_values, words.word, formula, err);
+    hs_memory_free((void *)(uintptr_t)words.word);
+    HS_FREE(values);
+    HS_FREE(formula);
+    hs_state_fini(&state);
+    return status;
+}
+
+static hs_status get_variables(hs_checkpoint *checkpoint, hs_deck *deck, hs_error *err)
+{
+    hs_state state;
+    char *names = NULL, *rest = NULL;
+    HS_TRY(hs_checkpoint_get(checkpoint, "variables", &state, err));
+    hs_status status = hs_saved_keep_generator(deck->variables, &state, err);
+    if (status == HS_OK) status = hs_state_text(&state, "names", &names, err);
+    for (char *name = names != NULL ? strtok_r(names, " ", &rest) : NULL; name != NULL && status == HS_OK;
+         name = strtok_r(NULL, " ", &rest))
+        status = get_variable(checkpoint, deck, name, err);
+    HS_FREE(names);
+    hs_state_fini(&state);
+    return status;
+}
+
+/* ---- The simulation ---- */
+
+/** Box, types and atoms, as far as what there is knows of their fields. */
+static hs_status get_atoms(hs_checkpoint *checkpoint, hs_sim *sim, bool all_fields, hs_error *err)
+{
+    hs_state state;
+    const int n_types = sim->atoms.n_types;
+    HS_TRY(hs_checkpoint_get(checkpoint, "box", &state, err));
+    hs_status status = hs_sim_keep_box(sim, &state, err);
+    hs_state_fini(&state);
+    HS_TRY(status);
+    if (n_types != sim->atoms.n_types || sim->atoms.mass == NULL)
+        HS_TRY(hs_atoms_set_types(&sim->atoms, sim->atoms.n_types, err));
+    HS_TRY(hs_domain_divide(&sim->domain, &sim->box, err));
+    HS_TRY(hs_checkpoint_get_atoms(checkpoint, &sim->atoms, all_fields, err));
+    hs_sim_atoms_changed(sim);
+    return HS_OK;
+}
+
+static hs_status get_run(hs_checkpoint *checkpoint, hs_sim *sim, hs_error *err)
+{
+    hs_state state;
+    HS_TRY(hs_checkpoint_get(checkpoint, "run", &state, err));
+    const hs_status status = hs_sim_keep_run(sim, &state, err);
+    hs_state_fini(&state);
+    return status;
+}
+
+static hs_status get_dumps(hs_checkpoint *checkpoint, hs_sim *sim, hs_error *err)
+{
+    char section[300];
+    for (int k = 0; k < sim->n_dumps; ++k) {
+        hs_state state;
+        snprintf(section, sizeof section, "dump/%s", sim->dump[k]->id);
+        HS_TRY(hs_checkpoint_get(checkpoint, section, &state, err));
+        const hs_status status = hs_saved_keep_dump(sim->dump[k], &state, err);
+        hs_state_fini(&state);
+        HS_TRY(status);
+        sim->dump[k]->is_resumed = sim->dump[k]->append = true;
+    }
+    return HS_OK;
+}
+
+static hs_status get_styles(hs_checkpoint *checkpoint, hs_sim *sim, hs_error *err)
+{
+    char section[300];
+    for (int k = 0; k < sim->n_fixes + sim->n_computes; ++k) {
+        hs_fix *fix = k < sim->n_fixes ? sim->fix[k] : NULL;
+        hs_compute *compute = fix == NULL ? sim->compute[k - sim->n_fixes] : NULL;
+        if (fix != NULL ? fix->style->keep_state == NULL : compute->style->keep_state == NULL) continue;
+        hs_state state;
+        snprintf(section, sizeof section, "%s/%s", fix != NULL ? "fix" : "compute",
+                 fix != NULL ? fix->id : compute->id);
+        HS_TRY(hs_checkpoint_get(checkpoint, section, &state, err));
+        const hs_status status =
+            fix != NULL ? fix->style->keep_state(fix, &state, err) : compute->style->keep_state(compute, &state, err);
+        hs_state_fini(&state);
+        HS_TRY(status);
+    }
+    return HS_OK;
+}
+
+/** Commands whose effects come from the checkpoint's values: they are not repeated. */
+static bool is_done_once(const char *name)
+{
+    static const char *const names[] = {"balance",
+                                        "create_atoms",
+                                        "delete_atoms",
+                                        "displace_atoms",
+                                        "echo",
+                                        "if",
+                                        "include",
+                                        "info",
+                                        "jump",
+                                        "label",
+                                        "log",
+                                        "minimize",
+                                        "next",
+                                        "print",
+                                        "quit",
+                                        "read_dump",
+                                        "rerun",
+                                        "replicate",
+                                        "reset_timestep",
+                                        "run",
+                                        "set",
+                                        "variable",
+                                        "velocity",
+                                        "write_data",
+                                        "write_dump",
+                                        "write_restart",
+                                        "change_box",
+                                        "timestep",
+                                        "plot",
+                                        "report",
+                                        NULL};
+    for (int k = 0; names[k] != NULL; ++k)
+        if (strcmp(names[k], name) == 0) return true;
+    return false;
+}
+
+/** Commands that make the box: it and the atoms come from the checkpoint here. */
+static bool makes_box(const char *name)
+{
+    return strcmp(name, "create_box") == 0 || strcmp(name, "read_data") == 0 || strcmp(name, "read_restart") == 0;
+}
+
+/** read_restart takes these over from the deck that wrote the file, as LAMMPS does. */
+static bool is_of_restart(const char *name)
+{
+    static const char *const names[] = {"units",      "dimension",   "boundary", "atom_style", "newton", "pair_style",
+                                        "pair_coeff", "pair_modify", "group",    "mass",       NULL};
+    for (int k = 0; names[k] != NULL; ++k)
+        if (strcmp(names[k], name) == 0) return true;
+    return false;
+}
+
+static hs_status repeat(hs_checkpoint *checkpoint, hs_deck *deck, char *text, bool is_restart, hs_error *err)
+{
+    hs_args words;
+    HS_TRY(cut_words(text, &words, err));
+    const char *name = words.word[0];
+    const hs_args args = {.command = name, .n = words.n - 1, .word = words.word + 1};
+    const hs_command *command = hs_command_find(name);
+    hs_status status = HS_OK;
+    if (makes_box(name)) {
+        if (!deck->sim->box.exists) status = get_atoms(checkpoint, deck->sim, false, err);
+    } else if (is_restart ? is_of_restart(name) : !is_done_once(name)) {
+        if (command == NULL) status = hs_fail(err, HS_ERROR_INPUT, "there is no command '%s' in this version", name);
+        if (status == HS_OK) status = command->run(deck, &args, err);
+        if (status == HS_OK && is_restart) status = hs_deck_remember(deck, &args, err);
+    }
+    hs_memory_free((void *)(uintptr_t)words.word);
+    return status;
+}
+
+/** Repeat the commands that made the simulation, without a word to anyone. */
+static hs_status repeat_all(hs_checkpoint *checkpoint, hs_deck *deck, char *commands, bool is_restart, hs_error *err)
+{
+    hs_sink quiet = {0}, *const out = deck->out;
+    const hs_sink before = *out;
+    hs_status status = HS_OK;
+    *out = quiet;
+    deck->sim->env.is_resuming = true;
+    for (char *at = commands; at != NULL && *at != '\0' && status == HS_OK;) {
+        char *end = strchr(at, HS_SAVED_COMMAND);
+        if (end != NULL) *end++ = '\0';
+        status = repeat(checkpoint, deck, at, is_restart, err);
+        at = end;
+    }
+    deck->sim->env.is_resuming = false;
+    *out = before;
+    return status;
+}
+
+static hs_status get_simulation(hs_checkpoint *checkpoint, hs_deck *deck, char *commands, hs_error *err)
+{
+    HS_TRY(hs_text_append(&deck->done, commands, strlen(commands), err));
+    HS_TRY(repeat_all(checkpoint, deck, commands, false, err));
+    hs_sim *sim = deck->sim; /* a `clear` among the commands has made it anew */
+    HS_TRY(get_atoms(checkpoint, sim, true, err));
+    HS_TRY(get_run(checkpoint, sim, err));
+    HS_TRY(get_dumps(checkpoint, sim, err));
+    const bool is_set_up = sim->is_initialized;
+    if (is_set_up) HS_TRY(hs_sim_init_resumed(sim, err));
+    HS_TRY(get_styles(checkpoint, sim, err));
+    if (is_set_up) HS_TRY(hs_sim_setup_resumed(sim, err));
+    return get_run(checkpoint, sim, err); /* what set-up has changed */
+}
+
+/* ---- The place in the deck ---- */
+
+typedef struct places {
+    hs_checkpoint *checkpoint;
+    int n;
+} places;
+
+static hs_status enter(hs_deck *deck, places *where, int k, hs_error *err);
+
+static hs_status enter_file(hs_deck *deck, places *where, int k, hs_state *state, hs_error *err)
+{
+    char *name = NULL, *text = NULL;
+    int64_t numbers[3];
+    hs_status status = hs_state_text(state, "name", &name, err);
+    if (status == HS_OK) status = hs_state_text(state, "text", &text, err);
+    if (status == HS_OK) status = hs_state_int64(state, "cursor", numbers, 3, err);
+    if (status == HS_OK)
+        status = hs_source_push_text(deck, name != NULL ? name : "", text != NULL ? text : "", (size_t)numbers[0],
+                                     (long)numbers[1], (long)numbers[2], err);
+    HS_FREE(name);
+    HS_FREE(text);
+    HS_TRY(status);
+    status = enter(deck, where, k + 1, err);
+    if (status != HS_OK) hs_error_locate(err, deck->source->name, deck->source->line);
+    if (status == HS_OK) status = hs_source_run(deck, err);
+    hs_source_pop(deck);
+    return status;
+}
+
+static hs_status enter_frame(hs_deck *deck, places *where, int k, int kind, hs_state *state, hs_error *err)
+{
+    hs_frame frame = {0};
+    char *text = NULL;
+    hs_status status = hs_saved_keep_frame(&frame, state, err);
+    frame.kind = kind == HS_FRAME_RUN ? HS_FRAME_RUN : HS_FRAME_LIST;
+    if (status == HS_OK) status = hs_state_text(state, "words", &text, err);
+    if (status == HS_OK && text == NULL) status = hs_fail(err, HS_ERROR_INPUT, "a command has no words");
+    if (status == HS_OK) status = cut_words(text, &frame.words, err);
+    frame.words.command = kind == HS_FRAME_RUN ? "run" : "if";
+    if (status == HS_OK) {
+        hs_frame_push(deck, &frame);
+        const bool is_innermost = k + 1 == where->n;
+        if (!is_innermost) status = enter(deck, where, k + 1, err);
+        hs_frame_pop(deck);
+        if (status == HS_OK && kind == HS_FRAME_LIST) status = hs_frame_run_list(deck, &frame, err);
+        if (status == HS_OK && kind == HS_FRAME_RUN)
+            status = hs_frame_run_run(deck, &frame, is_innermost && !frame.is_in_commands, err);
+    }
+    hs_memory_free((void *)(uintptr_t)frame.words.word);
+    HS_FREE(text);
+    return status;
+}
+
+/** Enter place k and all within it, and carry it out to its end. */
+static hs_status enter(hs_deck *deck, places *where, int k, hs_error *err)
+{
+    char section[64];
+    hs_state state;
+    int kind = 0;
+    if (k >= where->n) {
+        hs_checkpoint_destroy(&where->checkpoint); /* the run may replace the file */
+        return HS_OK;
+    }
+    snprintf(section, sizeof section, "place/%d", k);
+    HS_TRY(hs_checkpoint_get(where->checkpoint, section, &state, err));
+    hs_status status = hs_state_int(&state, "kind", &kind, err);
+    if (status == HS_OK && k + 1 == where->n) hs_checkpoint_destroy(&where->checkpoint);
+    if (status == HS_OK)
+        status = kind == HS_SAVED_FILE ? enter_file(deck, where, k, &state, err)
+                                       : enter_frame(deck, where, k, kind, &state, err);
+    hs_state_fini(&state);
+    return status;
+}
+
+static hs_status get_settings(hs_checkpoint *checkpoint, hs_deck *deck, char **commands, int *n_places, hs_error *err)
+{
+    hs_state state;
+    char *method = NULL, *precision = NULL;
+    HS_TRY(hs_checkpoint_get(checkpoint, "deck", &state, err));
+    hs_status status = hs_state_int(&state, "places", n_places, err);
+    if (status == HS_OK) status = hs_state_text(&state, "commands", commands, err);
+    if (status == HS_OK) status = hs_state_text(&state, "neighbor method", &method, err);
+    if (status == HS_OK) status = hs_state_text(&state, "precision", &precision, err);
+    if (status == HS_OK && deck->log_name == NULL) status = hs_state_text(&state, "log", &deck->log_name, err);
+    if (status == HS_OK) status = hs_state_bool(&state, "jump is skipped", &deck->jump_skipped, err);
+    hs_options *options = &deck->options; /* the present command line wins */
+    if (method != NULL && options->neighbor_method[0] == '\0')
+        snprintf(options->neighbor_method, sizeof options->neighbor_method, "%s", method);
+    if (precision != NULL && options->precision[0] == '\0')
+        snprintf(options->precision, sizeof options->precision, "%s", precision);
+    HS_FREE(method);
+    HS_FREE(precision);
+    hs_state_fini(&state);
+    if (status == HS_OK && *commands == NULL) status = hs_memory_strdup(commands, "", err);
+    return status;
+}
+
+hs_status hs_deck_resume(hs_deck *deck, const char *path, hs_error *err)
+{
+    places where = {0};
+    char *commands = NULL;
+    HS_TRY(hs_checkpoint_open(&where.checkpoint, path, &deck->sim->parallel, err));
+    hs_status status = get_settings(where.checkpoint, deck, &commands, &where.n, err);
+    if (status == HS_OK) status = hs_deck_clear(deck, err); /* with the settings */
+    if (status == HS_OK) status = get_variables(where.checkpoint, deck, err);
+    if (status == HS_OK) status = get_simulation(where.checkpoint, deck, commands, err);
+    if (status == HS_OK && deck->at_resumed != NULL) status = deck->at_resumed(deck, err);
+    if (status == HS_OK)
+        hs_say(deck->out, "Resumed at step %lld from %s, with %lld atoms\n", (long long)deck->sim->env.step, path,
+               (long long)deck->sim->atoms.n_all);
+    if (status == HS_OK) status = enter(deck, &where, 0, err);
+    HS_FREE(commands);
+    hs_checkpoint_destroy(&where.checkpoint);
+    hs_error_locate(err, path, 0);
+    hs_deck_make_printable(err->text);
+    return status;
+}
+
+hs_status hs_deck_read_restart(hs_deck *deck, const char *path, hs_error *err)
+{
+    hs_checkpoint *checkpoint = NULL;
+    hs_state state = {0};
+    char *commands = NULL;
+    hs_sim *sim = deck->sim;
+    HS_TRY(hs_checkpoint_open(&checkpoint, path, &sim->parallel, err));
+    hs_status status = hs_checkpoint_get(checkpoint, "deck", &state, err);
+    if (status == HS_OK) status = hs_state_text(&state, "commands", &commands, err);
+    if (status == HS_OK) status = repeat_all(checkpoint, deck, commands, true, err);
+    if (status == HS_OK) status = get_atoms(checkpoint, sim, false, err);
+    if (status == HS_OK) status = get_run(checkpoint, sim, err);
+    sim->is_initialized = false;
+    hs_state_fini(&state);
+    HS_FREE(commands);
+    hs_checkpoint_destroy(&checkpoint);
+    if (status == HS_OK)
+        hs_say(deck->out, "Reading restart file ...\n  %lld atoms, step %lld\n", (long long)sim->atoms.n_all,
+               (long long)sim->env.step);
+    return status;
+}

@@ -1,0 +1,152 @@
+/* What of a simulation is kept in a checkpoint, and how it is set up again. */
+#include <string.h>
+
+#include "base/memory.h"
+#include "sim/methods.h"
+#include "sim/saving.h"
+#include "sim/thermo.h"
+
+hs_status hs_sim_keep_box(hs_sim *sim, hs_state *state, hs_error *err)
+{
+    hs_box *box = &sim->box;
+    int64_t boundary[6];
+    HS_TRY(hs_state_int(state, "types", &sim->atoms.n_types, err));
+    HS_TRY(hs_state_int(state, "dimension", &box->dimension, err));
+    HS_TRY(hs_state_bool(state, "exists", &box->exists, err));
+    HS_TRY(hs_state_double(state, "lo", box->lo, 3, err));
+    HS_TRY(hs_state_double(state, "hi", box->hi, 3, err));
+    HS_TRY(hs_state_double(state, "shrink margin", box->shrink_margin, 3, err));
+    HS_TRY(hs_state_double(state, "shrink limit", &box->shrink_limit[0][0], 6, err));
+    for (int k = 0; k < 6; ++k) boundary[k] = box->boundary[k / 2][k % 2];
+    HS_TRY(hs_state_int64(state, "boundary", boundary, 6, err));
+    for (int k = 0; k < 6; ++k) {
+        if (strchr("pfsm", (int)(boundary[k] & 0x7f)) == NULL || boundary[k] <= 0 || boundary[k] > 'z')
+            return hs_fail(err, HS_ERROR_INPUT, "the boundary has an unknown kind");
+        box->boundary[k / 2][k % 2] = (hs_boundary)boundary[k];
+        box->periodic[k / 2] = boundary[k] == 'p';
+    }
+    for (int axis = 0; axis < 3; ++axis)
+        if (box->exists && !(box->hi[axis] > box->lo[axis])) return hs_fail(err, HS_ERROR_INPUT, "the box is empty");
+    if (sim->atoms.n_types < 0 || sim->atoms.n_types > 1000000)
+        return hs_fail(err, HS_ERROR_INPUT, "the number of types is wrong");
+    return HS_OK;
+}
+
+static hs_status keep_neighbor(hs_neighbor *neighbor, hs_state *state, hs_error *err)
+{
+    hs_neighbor_counters *counters = &neighbor->counters;
+    HS_TRY(hs_state_int64(state, "steps since lists", &neighbor->ago, 1, err));
+    HS_TRY(hs_state_bool(state, "lists are late", &neighbor->is_late, err));
+    HS_TRY(hs_state_double(state, "listed lo", neighbor->lo_listed, 3, err));
+    HS_TRY(hs_state_double(state, "listed hi", neighbor->hi_listed, 3, err));
+    HS_TRY(hs_state_int64(state, "list builds", &counters->n_builds, 1, err));
+    HS_TRY(hs_state_int64(state, "dangerous builds", &counters->n_dangerous, 1, err));
+    HS_TRY(hs_state_int64(state, "late steps", &counters->n_late_steps, 1, err));
+    return hs_state_int64(state, "first late step", &counters->first_late_step, 1, err);
+}
+
+hs_status hs_sim_keep_run(hs_sim *sim, hs_state *state, hs_error *err)
+{
+    hs_env *env = &sim->env;
+    struct {
+        const char *name;
+        int64_t *value;
+    } integers[] = {{"step", &env->step},
+                    {"first step", &env->first_step},
+                    {"last step", &env->last_step},
+                    {"ramp start", &env->ramp_start},
+                    {"ramp stop", &env->ramp_stop},
+                    {"clock ahead", &env->clock_ahead},
+                    {"time origin step", &env->time_origin_step},
+                    {"energy step", &env->energy_step}};
+    struct {
+        const char *name;
+        double *value;
+        int n;
+    } reals[] = {{"timestep", &env->dt, 1},
+                 {"time origin", &env->time_origin, 1},
+                 {"pair energy", &env->pair_energy, 1},
+                 {"pair virial", env->pair_virial, 6},
+                 {"fix energy", &env->fix_energy, 1},
+                 {"fix virial", env->fix_virial, 6},
+                 {"tail energy", &env->tail_energy, 1},
+                 {"tail pressure", &env->tail_pressure, 1}};
+    for (size_t k = 0; k < sizeof integers / sizeof integers[0]; ++k)
+        HS_TRY(hs_state_int64(state, integers[k].name, integers[k].value, 1, err));
+    for (size_t k = 0; k < sizeof reals / sizeof reals[0]; ++k)
+        HS_TRY(hs_state_double(state, reals[k].name, reals[k].value, reals[k].n, err));
+    HS_TRY(hs_state_bool(state, "is set up", &sim->is_initialized, err));
+    HS_TRY(hs_state_double(state, "mass", sim->atoms.mass, sim->atoms.n_types + 1, err));
+    HS_TRY(hs_state_int(state, "restart turn", &sim->saving->restart_turn, err));
+    return keep_neighbor(&sim->neighbor, state, err);
+}
+
+/** Arrays that travel with the atoms for a while: what the exchange would lose. */
+typedef struct kept {
+    double *x[3], *f[3]; /**< atom fields */
+} kept;
+
+static hs_status keep_arrays(hs_sim *sim, kept *arrays, hs_error *err)
+{
+    hs_atoms *atoms = &sim->atoms;
+    for (int axis = 0; axis < 3; ++axis) {
+        HS_TRY(hs_atoms_add_field(atoms, "kept x", (void **)&arrays->x[axis], sizeof(double), false, err));
+        HS_TRY(hs_atoms_add_field(atoms, "kept f", (void **)&arrays->f[axis], sizeof(double), false, err));
+        const size_t n_bytes = sizeof(double) * (size_t)atoms->n_local;
+        memcpy(arrays->x[axis], atoms->x[axis], n_bytes);
+        memcpy(arrays->f[axis], atoms->f[axis], n_bytes);
+    }
+    return HS_OK;
+}
+
+static void give_arrays_back(hs_sim *sim, kept *arrays, bool with_x)
+{
+    hs_atoms *atoms = &sim->atoms;
+    const size_t n_bytes = sizeof(double) * (size_t)atoms->n_local;
+    for (int axis = 0; axis < 3; ++axis) {
+        if (with_x && arrays->x[axis] != NULL) memcpy(atoms->x[axis], arrays->x[axis], n_bytes);
+        if (arrays->f[axis] != NULL) memcpy(atoms->f[axis], arrays->f[axis], n_bytes);
+        hs_atoms_remove_field(atoms, (void **)&arrays->x[axis]);
+        hs_atoms_remove_field(atoms, (void **)&arrays->f[axis]);
+    }
+}
+
+/** Methods with lists: make them from the positions, in the box, of the last scheduled build, as the run did then. The order
+ *  of atoms is that of their places at that time, so it comes out the same, too. */
+static hs_status list_again(hs_sim *sim, hs_error *err)
+{
+    hs_neighbor *neighbor = &sim->neighbor;
+    const hs_neighbor before = *neighbor;
+    const hs_box box = sim->box;
+    const size_t n_bytes = sizeof(double) * (size_t)sim->atoms.n_local;
+    for (int axis = 0; axis < 3; ++axis) memcpy(sim->atoms.x[axis], neighbor->x_listed[axis], n_bytes);
+    memcpy(sim->box.lo, neighbor->lo_listed, sizeof sim->box.lo);
+    memcpy(sim->box.hi, neighbor->hi_listed, sizeof sim->box.hi);
+    HS_TRY(hs_sim_exchange(sim, true, err));
+    sim->box = box;
+    neighbor->ago = before.ago;
+    neighbor->is_late = before.is_late;
+    neighbor->counters.n_builds = before.counters.n_builds;
+    return HS_OK;
+}
+
+hs_status hs_sim_setup_resumed(hs_sim *sim, hs_error *err)
+{
+    kept arrays = {0};
+    const hs_method *method = hs_sim_method(sim);
+    const bool has_lists = method->keeps_lists && sim->pair != NULL && sim->pair->cutoff_max > 0.0;
+    const hs_neighbor_counters counters = sim->neighbor.counters;
+    sim->is_initialized = false; /* atoms may be anywhere, on any rank */
+    HS_TRY(keep_arrays(sim, &arrays, err));
+    hs_status status = has_lists ? list_again(sim, err) : hs_sim_exchange(sim, false, err);
+    give_arrays_back(sim, &arrays, has_lists);
+    HS_TRY(status);
+    sim->neighbor.counters = counters;
+    if (has_lists) {
+        hs_halo_forward(&sim->halo, &sim->atoms);
+        if (sim->neighbor.is_late) hs_halo_forward_positions(&sim->halo, &sim->atoms, sim->neighbor.x_listed);
+        if (method->update != NULL) HS_TRY(method->update(sim, err));
+    }
+    sim->is_initialized = true;
+    return HS_OK;
+}

@@ -1,0 +1,127 @@
+/* Checkpoints in time: when they are due, which are kept, and stopping with one. */
+#include "sim/saving.h"
+
+#include <stdio.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "base/memory.h"
+#include "base/timer.h"
+#include "io/writer.h"
+
+const char hs_saving_pattern[] = "checkpoint.*.h5";
+
+void hs_saving_fini(hs_saving *saving)
+{
+    if (saving == NULL) return;
+    for (int k = 0; k < saving->n_recent; ++k) HS_FREE(saving->recent[k]);
+    HS_FREE(saving->recent);
+    HS_FREE(saving->restart_file[0]);
+    HS_FREE(saving->restart_file[1]);
+    HS_FREE(saving->pattern);
+    HS_FREE(saving->last_path);
+}
+
+void hs_saving_inherit(hs_saving *saving, const hs_saving *from)
+{
+    saving->on_stop = from->on_stop;
+    saving->deadline_s = from->deadline_s;
+    saving->write = from->write;
+}
+
+/** Time is over early enough to write a checkpoint. */
+static bool is_late(const hs_saving *saving)
+{
+    const double margin_s = 2.0 * saving->cost_s + 1.0;
+    return saving->deadline_s > 0.0 && hs_time_now_s() > saving->deadline_s - margin_s;
+}
+
+bool hs_sim_is_asked_to_stop(const hs_sim *sim)
+{
+    return (sim->stop_requested != NULL && *sim->stop_requested) || is_late(sim->saving);
+}
+
+static hs_status write_file(hs_sim *sim, const char *path, hs_error *err)
+{
+    hs_saving *saving = sim->saving;
+    if (saving->write == NULL)
+        return hs_fail(err, HS_ERROR_RUN, "a checkpoint can only be written by a simulation that a deck drives");
+    const double start_s = hs_time_now_s();
+    HS_TRY(saving->write(sim->env.deck, path, err));
+    saving->last_s = hs_time_now_s();
+    saving->cost_s = saving->last_s - start_s;
+    saving->last_step = sim->env.step;
+    HS_FREE(saving->last_path);
+    return hs_memory_strdup(&saving->last_path, path, err);
+}
+
+/** Remember a checkpoint, and delete those that are more than wanted. */
+static hs_status keep(hs_sim *sim, const char *path, hs_error *err)
+{
+    hs_saving *saving = sim->saving;
+    for (int k = 0; k < saving->n_recent; ++k)
+        if (strcmp(saving->recent[k], path) == 0) return HS_OK;
+    HS_TRY(HS_GROW(saving->recent, (size_t)saving->n_recent, (size_t)saving->n_recent + 1, err));
+    HS_TRY(hs_memory_strdup(&saving->recent[saving->n_recent], path, err));
+    ++saving->n_recent;
+    while (saving->keep > 0 && saving->n_recent > saving->keep) {
+        if (sim->parallel.rank == 0) unlink(saving->recent[0]);
+        HS_FREE(saving->recent[0]);
+        memmove(saving->recent, saving->recent + 1, sizeof *saving->recent * (size_t)--saving->n_recent);
+    }
+    return HS_OK;
+}
+
+hs_status hs_sim_save_now(hs_sim *sim, char **path, hs_error *err)
+{
+    const char *pattern = sim->saving->pattern != NULL ? sim->saving->pattern : hs_saving_pattern;
+    HS_TRY(hs_writer_step_name(path, pattern, sim->env.step, 0, err));
+    HS_TRY(write_file(sim, *path, err));
+    return keep(sim, *path, err);
+}
+
+/** Whether a checkpoint by wall time is due. Rank 0's clock decides, and is asked every few steps only. */
+static bool is_due_by_time(hs_sim *sim)
+{
+    enum { STEPS_BETWEEN = 8 };
+    hs_saving *saving = sim->saving;
+    if (saving->every_s <= 0.0 || (sim->parallel.n_ranks > 1 && sim->env.step % STEPS_BETWEEN != 0)) return false;
+    if (saving->last_s == 0.0) saving->last_s = hs_time_now_s();
+    bool is_due = hs_time_now_s() - saving->last_s >= saving->every_s;
+    hs_parallel_broadcast(&sim->parallel, 0, &is_due, sizeof is_due);
+    return is_due;
+}
+
+hs_status hs_sim_save_if_due(hs_sim *sim, hs_error *err)
+{
+    hs_saving *saving = sim->saving;
+    const int64_t step = sim->env.step;
+    char *path = NULL;
+    hs_status status = HS_OK;
+    if ((saving->every_steps > 0 && step % saving->every_steps == 0) || is_due_by_time(sim))
+        status = hs_sim_save_now(sim, &path, err);
+    HS_FREE(path);
+    HS_TRY(status);
+    if (saving->restart_every <= 0 || step % saving->restart_every != 0) return HS_OK;
+    const int turn = saving->restart_turn;
+    if (saving->n_restart_files == 2) saving->restart_turn = 1 - turn;
+    status = hs_writer_step_name(&path, saving->restart_file[turn], step, 0, err);
+    if (status == HS_OK) status = write_file(sim, path, err);
+    HS_FREE(path);
+    return status;
+}
+
+hs_status hs_sim_stop(hs_sim *sim, const char *where, hs_error *err)
+{
+    const bool by_signal = sim->stop_requested != NULL && *sim->stop_requested;
+    const char *const cause = by_signal ? "by a signal" : "because the time of -walltime is over";
+    char *path = NULL;
+    if (!sim->saving->on_stop || !sim->box.exists)
+        return hs_fail(err, HS_INTERRUPTED, "stopped %s %s", by_signal ? cause : "", where);
+    const hs_status status = hs_sim_save_now(sim, &path, err);
+    if (status == HS_OK)
+        (void)hs_fail(err, HS_INTERRUPTED, "stopped %s %s; 'halfshell resume %s' goes on from there", cause, where,
+                      path);
+    HS_FREE(path);
+    return status == HS_OK ? HS_INTERRUPTED : status;
+}

@@ -1,0 +1,53 @@
+/** When checkpoints are due, under which names they are kept, and what of the simulation goes into them. */
+#ifndef HS_SIM_SAVING_H
+#define HS_SIM_SAVING_H
+
+#include "sim/sim.h"
+
+/** Settings of `restart` and `checkpoint`, of the options of the command line, and what was written. Zero is: no files. */
+typedef struct hs_saving {
+    /* restart N file [file2] */
+    int64_t restart_every;
+    char *restart_file[2]; /**< owned; a name with *, or two that take turns */
+    int n_restart_files, restart_turn;
+    /* checkpoint every N steps|minutes keep K file NAME */
+    int64_t every_steps; /**< 0: not by steps */
+    double every_s;      /**< wall time, 0: not by time */
+    char *pattern;       /**< owned; NULL: the default */
+    int64_t keep;        /**< files, 0: all */
+    char **recent;       /**< owned [n_recent] names of those written, oldest first */
+    int n_recent;
+    double last_s;   /**< when the last one was written, or the run began */
+    double cost_s;   /**< what the last one took */
+    char *last_path; /**< owned; NULL: none yet */
+    int64_t last_step;
+
+    bool on_stop;      /**< write one when the run is stopped by a signal or by its time limit */
+    double deadline_s; /**< time of hs_time_now_s at which the run must be over; 0: no limit */
+    /** Writes a checkpoint; set by the deck. */
+    hs_status (*write)(void *deck, const char *path, hs_error *err);
+} hs_saving;
+
+/** Default of the names of checkpoints. */
+extern const char hs_saving_pattern[];
+
+void hs_saving_fini(hs_saving *saving);
+/** Settings of the program, kept over `clear`. */
+void hs_saving_inherit(hs_saving *saving, const hs_saving *from);
+/** After a step (collective): write what is due. */
+HS_MUST_USE hs_status hs_sim_save_if_due(hs_sim *sim, hs_error *err);
+/** A checkpoint under the default name, for a run that stops now; *path is the caller's (collective). */
+HS_MUST_USE hs_status hs_sim_save_now(hs_sim *sim, char **path, hs_error *err);
+/** HS_INTERRUPTED, after a checkpoint was written if that is wanted and there is something to save; @p where ends the
+ *  sentence "stopped by a signal ..." (collective). */
+HS_MUST_USE hs_status hs_sim_stop(hs_sim *sim, const char *where, hs_error *err);
+
+/** All of the simulation but atoms and styles' words: moved into @p state or back. */
+HS_MUST_USE hs_status hs_sim_keep_box(hs_sim *sim, hs_state *state, hs_error *err);
+HS_MUST_USE hs_status hs_sim_keep_run(hs_sim *sim, hs_state *state, hs_error *err);
+/** Tables and styles as at the start of a run; before values are read back (collective).  sim/run.c */
+HS_MUST_USE hs_status hs_sim_init_resumed(hs_sim *sim, hs_error *err);
+/** After atoms and values were read: halo, cells and lists as they were, without computing forces anew (collective). */
+HS_MUST_USE hs_status hs_sim_setup_resumed(hs_sim *sim, hs_error *err);
+
+#endif
