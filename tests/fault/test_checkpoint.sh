@@ -1,0 +1,122 @@
+#!/bin/bash
+# A run that is interrupted, killed, or cannot write goes on from its last checkpoint to the bits of the run left alone; what is
+# damaged is never taken for whole.
+# shellcheck disable=SC2012,SC2015,SC2059
+set -eu
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cd "$folder"
+fail() { echo "FAILED: $*" >&2; exit 1; }
+
+# Loops, `if` and `run every` around the runs; lists on a lax schedule; a dump that must be cut back.
+cat >run.in <<'END'
+units lj
+lattice fcc 0.8442
+region box block 0 5 0 5 0 5
+create_box 1 box
+create_atoms 1 box
+mass 1 1.0
+velocity all create 1.44 87287
+pair_style lj/cut 2.5
+pair_coeff 1 1 1.0 1.0 2.5
+neigh_modify every 20 delay 0 check no
+fix 1 all nve
+variable i loop 2
+variable r equal random(0,1,4711)
+checkpoint every 40 steps keep 3
+dump s all custom 10 s.dump id type x y z vx vy vz
+dump_modify s format float %.17g
+thermo 10
+label top
+if "$i < 5" then "run 115 every 40 'print after-$i-$r append said.txt'" "print done-$i append said.txt"
+run 30
+next i
+jump SELF top
+write_data end.data
+END
+run() { "$HALFSHELL" "$@" >out 2>err; }
+run run.in || fail "the run itself: $(cat err)"
+mkdir whole && mv end.data s.dump said.txt whole/
+[ "$(ls checkpoint.*.h5 | wc -l)" = 3 ] || fail "not the last three checkpoints were kept"
+same() { cmp end.data whole/end.data && cmp s.dump whole/s.dump || fail "$1 did not end in the same bits"; }
+
+# Killed by kill -9 at moments of a fixed sequence; the last checkpoint is always whole.
+for round in 1 2 3 4 5; do
+    rm -f checkpoint.* s.dump end.data said.txt
+    "$HALFSHELL" run.in >out 2>&1 &
+    pid=$!
+    sleep "$(awk -v r="$round" 'BEGIN { printf "%.4f", 0.04 + 0.2 * ((r * 0.6180339887) % 1) }')"
+    { kill -9 "$pid" && wait "$pid"; } 2>/dev/null || true
+    last=$(ls checkpoint.*.h5 2>/dev/null | sort -t. -k2 -n | tail -1)
+    [ -n "$last" ] || continue # killed before the first one
+    run resume "$last" || fail "resume after a kill in round $round: $(cat err)"
+    same "round $round ($last)"
+done
+
+# SIGINT and SIGTERM: exit code 3, and a checkpoint that says how to go on.
+sed 's/run 115 every 40/run 100000 every 40/' run.in >long.in
+for signal in INT TERM; do
+    rm -f checkpoint.*
+    "$HALFSHELL" long.in >out 2>err &
+    pid=$!
+    while ! grep -q '^ *10 ' out; do sleep 0.02; done
+    kill -$signal "$pid"
+    code=0
+    wait "$pid" || code=$?
+    [ "$code" = 3 ] || fail "SIG$signal gave exit code $code"
+    file=$(sed -n "s/.*'halfshell resume \([^']*\)'.*/\1/p" err)
+    [ -s "$file" ] || fail "SIG$signal left no checkpoint: $(cat err)"
+done
+code=0
+run long.in -walltime 2 || code=$?
+[ "$code" = 3 ] || fail "-walltime gave exit code $code: $(cat err)"
+grep -q 'walltime' err
+
+# Damage: a bit, the end, the version; each refused with its reason and exit code 1.
+run run.in
+good=$(ls checkpoint.*.h5 | tail -1)
+refused() { # refused FILE WORDS
+    local status=0
+    run resume "$1" || status=$?
+    [ "$status" = 1 ] || fail "$1: exit code $status"
+    grep -q "$2" err || fail "$1: $(cat err)"
+}
+size=$(stat -c %s "$good")
+for at in 600 $((size / 3)) $((size - 5)); do
+    cp "$good" flipped.h5
+    byte=$(od -An -tu1 -j "$at" -N1 flipped.h5)
+    printf "$(printf '\\%03o' $((byte ^ 16)))" | dd of=flipped.h5 bs=1 seek="$at" conv=notrunc status=none
+    refused flipped.h5 'checksum is wrong'
+done
+for n in 0 100 512 5000 $((size - 1)); do
+    head -c "$n" "$good" >short.h5
+    refused short.h5 'no whole checkpoint'
+done
+sed '0,/^format 1$/s//format 9/' "$good" >later.h5
+refused later.h5 'format 9'
+refused run.in 'was not written by'
+refused missing.h5 'cannot be read'
+
+# A limit on the size of files, and a folder that is not there: exit code 2, the checkpoints before stay.
+cp "$good" kept.h5
+code=0
+sed 's/checkpoint every 40 steps/& file kept.h5/' run.in >limit.in
+(trap '' XFSZ && ulimit -f 64 && "$HALFSHELL" limit.in -log none >out 2>err) || code=$?
+[ "$code" = 2 ] || fail "a file-size limit gave exit code $code"
+cmp "$good" kept.h5 || fail "the checkpoint before was damaged"
+[ -z "$(ls ./*.part-* 2>/dev/null)" ] || fail "parts of files were left"
+code=0
+sed 's/keep 3/file nowhere\/a.*.h5/' run.in >nowhere.in
+run nowhere.in || code=$?
+[ "$code" = 2 ] && grep -q "nowhere/a.40.h5" err || fail "a missing folder gave exit code $code: $(cat err)"
+
+# read_restart in another deck.
+cat >next.in <<'END'
+read_restart restart.h5
+fix 1 all nve
+thermo 10
+run 10
+END
+sed 's/^write_data.*/write_restart restart.h5/' run.in >first.in
+run first.in && run next.in || fail "read_restart: $(cat err)"
+grep -q '^ *290 ' out || fail "read_restart did not go on at step 290"
