@@ -9,7 +9,7 @@
 
 #include "base/memory.h"
 
-static hs_status reserve(hs_text *text, size_t n_more, hs_error *err)
+hs_status hs_text_reserve(hs_text *text, size_t n_more, hs_error *err)
 {
     size_t needed = text->length + n_more + 1;
     if (needed <= text->capacity) return HS_OK;
@@ -21,7 +21,7 @@ static hs_status reserve(hs_text *text, size_t n_more, hs_error *err)
 
 hs_status hs_text_append(hs_text *text, const char *bytes, size_t n, hs_error *err)
 {
-    HS_TRY(reserve(text, n, err));
+    HS_TRY(hs_text_reserve(text, n, err));
     memcpy(text->data + text->length, bytes, n);
     text->length += n;
     text->data[text->length] = '\0';
@@ -30,17 +30,24 @@ hs_status hs_text_append(hs_text *text, const char *bytes, size_t n, hs_error *e
 
 hs_status hs_text_printf(hs_text *text, hs_error *err, const char *fmt, ...)
 {
+    enum { USUAL = 64 };
     va_list args, again;
+    HS_TRY(hs_text_reserve(text, USUAL, err));
     va_start(args, fmt);
     va_copy(again, args);
-    int n = vsnprintf(NULL, 0, fmt, args);
+    const size_t room = text->capacity - text->length;
+    const int n = vsnprintf(text->data + text->length, room, fmt, args);
     va_end(args);
-    hs_status status = n < 0 ? hs_fail(err, HS_ERROR_RUN, "text could not be formatted with '%s'", fmt)
-                             : reserve(text, (size_t)n, err);
-    if (status == HS_OK) {
-        vsnprintf(text->data + text->length, (size_t)n + 1, fmt, again);
-        text->length += (size_t)n;
+    hs_status status = HS_OK;
+    if (n < 0) {
+        text->data[text->length] = '\0';
+        status = hs_fail(err, HS_ERROR_RUN, "text could not be formatted with '%s'", fmt);
+    } else if ((size_t)n >= room) {
+        status = hs_text_reserve(text, (size_t)n, err);
+        if (status == HS_OK) vsnprintf(text->data + text->length, (size_t)n + 1, fmt, again);
+        else text->data[text->length] = '\0';
     }
+    if (status == HS_OK) text->length += (size_t)n;
     va_end(again);
     return status;
 }

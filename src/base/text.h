@@ -14,6 +14,8 @@ typedef struct hs_text {
     size_t capacity;
 } hs_text;
 
+/** Room for n more bytes and the terminator. */
+HS_MUST_USE hs_status hs_text_reserve(hs_text *text, size_t n_more, hs_error *err);
 HS_MUST_USE hs_status hs_text_append(hs_text *text, const char *bytes, size_t n, hs_error *err);
 HS_MUST_USE hs_status hs_text_printf(hs_text *text, hs_error *err, const char *fmt, ...) HS_PRINTF(3, 4);
 void hs_text_clear(hs_text *text);

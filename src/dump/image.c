@@ -373,7 +373,7 @@ static void draw_axes(const hs_dump *dump, hs_image *image)
 static hs_status write_picture(hs_dump *dump, hs_writer *writer, hs_error *err)
 {
     const image_dump *state = dump->state;
-    return hs_image_write(state->picture, dump->file, writer, err);
+    return writer != NULL ? hs_image_write(state->picture, dump->file, writer, err) : HS_OK;
 }
 
 /** Draw what this rank has; on rank 0 also what belongs to none. */
@@ -410,8 +410,7 @@ static hs_status write(hs_dump *dump, hs_error *err)
     status = hs_parallel_agree(env->parallel, err);
     if (status == HS_OK) hs_image_merge(&image, env->parallel);
     state->picture = &image;
-    if (status == HS_OK && env->parallel->rank == 0) status = hs_dump_write_step_file(dump, write_picture, err);
-    if (status == HS_OK || env->parallel->rank == 0) status = hs_parallel_agree(env->parallel, err);
+    if (status == HS_OK) status = hs_dump_write_step_file(dump, write_picture, err);
     state->picture = NULL;
     hs_image_fini(&image);
     return status;

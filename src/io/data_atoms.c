@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "base/memory.h"
+#include "comm/domain.h"
 #include "core/atom_style.h"
 #include "io/data_internal.h"
 
@@ -99,6 +100,46 @@ static void forget_images(hs_data_reader *reader, int32_t image[3])
     }
 }
 
+static int ascending(const void *a, const void *b)
+{
+    const int64_t p = *(const int64_t *)a, q = *(const int64_t *)b;
+    return (p > q) - (p < q);
+}
+
+/** Whether this rank watches that the id is given once. */
+static bool is_watched(const hs_data_reader *reader, int64_t id)
+{
+    const hs_parallel *parallel = reader->env->parallel;
+    return parallel->n_ranks <= 1 || id % parallel->n_ranks == parallel->rank;
+}
+
+/** Remember an atom that is this rank's, or was before, or is watched by it. */
+static hs_status remember(hs_data_reader *reader, int64_t id, int32_t index, long line, hs_error *err)
+{
+    const bool was_here = reader->n_before > 0 && bsearch(&id, reader->before, (size_t)reader->n_before, sizeof id,
+                                                          ascending) != NULL;
+    if (index < 0 && !was_here && !is_watched(reader, id)) return HS_OK;
+    if (reader->n_ids == reader->capacity_ids) {
+        const int64_t capacity = reader->capacity_ids * 2 + 1024;
+        HS_TRY(HS_GROW(reader->id, (size_t)reader->n_ids, (size_t)capacity, err));
+        reader->capacity_ids = capacity;
+    }
+    reader->id[reader->n_ids++] = (hs_data_id){.id = id, .line = line, .index = index};
+    return HS_OK;
+}
+
+/** The local atoms there were: their ids must not come again. */
+static hs_status remember_before(hs_data_reader *reader, hs_error *err)
+{
+    const hs_atoms *atoms = reader->env->atoms;
+    const int n = reader->n_before;
+    HS_TRY(HS_ALLOC(reader->before, (size_t)n, err));
+    for (int i = 0; i < n; ++i) reader->before[i] = atoms->id[i];
+    if (n > 0) qsort(reader->before, (size_t)n, sizeof *reader->before, ascending);
+    for (int i = 0; i < n; ++i) HS_TRY(remember(reader, atoms->id[i], i, 0, err));
+    return HS_OK;
+}
+
 static hs_status read_atom(hs_data_reader *reader, hs_error *err)
 {
     const hs_lines *lines = &reader->lines;
@@ -118,12 +159,16 @@ static hs_status read_atom(hs_data_reader *reader, hs_error *err)
     for (int axis = 0; axis < 3; ++axis) x[axis] = value[place + axis] + reader->options->shift[axis];
     HS_TRY(settle(reader->env->box, x, image, err));
     forget_images(reader, image);
+    const int i = atoms->n_local;
+    if (!hs_domain_owns(reader->env->domain, reader->env->box, x))
+        return remember(reader, id, -1, lines->number, err);
+    HS_TRY(remember(reader, id, i, lines->number, err));
     HS_TRY(hs_atoms_add(atoms, id, (int)type, x, err));
-    const int i = atoms->n_local - 1;
     for (int axis = 0; axis < 3; ++axis) atoms->image[axis][i] = image[axis];
     atoms->mask[i] |= reader->options->mask;
     for (int k = 0, word = 0; k < layout.n; word += hs_data_column_words(layout.column[k++]))
-        HS_TRY(hs_data_set_column(atoms, i, layout.column[k], value + word, err));
+        if (hs_data_set_column(atoms, i, layout.column[k], value + word, &reader->late) != HS_OK)
+            hs_error_locate(&reader->late, lines->path, lines->number);
     return HS_OK;
 }
 
@@ -138,7 +183,7 @@ static int by_id(const void *a, const void *b)
 static hs_status check_ids(hs_data_reader *reader, hs_error *err)
 {
     if (reader->n_ids > 0) qsort(reader->id, (size_t)reader->n_ids, sizeof *reader->id, by_id);
-    for (int k = 1; k < reader->n_ids; ++k) {
+    for (int64_t k = 1; k < reader->n_ids; ++k) {
         const hs_data_id *a = &reader->id[k - 1], *b = &reader->id[k];
         if (a->id != b->id) continue;
         reader->lines.number = b->line;
@@ -150,44 +195,52 @@ static hs_status check_ids(hs_data_reader *reader, hs_error *err)
     return HS_OK;
 }
 
-static hs_status append_id(hs_data_reader *reader, int *capacity, long line, hs_error *err)
+/** Bring an error that some ranks alone have met, at the present line, to all (collective). */
+static hs_status agree(hs_data_reader *reader, hs_error *err)
 {
-    const int i = reader->n_ids;
-    if (i == *capacity) {
-        const int grown = *capacity * 2 + 1024;
-        HS_TRY(HS_GROW(reader->id, (size_t)i, (size_t)grown, err));
-        *capacity = grown;
-    }
-    reader->id[i] = (hs_data_id){.id = reader->env->atoms->id[i], .line = line, .index = i};
-    ++reader->n_ids;
-    return HS_OK;
+    if (err->status != HS_OK) hs_error_locate(err, reader->lines.path, reader->lines.number);
+    return hs_parallel_agree(reader->env->parallel, err);
 }
 
 hs_status hs_data_read_atoms(hs_data_reader *reader, hs_error *err)
 {
-    hs_atoms *atoms = reader->env->atoms;
-    int capacity = 0;
     if (reader->has_atoms) return hs_fail(err, HS_ERROR_INPUT, "there is a section Atoms already");
     char style[HS_ATOM_STYLE_NAME_SIZE];
+    const hs_atoms *atoms = reader->env->atoms;
     hs_atom_style_name(&atoms->style, style);
     if (atoms->style.is_hybrid) *strchr(style, ' ') = '\0'; /* LAMMPS writes the first word only */
     if (reader->lines.comment[0] != '\0' && strncmp(reader->lines.comment, style, strlen(style)) != 0)
         hs_warn(reader->env->out, "%s:%ld: the comment says the atom style is '%s'; it is read as %s",
                 reader->lines.path, reader->lines.number, reader->lines.comment, style);
     hs_say(reader->env->out, "  reading atoms ...\n");
-    for (int i = 0; i < reader->n_before; ++i) HS_TRY(append_id(reader, &capacity, 0, err));
+    HS_TRY(remember_before(reader, err));
     /* Room grows as lines are read, so that a wrong count in the header costs no memory. */
     for (int64_t k = 0; k < reader->n_atoms; ++k) {
         HS_TRY(hs_data_next_row(reader, "Atoms", k, reader->n_atoms, err));
         HS_TRY(read_atom(reader, err));
-        HS_TRY(append_id(reader, &capacity, reader->lines.number, err));
     }
     const long end = reader->lines.number;
-    HS_TRY(check_ids(reader, err));
+    if (reader->late.status != HS_OK) *err = reader->late;
+    HS_UNLESS_FAILED(err, check_ids(reader, err));
+    HS_TRY(agree(reader, err));
     reader->lines.number = end;
     reader->has_atoms = true;
-    hs_say(reader->env->out, "  %lld atoms\n", (long long)(atoms->n_local - reader->n_before));
+    hs_say(reader->env->out, "  %lld atoms\n", (long long)reader->n_atoms);
     return HS_OK;
+}
+
+/** The rank that watches an id finds out whether there is such an atom, and no velocity of it yet. The others read on, so it
+ *  keeps the first error for the end of the section. */
+static void note_velocity(hs_data_reader *reader, hs_data_id *found)
+{
+    const hs_lines *lines = &reader->lines;
+    if (found == NULL)
+        (void)hs_fail(&reader->late, HS_ERROR_INPUT, "the section Atoms has no atom with id %s", lines->word[0]);
+    else if (found->has_velocity)
+        (void)hs_fail(&reader->late, HS_ERROR_INPUT, "atom %s has a velocity already", lines->word[0]);
+    else
+        found->has_velocity = true;
+    if (reader->late.status != HS_OK) hs_error_locate(&reader->late, lines->path, lines->number);
 }
 
 static hs_status read_velocity(hs_data_reader *reader, hs_error *err)
@@ -203,19 +256,18 @@ static hs_status read_velocity(hs_data_reader *reader, hs_error *err)
     HS_TRY(read_id(reader, lines->word[0], &key.id, err));
     HS_TRY(read_doubles(lines, 1, n_values, v, "velocity", err));
     /* line is not compared: every id occurs once */
-    int lo = 0, hi = reader->n_ids;
+    int64_t lo = 0, hi = reader->n_ids;
     while (lo < hi) {
-        const int middle = lo + (hi - lo) / 2;
+        const int64_t middle = lo + (hi - lo) / 2;
         if (reader->id[middle].id < key.id)
             lo = middle + 1;
         else
             hi = middle;
     }
     hs_data_id *found = lo < reader->n_ids && reader->id[lo].id == key.id ? &reader->id[lo] : NULL;
-    if (found == NULL || found->line == 0)
-        return hs_fail(err, HS_ERROR_INPUT, "the section Atoms has no atom with id %s", lines->word[0]);
-    if (found->has_velocity) return hs_fail(err, HS_ERROR_INPUT, "atom %s has a velocity already", lines->word[0]);
-    found->has_velocity = true;
+    const bool is_new = found != NULL && found->line != 0;
+    if (is_watched(reader, key.id)) note_velocity(reader, is_new ? found : NULL);
+    if (!is_new || found->index < 0) return HS_OK;
     for (int axis = 0; axis < 3; ++axis) reader->env->atoms->v[axis][found->index] = v[axis];
     for (int axis = 0; axis < 3 && has_omega; ++axis) reader->env->atoms->omega[axis][found->index] = v[3 + axis];
     return HS_OK;
@@ -230,6 +282,8 @@ hs_status hs_data_read_velocities(hs_data_reader *reader, hs_error *err)
         HS_TRY(hs_data_next_row(reader, "Velocities", k, reader->n_atoms, err));
         HS_TRY(read_velocity(reader, err));
     }
+    if (reader->late.status != HS_OK) *err = reader->late;
+    HS_TRY(hs_parallel_agree(reader->env->parallel, err));
     reader->has_velocities = true;
     hs_say(reader->env->out, "  %lld velocities\n", (long long)reader->n_atoms);
     return HS_OK;

@@ -24,7 +24,7 @@ typedef struct hs_data_options {
     void *context;
 } hs_data_options;
 
-/** Read a data file, plain or .gz (not collective: one rank). Makes the box and the types unless options say add;
+/** Read a data file, plain or .gz (collective: the first rank reads, every rank keeps the atoms of its brick). Makes the box and the types unless options say add;
  *  adds the atoms. Everything is checked; errors name file and line, and leave no atoms behind. The caller then tells
  *  the simulation that atoms have changed. */
 HS_MUST_USE hs_status hs_data_read(hs_env *env, const char *path, const hs_data_options *options, hs_error *err);
@@ -41,7 +41,7 @@ typedef struct hs_data_write_options {
 } hs_data_write_options;
 
 /** Write a data file that LAMMPS reads too, wholly or not at all: positions in the box, shortest digits that give
- *  the same doubles, atoms in the order of ids. Not collective: one rank. */
+ *  the same doubles, atoms in the order of ids, whatever the number of ranks. Collective. */
 HS_MUST_USE hs_status hs_data_write(const hs_env *env, const char *path, const hs_data_write_options *options,
                                     hs_error *err);
 

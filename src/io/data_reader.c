@@ -197,11 +197,11 @@ hs_status hs_data_read(hs_env *env, const char *path, const hs_data_options *opt
     hs_data_reader reader = {.env = env, .options = options, .n_atoms = -1, .n_before = env->atoms->n_local};
     const hs_box box_before = *env->box;
     const double start_s = hs_time_now_s();
-    if (env->parallel->n_ranks > 1)
-        return hs_fail(err, HS_ERROR_INPUT, "read_data works in runs on one rank only; use threads instead of ranks");
-    reader.id_offset = options->is_appended ? hs_atoms_max_id(env->atoms) : options->id_offset;
+    int64_t max_id = hs_atoms_max_id(env->atoms);
+    hs_parallel_max_int64(env->parallel, &max_id, 1);
+    reader.id_offset = options->is_appended ? max_id : options->id_offset;
     hs_say(env->out, "Reading data file ...\n");
-    HS_TRY(hs_lines_open(&reader.lines, path, err));
+    HS_TRY(hs_lines_open(&reader.lines, path, env->parallel, err));
     const hs_status status = read_file(&reader, err);
     if (status != HS_OK) {
         hs_error_locate(err, path, reader.lines.number);
@@ -211,5 +211,6 @@ hs_status hs_data_read(hs_env *env, const char *path, const hs_data_options *opt
     }
     hs_lines_close(&reader.lines);
     HS_FREE(reader.id);
+    HS_FREE(reader.before);
     return status;
 }

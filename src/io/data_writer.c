@@ -5,6 +5,7 @@
 #include "base/memory.h"
 #include "core/atom_style.h"
 #include "io/data_internal.h"
+#include "io/row_stream.h"
 #include "io/writer.h"
 
 const char *hs_data_shortest(double value, char text[HS_SHORTEST_SIZE])
@@ -16,14 +17,14 @@ const char *hs_data_shortest(double value, char text[HS_SHORTEST_SIZE])
     return text;
 }
 
-static hs_status write_header(const hs_env *env, hs_writer *writer, hs_error *err)
+static hs_status write_header(const hs_env *env, hs_writer *writer, int64_t n_atoms, hs_error *err)
 {
     static const char *const bounds[] = {"xlo xhi", "ylo yhi", "zlo zhi"};
     const hs_atoms *atoms = env->atoms;
     char lo[HS_SHORTEST_SIZE], hi[HS_SHORTEST_SIZE], mass[HS_SHORTEST_SIZE];
     HS_TRY(hs_writer_printf(writer, err, "LAMMPS data file via Halfshell's write_data, timestep = %lld, units = %s\n\n",
                             (long long)env->step, env->units->name));
-    HS_TRY(hs_writer_printf(writer, err, "%d atoms\n%d atom types\n\n", atoms->n_local, atoms->n_types));
+    HS_TRY(hs_writer_printf(writer, err, "%lld atoms\n%d atom types\n\n", (long long)n_atoms, atoms->n_types));
     for (int axis = 0; axis < 3; ++axis)
         HS_TRY(hs_writer_printf(writer, err, "%s %s %s\n", hs_data_shortest(env->box->lo[axis], lo),
                                 hs_data_shortest(env->box->hi[axis], hi), bounds[axis]));
@@ -56,7 +57,7 @@ static hs_status write_coefficients(const hs_env *env, hs_writer *writer, const 
     return status;
 }
 
-/** Atoms in the order of ids. */
+/** Local atoms in the order of ids. */
 typedef struct id_index {
     int64_t id;
     int32_t index;
@@ -68,86 +69,109 @@ static int by_id(const void *a, const void *b)
     return (p->id > q->id) - (p->id < q->id);
 }
 
-static hs_status sorted_atoms(const hs_atoms *atoms, id_index **order, hs_error *err)
+static hs_status sort_atoms(const hs_atoms *atoms, id_index **order, hs_error *err)
 {
     HS_TRY(HS_ALLOC(*order, (size_t)atoms->n_local, err));
     for (int i = 0; i < atoms->n_local; ++i) (*order)[i] = (id_index){.id = atoms->id[i], .index = i};
-    qsort(*order, (size_t)atoms->n_local, sizeof **order, by_id);
+    if (atoms->n_local > 0) qsort(*order, (size_t)atoms->n_local, sizeof **order, by_id);
     return HS_OK;
+}
+
+/** What rows are made of. */
+typedef struct row_source {
+    const hs_env *env;
+    const id_index *order;
+} row_source;
+
+static hs_row_key row_key(const void *context, int64_t k)
+{
+    return (hs_row_key){.value = 0.0, .id = ((const row_source *)context)->order[k].id};
 }
 
 /** Numbers, each after a space. */
-static hs_status write_values(hs_writer *writer, const double *value, int n, hs_error *err)
+static hs_status append_values(hs_text *row, const double *value, int n, hs_error *err)
 {
     char text[HS_SHORTEST_SIZE];
-    for (int k = 0; k < n; ++k) HS_TRY(hs_writer_printf(writer, err, " %s", hs_data_shortest(value[k], text)));
+    for (int k = 0; k < n; ++k) HS_TRY(hs_text_printf(row, err, " %s", hs_data_shortest(value[k], text)));
     return HS_OK;
 }
 
-static hs_status write_atoms(const hs_env *env, hs_writer *writer, const id_index *order, hs_error *err)
+static hs_status append_atom(const void *context, int64_t k, hs_text *row, hs_error *err)
 {
-    const hs_atoms *atoms = env->atoms;
+    const row_source *source = context;
+    const hs_atoms *atoms = source->env->atoms;
     const hs_data_columns layout = hs_data_columns_of(&atoms->style);
+    const int i = source->order[k].index;
+    double x[3];
+    int32_t image[3];
+    for (int axis = 0; axis < 3; ++axis) x[axis] = atoms->x[axis][i], image[axis] = atoms->image[axis][i];
+    hs_box_wrap(source->env->box, x, image);
+    HS_TRY(hs_text_printf(row, err, "%lld %d", (long long)atoms->id[i], atoms->type[i]));
+    for (int c = 0; c < layout.n; ++c) {
+        double value[3];
+        const int n = hs_data_get_column(atoms, i, layout.column[c], x, value);
+        HS_TRY(append_values(row, value, n, err));
+    }
+    return hs_text_printf(row, err, " %d %d %d\n", image[0], image[1], image[2]);
+}
+
+static hs_status append_velocity(const void *context, int64_t k, hs_text *row, hs_error *err)
+{
+    const row_source *source = context;
+    const hs_atoms *atoms = source->env->atoms;
+    const int i = source->order[k].index;
+    const double v[3] = {atoms->v[0][i], atoms->v[1][i], atoms->v[2][i]};
+    HS_TRY(hs_text_printf(row, err, "%lld", (long long)atoms->id[i]));
+    HS_TRY(append_values(row, v, 3, err));
+    if (atoms->omega[0] != NULL) {
+        const double omega[3] = {atoms->omega[0][i], atoms->omega[1][i], atoms->omega[2][i]};
+        HS_TRY(append_values(row, omega, 3, err));
+    }
+    return hs_text_append(row, "\n", 1, err);
+}
+
+/** The sections Atoms and Velocities (collective). */
+static hs_status write_atoms(const hs_env *env, hs_writer *writer, hs_error *err)
+{
+    id_index *order = NULL;
     char style[HS_ATOM_STYLE_NAME_SIZE];
-    hs_atom_style_name(&atoms->style, style);
-    HS_TRY(hs_writer_printf(writer, err, "\nAtoms # %s\n\n", atoms->style.is_hybrid ? "hybrid" : style));
-    for (int k = 0; k < atoms->n_local; ++k) {
-        const int i = order[k].index;
-        double x[3];
-        int32_t image[3];
-        for (int axis = 0; axis < 3; ++axis) x[axis] = atoms->x[axis][i], image[axis] = atoms->image[axis][i];
-        hs_box_wrap(env->box, x, image);
-        HS_TRY(hs_writer_printf(writer, err, "%lld %d", (long long)atoms->id[i], atoms->type[i]));
-        for (int c = 0; c < layout.n; ++c) {
-            double value[3];
-            const int n = hs_data_get_column(atoms, i, layout.column[c], x, value);
-            HS_TRY(write_values(writer, value, n, err));
-        }
-        HS_TRY(hs_writer_printf(writer, err, " %d %d %d\n", image[0], image[1], image[2]));
+    hs_atom_style_name(&env->atoms->style, style);
+    HS_UNLESS_FAILED(err, sort_atoms(env->atoms, &order, err));
+    const row_source source = {.env = env, .order = order};
+    hs_rows rows = {.n = env->atoms->n_local, .key = row_key, .format = append_atom, .context = &source};
+    if (writer != NULL)
+        HS_UNLESS_FAILED(err, hs_writer_printf(writer, err, "\nAtoms # %s\n\n",
+                                               env->atoms->style.is_hybrid ? "hybrid" : style));
+    hs_status status = hs_rows_write(&rows, writer, env->parallel, err);
+    if (status == HS_OK) {
+        if (writer != NULL) HS_UNLESS_FAILED(err, hs_writer_printf(writer, err, "\nVelocities\n\n"));
+        rows.format = append_velocity;
+        status = hs_rows_write(&rows, writer, env->parallel, err);
     }
-    return HS_OK;
-}
-
-static hs_status write_velocities(const hs_env *env, hs_writer *writer, const id_index *order, hs_error *err)
-{
-    const hs_atoms *atoms = env->atoms;
-    HS_TRY(hs_writer_printf(writer, err, "\nVelocities\n\n"));
-    for (int k = 0; k < atoms->n_local; ++k) {
-        const int i = order[k].index;
-        const double v[3] = {atoms->v[0][i], atoms->v[1][i], atoms->v[2][i]};
-        HS_TRY(hs_writer_printf(writer, err, "%lld", (long long)atoms->id[i]));
-        HS_TRY(write_values(writer, v, 3, err));
-        if (atoms->omega[0] != NULL) {
-            const double omega[3] = {atoms->omega[0][i], atoms->omega[1][i], atoms->omega[2][i]};
-            HS_TRY(write_values(writer, omega, 3, err));
-        }
-        HS_TRY(hs_writer_printf(writer, err, "\n"));
-    }
-    return HS_OK;
-}
-
-static hs_status write_file(const hs_env *env, hs_writer *writer, const hs_data_write_options *options, hs_error *err)
-{
-    id_index *order;
-    HS_TRY(write_header(env, writer, err));
-    if (options->pair != HS_DATA_PAIR_NONE && options->pair_style != NULL)
-        HS_TRY(write_coefficients(env, writer, options, err));
-    if (env->atoms->n_local == 0) return HS_OK;
-    HS_TRY(sorted_atoms(env->atoms, &order, err));
-    hs_status status = write_atoms(env, writer, order, err);
-    if (status == HS_OK) status = write_velocities(env, writer, order, err);
     HS_FREE(order);
     return status;
 }
 
+/** All of the file; the writer is the first rank's (collective). */
+static hs_status write_file(const hs_env *env, hs_writer *writer, const hs_data_write_options *options, hs_error *err)
+{
+    int64_t n_atoms = env->atoms->n_local;
+    hs_parallel_sum_int64(env->parallel, &n_atoms, 1);
+    if (writer != NULL) {
+        HS_UNLESS_FAILED(err, write_header(env, writer, n_atoms, err));
+        if (options->pair != HS_DATA_PAIR_NONE && options->pair_style != NULL)
+            HS_UNLESS_FAILED(err, write_coefficients(env, writer, options, err));
+    }
+    return n_atoms > 0 ? write_atoms(env, writer, err) : hs_parallel_agree(env->parallel, err);
+}
+
 hs_status hs_data_write(const hs_env *env, const char *path, const hs_data_write_options *options, hs_error *err)
 {
-    hs_writer *writer;
-    if (env->parallel->n_ranks > 1)
-        return hs_fail(err, HS_ERROR_INPUT, "write_data works in runs on one rank only; use threads instead of ranks");
-    HS_TRY(hs_writer_open(&writer, path, HS_WRITE_WHOLE, err));
-    const hs_status status = write_file(env, writer, options, err);
-    if (status == HS_OK) return hs_writer_close(&writer, err);
-    hs_writer_abandon(&writer);
-    return status;
+    const bool is_mine = env->parallel->rank == 0;
+    hs_writer *writer = NULL;
+    if (is_mine) HS_UNLESS_FAILED(err, hs_writer_open(&writer, path, HS_WRITE_WHOLE, err));
+    HS_TRY(hs_parallel_agree(env->parallel, err));
+    if (write_file(env, writer, options, err) != HS_OK) hs_writer_abandon(&writer);
+    if (is_mine) HS_UNLESS_FAILED(err, hs_writer_close(&writer, err));
+    return hs_parallel_agree(env->parallel, err);
 }

@@ -215,7 +215,7 @@ static hs_status modify_switch(hs_dump *dump, const hs_args *args, bool *is_mine
                            args->command, args->word[0]);
         HS_TRY(hs_arg_bool(args, 1, switches[k].target, err));
         table->no_header = !is_header;
-        if (dump->append && table->writer != NULL && strcmp(args->word[0], "append") == 0)
+        if (dump->append && table->is_open && strcmp(args->word[0], "append") == 0)
             return hs_fail(err, HS_ERROR_INPUT, "%s: append must be set before the first run of the dump",
                            args->command);
         return HS_OK;

@@ -46,23 +46,27 @@ static bool is_selected(const hs_dump *dump, const hs_region *region, int i)
 
 /** What a row is sorted by; ties go by id. */
 typedef struct sort_key {
-    double value;
-    int64_t id;
+    hs_row_key key;
     int32_t index;
 } sort_key;
 
 static int ascending(const void *a, const void *b)
 {
-    const sort_key *p = a, *q = b;
-    if (p->value != q->value) return p->value < q->value ? -1 : 1;
-    return (p->id > q->id) - (p->id < q->id);
+    return hs_row_compare(&((const sort_key *)a)->key, &((const sort_key *)b)->key, false);
 }
 
 static int descending(const void *a, const void *b)
 {
-    const sort_key *p = a, *q = b;
-    if (p->value != q->value) return p->value > q->value ? -1 : 1;
-    return (p->id > q->id) - (p->id < q->id);
+    return hs_row_compare(&((const sort_key *)a)->key, &((const sort_key *)b)->key, true);
+}
+
+hs_row_key hs_dump_key(const void *context, int64_t k)
+{
+    const hs_dump *dump = context;
+    const hs_dump_table *table = dump->state;
+    const int32_t i = table->order[k];
+    const double value = table->sort_column > 0 ? hs_dump_value(dump, &table->column[table->sort_column - 1], i) : 0.0;
+    return (hs_row_key){.value = value, .id = dump->env->atoms->id[i]};
 }
 
 /** Sort table->order by id or by a column. Without dump_modify sort the rows go by id too: the order in memory
@@ -77,12 +81,7 @@ static hs_status sort_rows(hs_dump *dump, hs_error *err)
     for (int k = 1; k < n && is_sorted; ++k) is_sorted = atoms->id[table->order[k - 1]] < atoms->id[table->order[k]];
     if (is_sorted || table->is_unsorted) return HS_OK;
     HS_TRY(HS_ALLOC(key, (size_t)n, err));
-    for (int k = 0; k < n; ++k) {
-        const int32_t i = table->order[k];
-        const double value =
-            table->sort_column > 0 ? hs_dump_value(dump, &table->column[table->sort_column - 1], i) : 0.0;
-        key[k] = (sort_key){.value = value, .id = atoms->id[i], .index = i};
-    }
+    for (int k = 0; k < n; ++k) key[k] = (sort_key){.key = hs_dump_key(dump, k), .index = table->order[k]};
     qsort(key, (size_t)n, sizeof *key, table->is_descending ? descending : ascending);
     for (int k = 0; k < n; ++k) table->order[k] = key[k].index;
     HS_FREE(key);
@@ -98,7 +97,7 @@ static hs_status fill_variable(hs_dump *dump, hs_dump_column *column, hs_error *
     return hs_value_atoms(env, &column->reference, column->values, err);
 }
 
-hs_status hs_dump_select(hs_dump *dump, hs_error *err)
+static hs_status select_local(hs_dump *dump, hs_error *err)
 {
     hs_dump_table *table = dump->state;
     const hs_atoms *atoms = dump->env->atoms;
@@ -118,4 +117,13 @@ hs_status hs_dump_select(hs_dump *dump, hs_error *err)
     for (int i = 0; i < atoms->n_local; ++i)
         if (is_selected(dump, region, i)) table->order[table->n_rows++] = i;
     return sort_rows(dump, err);
+}
+
+hs_status hs_dump_select(hs_dump *dump, hs_error *err)
+{
+    hs_dump_table *table = dump->state;
+    const hs_status status = select_local(dump, err);
+    table->n_rows_all = table->n_rows;
+    hs_parallel_sum_int64(dump->env->parallel, &table->n_rows_all, 1);
+    return status;
 }

@@ -138,13 +138,20 @@ static hs_status check_reference(hs_dump *dump, const hs_dump_column *column, hs
     return hs_value_check(dump->env, &column->reference, HS_VALUE_ATOMS, command, err);
 }
 
+/** The file that all snapshots go to; one of a resumed run is cut to where it was then. */
+static hs_status open_growing(hs_dump *dump, hs_error *err)
+{
+    hs_dump_table *table = dump->state;
+    HS_TRY(hs_writer_open(&table->writer, dump->file, dump->append ? HS_WRITE_APPEND : HS_WRITE_REPLACE, err));
+    if (!dump->is_resumed || dump->resume_at < 0) return HS_OK;
+    table->units_written = dump->resume_at > 0;
+    return hs_writer_cut(table->writer, dump->resume_at, err);
+}
+
 hs_status hs_dump_table_init(hs_dump *dump, hs_error *err)
 {
     hs_dump_table *table = dump->state;
     const hs_env *env = dump->env;
-    if (env->parallel->n_ranks > 1)
-        return hs_fail(err, HS_ERROR_INPUT,
-                       "dump '%s': dumps are written by runs on one rank only; use threads instead of ranks", dump->id);
     if (table->region_id != NULL && dump->env->find_region(dump->env, table->region_id) == NULL)
         return hs_fail(err, HS_ERROR_INPUT, "dump '%s': there is no region '%s'", dump->id, table->region_id);
     if (table->n_elements > 0 && table->n_elements != env->atoms->n_types)
@@ -156,17 +163,18 @@ hs_status hs_dump_table_init(hs_dump *dump, hs_error *err)
     for (int k = 0; k < table->n_columns; ++k) HS_TRY(check_reference(dump, &table->column[k], err));
     for (int k = 0; k < table->n_conditions; ++k) HS_TRY(check_reference(dump, &table->condition[k].column, err));
     HS_TRY(make_formats(dump, err));
-    if (env->dry_run || is_file_per_step(dump) || table->writer != NULL) return HS_OK;
-    HS_TRY(hs_writer_open(&table->writer, dump->file, dump->append ? HS_WRITE_APPEND : HS_WRITE_REPLACE, err));
-    if (!dump->is_resumed || dump->resume_at < 0) return HS_OK;
-    table->units_written = dump->resume_at > 0;
-    return hs_writer_cut(table->writer, dump->resume_at, err);
+    if (env->dry_run || is_file_per_step(dump) || table->is_open) return HS_OK;
+    if (env->parallel->rank == 0) HS_UNLESS_FAILED(err, open_growing(dump, err));
+    HS_TRY(hs_parallel_agree(env->parallel, err));
+    table->is_open = true;
+    return HS_OK;
 }
 
 static hs_status write_xyz_header(const hs_dump *dump, hs_writer *writer, hs_error *err)
 {
     const hs_dump_table *table = dump->state;
-    return hs_writer_printf(writer, err, "%d\nAtoms. Timestep: %lld\n", table->n_rows, (long long)dump->env->step);
+    return hs_writer_printf(writer, err, "%lld\nAtoms. Timestep: %lld\n", (long long)table->n_rows_all,
+                            (long long)dump->env->step);
 }
 
 static hs_status write_item_header(hs_dump *dump, hs_writer *writer, hs_error *err)
@@ -180,8 +188,8 @@ static hs_status write_item_header(hs_dump *dump, hs_writer *writer, hs_error *e
     if (table->has_time)
         HS_TRY(hs_writer_printf(writer, err, "ITEM: TIME\n%.16g\n",
                                 env->time_origin + (double)(env->step - env->time_origin_step) * env->dt));
-    HS_TRY(hs_writer_printf(writer, err, "ITEM: TIMESTEP\n%lld\nITEM: NUMBER OF ATOMS\n%d\nITEM: BOX BOUNDS",
-                            (long long)env->step, table->n_rows));
+    HS_TRY(hs_writer_printf(writer, err, "ITEM: TIMESTEP\n%lld\nITEM: NUMBER OF ATOMS\n%lld\nITEM: BOX BOUNDS",
+                            (long long)env->step, (long long)table->n_rows_all));
     for (int axis = 0; axis < 3; ++axis)
         HS_TRY(hs_writer_printf(writer, err, " %c%c", box->boundary[axis][0], box->boundary[axis][1]));
     for (int axis = 0; axis < 3; ++axis)
@@ -190,43 +198,51 @@ static hs_status write_item_header(hs_dump *dump, hs_writer *writer, hs_error *e
 }
 
 /** The name of an atom's type: dump_modify element; else its number in xyz files, "C" in others, as LAMMPS has it. */
-static hs_status write_type_name(const hs_dump *dump, hs_writer *writer, const hs_dump_column *column, int i,
-                                 hs_error *err)
+static hs_status append_type_name(const hs_dump *dump, const hs_dump_column *column, int i, hs_text *text,
+                                  hs_error *err)
 {
     const hs_dump_table *table = dump->state;
     const int type = dump->env->atoms->type[i];
     char number[16];
-    if (table->n_elements > 0) return hs_writer_printf(writer, err, column->format, table->element[type - 1]);
-    if (!table->layout->is_element_first) return hs_writer_printf(writer, err, column->format, "C");
+    if (table->n_elements > 0) return hs_text_printf(text, err, column->format, table->element[type - 1]);
+    if (!table->layout->is_element_first) return hs_text_printf(text, err, column->format, "C");
     snprintf(number, sizeof number, "%d", type);
-    return hs_writer_printf(writer, err, column->format, number);
+    return hs_text_printf(text, err, column->format, number);
 }
 
-static hs_status write_row(const hs_dump *dump, hs_writer *writer, int i, hs_error *err)
+static hs_status append_row(const void *context, int64_t row, hs_text *text, hs_error *err)
 {
+    const hs_dump *dump = context;
     const hs_dump_table *table = dump->state;
+    const int i = table->order[row];
     for (int k = 0; k < table->n_columns; ++k) {
         const hs_dump_column *column = &table->column[k];
-        if (k > 0) HS_TRY(hs_writer_bytes(writer, " ", 1, err));
+        if (k > 0) HS_TRY(hs_text_append(text, " ", 1, err));
         if (is_text(table, k))
-            HS_TRY(write_type_name(dump, writer, column, i, err));
+            HS_TRY(append_type_name(dump, column, i, text, err));
         else if (hs_dump_is_int(column))
-            HS_TRY(hs_writer_printf(writer, err, column->format, (long long)hs_dump_value(dump, column, i)));
+            HS_TRY(hs_text_printf(text, err, column->format, (long long)hs_dump_value(dump, column, i)));
         else
-            HS_TRY(hs_writer_printf(writer, err, column->format, hs_dump_value(dump, column, i)));
+            HS_TRY(hs_text_printf(text, err, column->format, hs_dump_value(dump, column, i)));
     }
-    return hs_writer_bytes(writer, "\n", 1, err);
+    return hs_text_append(text, "\n", 1, err);
 }
 
+/** Header and rows into the first rank's file (collective). */
 static hs_status write_snapshot(hs_dump *dump, hs_writer *writer, hs_error *err)
 {
     const hs_dump_table *table = dump->state;
-    HS_TRY(hs_dump_select(dump, err));
-    if (!table->no_header)
-        HS_TRY(table->layout->has_atom_header ? write_item_header(dump, writer, err)
-                                              : write_xyz_header(dump, writer, err));
-    for (int k = 0; k < table->n_rows; ++k) HS_TRY(write_row(dump, writer, table->order[k], err));
-    return HS_OK;
+    HS_UNLESS_FAILED(err, hs_dump_select(dump, err));
+    if (!table->no_header && writer != NULL)
+        HS_UNLESS_FAILED(err, table->layout->has_atom_header ? write_item_header(dump, writer, err)
+                                                             : write_xyz_header(dump, writer, err));
+    const hs_rows rows = {.n = table->n_rows,
+                          .is_descending = table->is_descending,
+                          .by_rank = table->is_unsorted,
+                          .key = hs_dump_key,
+                          .format = append_row,
+                          .context = dump};
+    return hs_rows_write(&rows, writer, dump->env->parallel, err);
 }
 
 /** dump_modify maxfiles: remember the new file and delete the one written max_files snapshots ago. */
@@ -246,20 +262,19 @@ hs_status hs_dump_write_step_file(hs_dump *dump, hs_status (*write)(hs_dump *dum
                                   hs_error *err)
 {
     hs_dump_table *table = dump->state;
-    hs_writer *writer;
-    char *name;
-    HS_TRY(hs_writer_step_name(&name, dump->file, dump->env->step, table->pad, err));
-    hs_status status = hs_writer_open(&writer, name, HS_WRITE_WHOLE, err);
-    if (status == HS_OK) {
-        status = write(dump, writer, err);
-        if (status == HS_OK)
-            status = hs_writer_close(&writer, err);
-        else
-            hs_writer_abandon(&writer);
-    }
-    if (status == HS_OK) status = keep_recent(table, &name, err);
+    const hs_parallel *parallel = dump->env->parallel;
+    const bool is_mine = parallel->rank == 0;
+    hs_writer *writer = NULL;
+    char *name = NULL;
+    if (is_mine) HS_UNLESS_FAILED(err, hs_writer_step_name(&name, dump->file, dump->env->step, table->pad, err));
+    if (is_mine) HS_UNLESS_FAILED(err, hs_writer_open(&writer, name, HS_WRITE_WHOLE, err));
+    hs_status status = hs_parallel_agree(parallel, err);
+    if (status == HS_OK) status = write(dump, writer, err);
+    if (status != HS_OK) hs_writer_abandon(&writer);
+    if (is_mine) HS_UNLESS_FAILED(err, hs_writer_close(&writer, err));
+    if (is_mine) HS_UNLESS_FAILED(err, keep_recent(table, &name, err));
     HS_FREE(name);
-    return status;
+    return hs_parallel_agree(parallel, err);
 }
 
 int64_t hs_dump_table_position(const hs_dump *dump)
@@ -274,8 +289,12 @@ hs_status hs_dump_table_write(hs_dump *dump, hs_error *err)
     if (dump->env->step == dump->last_written || dump->env->step < table->delay) return HS_OK;
     dump->last_written = dump->env->step;
     if (is_file_per_step(dump)) return hs_dump_write_step_file(dump, write_snapshot, err);
-    hs_status status = write_snapshot(dump, table->writer, err);
-    if (status == HS_OK) return hs_writer_commit(table->writer, err);
-    hs_writer_abandon(&table->writer);
-    return status;
+    const hs_status status = write_snapshot(dump, table->writer, err);
+    if (status != HS_OK) {
+        hs_writer_abandon(&table->writer);
+        table->is_open = false;
+        return status;
+    }
+    if (table->writer != NULL) HS_UNLESS_FAILED(err, hs_writer_commit(table->writer, err));
+    return hs_parallel_agree(dump->env->parallel, err);
 }

@@ -4,6 +4,7 @@
 #define HS_IO_DUMP_TABLE_H
 
 #include "base/text.h"
+#include "io/row_stream.h"
 #include "io/writer.h"
 #include "style/attribute.h"
 #include "style/dump.h"
@@ -56,9 +57,11 @@ typedef struct hs_dump_table {
     int sort_column;           /**< 1 .. n_columns; 0: by id */
     bool is_scaled, has_image; /**< of style atom */
 
-    hs_writer *writer; /**< owned; of a growing file, open from init on */
+    hs_writer *writer; /**< owned; of a growing file, open from init on; on the first rank only */
+    bool is_open;      /**< the first rank has it open; the same on all ranks */
     int32_t *order;    /**< owned; atoms of the snapshot being written */
-    int n_rows, capacity_order;
+    int n_rows, capacity_order; /**< n_rows: of this rank */
+    int64_t n_rows_all;         /**< of all ranks */
 } hs_dump_table;
 
 /** Columns named by words (attributes or v_name); the former ones are forgotten. */
@@ -74,8 +77,8 @@ int64_t hs_dump_table_position(const hs_dump *dump);
 /** Write a snapshot of the present step (collective). */
 HS_MUST_USE hs_status hs_dump_table_write(hs_dump *dump, hs_error *err);
 
-/** Write the file of the present step, whole or not at all, by @p write; older ones beyond dump_modify maxfiles go. Not
- *  collective. */
+/** Write the file of the present step, whole or not at all, by @p write, which all ranks call: the first one with the
+ *  writer, the others with NULL. Older files beyond dump_modify maxfiles go. Collective, errors agreed. */
 HS_MUST_USE hs_status hs_dump_write_step_file(hs_dump *dump,
                                               hs_status (*write)(hs_dump *dump, hs_writer *writer, hs_error *err),
                                               hs_error *err);
@@ -93,7 +96,9 @@ void hs_dump_fini_column(hs_dump_column *column);
 bool hs_dump_is_int(const hs_dump_column *column);
 /** Value of an attribute of atom i; positions and images wrapped into the box when dump_modify pbc asks for it. */
 double hs_dump_value(const hs_dump *dump, const hs_dump_column *column, int i);
-/** Fill table->order with the atoms to write, in the order asked for, and n_rows. */
+/** What row k of a snapshot is sorted by; context is the dump. */
+hs_row_key hs_dump_key(const void *context, int64_t k);
+/** Fill table->order with the local atoms to write, in the order asked for, and n_rows. Collective. */
 HS_MUST_USE hs_status hs_dump_select(hs_dump *dump, hs_error *err);
 
 #endif

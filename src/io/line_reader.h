@@ -3,13 +3,18 @@
 #define HS_IO_LINE_READER_H
 
 #include "base/text.h"
+#include "parallel/parallel.h"
 
 enum { HS_LINE_WORDS_MAX = 64, HS_LINE_BYTES_MAX = 65536 };
 
-/** A file being read line by line. Zero it before hs_lines_open. */
+/** A file being read line by line: the first rank reads, and all ranks get the lines. Zero it before hs_lines_open. */
 typedef struct hs_lines {
     const char *path; /**< borrowed */
-    void *file;       /**< owned */
+    const hs_parallel *parallel; /**< borrowed */
+    void *file;       /**< owned; NULL on other ranks */
+    char *chunk;      /**< owned: bytes read and not yet given out */
+    size_t n_chunk, chunk_at;
+    bool is_drained;  /**< there are no bytes after the chunk */
     long number;      /**< of the present line, from 1 */
     bool at_end;      /**< there was no further line */
     bool is_held;     /**< hs_lines_next gives the present line once more */
@@ -19,8 +24,9 @@ typedef struct hs_lines {
     const char *word[HS_LINE_WORDS_MAX];
 } hs_lines;
 
-/** Open for reading; fails with the reason when it is not a readable file. */
-HS_MUST_USE hs_status hs_lines_open(hs_lines *lines, const char *path, hs_error *err);
+/** Open for reading; fails with the reason when it is not a readable file. All functions are collective, and give the same
+ *  on all ranks. */
+HS_MUST_USE hs_status hs_lines_open(hs_lines *lines, const char *path, const hs_parallel *parallel, hs_error *err);
 void hs_lines_close(hs_lines *lines);
 /** Read and split the next line, blank ones too. At the end of the file at_end is set and n_words is 0. Lines that
  *  are too long, have too many words, or hold bytes that are no text are errors. */

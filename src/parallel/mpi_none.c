@@ -1,8 +1,6 @@
 /* The build without MPI: one rank. */
 #include <stdlib.h>
-#include <string.h>
 
-#include "base/memory.h"
 #include "parallel/messages.h"
 
 hs_status hs_parallel_init(hs_parallel *parallel, hs_error *err)
@@ -44,28 +42,6 @@ void hs_parallel_max_int64(const hs_parallel *p, int64_t *values, int n) { (void
 void hs_parallel_broadcast(const hs_parallel *p, int root, void *bytes, size_t n)
 {
     (void)p, (void)root, (void)bytes, (void)n;
-}
-
-void hs_parallel_gather_int64(const hs_parallel *p, int64_t value, int64_t *values)
-{
-    (void)p;
-    values[0] = value;
-}
-
-void hs_parallel_gather(const hs_parallel *p, const void *mine, size_t n, void *all)
-{
-    (void)p;
-    memcpy(all, mine, n);
-}
-
-hs_status hs_parallel_all_to_all(const hs_parallel *p, const void *send, const int64_t *send_bytes, void **receive,
-                                 int64_t *receive_bytes, hs_error *err)
-{
-    (void)p;
-    HS_TRY(hs_memory_alloc(receive, (size_t)send_bytes[0], 1, err));
-    memcpy(*receive, send, (size_t)send_bytes[0]);
-    receive_bytes[0] = send_bytes[0];
-    return HS_OK;
 }
 
 /* There is no other rank to send to: nobody calls these. */

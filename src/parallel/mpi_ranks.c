@@ -1,10 +1,8 @@
 /* Ranks over MPI: start and end, agreement on errors, collective operations. */
 #include <mpi.h>
 #include <stdlib.h>
-#include <string.h>
 #include <time.h>
 
-#include "base/memory.h"
 #include "base/timer.h"
 #include "parallel/parallel.h"
 
@@ -162,21 +160,8 @@ void hs_parallel_broadcast(const hs_parallel *parallel, int root, void *bytes, s
     FOR_PIECES(n, at, length) MPI_Bcast((char *)bytes + at, (int)length, MPI_BYTE, root, MPI_COMM_WORLD);
 }
 
-void hs_parallel_gather_int64(const hs_parallel *parallel, int64_t value, int64_t *values)
-{
-    hs_parallel_gather(parallel, &value, sizeof value, values);
-}
-
-void hs_parallel_gather(const hs_parallel *parallel, const void *mine, size_t n, void *all)
-{
-    if (parallel->n_ranks <= 1)
-        memcpy(all, mine, n);
-    else
-        MPI_Allgather(mine, (int)n, MPI_BYTE, all, (int)n, MPI_BYTE, MPI_COMM_WORLD);
-}
-
 /* Messages of the halo have the tag 0 (messages.c). */
-enum { TAG_BYTES = 1, TAG_ALL_TO_ALL = 2 };
+enum { TAG_BYTES = 1 };
 
 void hs_parallel_send(const hs_parallel *parallel, int to, const void *bytes, size_t n)
 {
@@ -190,53 +175,4 @@ void hs_parallel_receive(const hs_parallel *parallel, int from, void *bytes, siz
     (void)parallel;
     FOR_PIECES(n, at, length)
     MPI_Recv((char *)bytes + at, (int)length, MPI_BYTE, from, TAG_BYTES, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
-}
-
-static hs_status reserve_incoming(const hs_parallel *parallel, const int64_t *receive_bytes, void **receive,
-                                  MPI_Request **request, size_t n_requests, hs_error *err)
-{
-    int64_t total = 0;
-    for (int rank = 0; rank < parallel->n_ranks; ++rank) total += receive_bytes[rank];
-    HS_TRY(hs_memory_alloc(receive, (size_t)total, 1, err));
-    return HS_ALLOC(*request, n_requests, err);
-}
-
-static size_t n_pieces(int64_t n_bytes) { return ((size_t)n_bytes + PIECE_BYTES - 1) / PIECE_BYTES; }
-
-hs_status hs_parallel_all_to_all(const hs_parallel *parallel, const void *send, const int64_t *send_bytes,
-                                 void **receive, int64_t *receive_bytes, hs_error *err)
-{
-    MPI_Request *request = NULL;
-    size_t n_requests = 0;
-    int n = 0;
-    *receive = NULL;
-    if (parallel->n_ranks > 1)
-        MPI_Alltoall(send_bytes, 1, MPI_INT64_T, receive_bytes, 1, MPI_INT64_T, MPI_COMM_WORLD);
-    else
-        receive_bytes[0] = send_bytes[0];
-    for (int rank = 0; rank < parallel->n_ranks; ++rank)
-        n_requests += n_pieces(send_bytes[rank]) + n_pieces(receive_bytes[rank]);
-    (void)reserve_incoming(parallel, receive_bytes, receive, &request, n_requests, err);
-    if (hs_parallel_agree(parallel, err) != HS_OK) {
-        HS_FREE(*receive);
-        HS_FREE(request);
-        return err->status;
-    }
-    char *in = *receive;
-    const char *out = send;
-    for (int rank = 0; rank < parallel->n_ranks; ++rank) {
-        if (rank == parallel->rank) {
-            memcpy(in, out, (size_t)send_bytes[rank]);
-        } else {
-            FOR_PIECES((size_t)receive_bytes[rank], at, length)
-            MPI_Irecv(in + at, (int)length, MPI_BYTE, rank, TAG_ALL_TO_ALL, MPI_COMM_WORLD, &request[n++]);
-            FOR_PIECES((size_t)send_bytes[rank], at, length)
-            MPI_Isend(out + at, (int)length, MPI_BYTE, rank, TAG_ALL_TO_ALL, MPI_COMM_WORLD, &request[n++]);
-        }
-        in += receive_bytes[rank];
-        out += send_bytes[rank];
-    }
-    if (n > 0) MPI_Waitall(n, request, MPI_STATUSES_IGNORE);
-    HS_FREE(request);
-    return HS_OK;
 }

@@ -39,18 +39,9 @@ void hs_parallel_min_double(const hs_parallel *parallel, double *values, int n);
 void hs_parallel_max_int64(const hs_parallel *parallel, int64_t *values, int n);
 /** Bytes of the rank @p root to all (collective). */
 void hs_parallel_broadcast(const hs_parallel *parallel, int root, void *bytes, size_t n);
-/** values[rank] = the value of each rank (collective). */
-void hs_parallel_gather_int64(const hs_parallel *parallel, int64_t value, int64_t *values);
-/** The same for n bytes of each rank: all[rank * n] (collective). */
-void hs_parallel_gather(const hs_parallel *parallel, const void *mine, size_t n, void *all);
 /** Bytes from one rank to another; both calls wait for the other. Not for halos: see messages.h. */
 void hs_parallel_send(const hs_parallel *parallel, int to, const void *bytes, size_t n);
 void hs_parallel_receive(const hs_parallel *parallel, int from, void *bytes, size_t n);
-/** Every rank sends send_bytes[r] bytes, which follow one another in @p send in the order of ranks, to every rank r. What
- *  comes in stands in *receive (owned by the caller, HS_FREE) in the order of ranks: receive_bytes[r] of each. Collective,
- *  errors agreed. */
-HS_MUST_USE hs_status hs_parallel_all_to_all(const hs_parallel *parallel, const void *send, const int64_t *send_bytes,
-                                             void **receive, int64_t *receive_bytes, hs_error *err);
 
 /** Threads of this rank's parallel regions. 0 asks for the default: OMP_NUM_THREADS if set, else 1 as LAMMPS does. */
 void hs_threads_set(int n_threads);
