@@ -1,6 +1,7 @@
 #include "deck/by_id.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 #include "base/memory.h"
 
@@ -44,35 +45,79 @@ hs_status hs_by_id_order(const hs_atoms *atoms, int32_t **order, hs_error *err)
     return HS_OK;
 }
 
-static hs_status members_here(const hs_atoms *atoms, const unsigned char *selected, int64_t **ids, int64_t *n,
-                              hs_error *err)
+static hs_status visit_here(const hs_atoms *atoms, const unsigned char *selected, hs_by_id_visitor visit, void *context,
+                            hs_error *err)
 {
     int32_t *order;
     HS_TRY(hs_by_id_order(atoms, &order, err));
-    hs_status status = HS_ALLOC(*ids, (size_t)atoms->n_local, err);
+    hs_status status = HS_OK;
     for (int k = 0; status == HS_OK && k < atoms->n_local; ++k)
-        if (selected[order[k]]) (*ids)[(*n)++] = atoms->id[order[k]];
+        if (selected[order[k]]) status = visit(context, atoms->id[order[k]], err);
     HS_FREE(order);
     return status;
 }
 
+/** Visit the IDs of a chunk: one bit each, bit 0 of the first word being ID first. */
+static hs_status visit_bits(const int64_t *words, int n_words, int64_t first, hs_by_id_visitor visit, void *context,
+                            hs_error *err)
+{
+    for (int w = 0; w < n_words; ++w)
+        for (uint64_t bits = (uint64_t)words[w]; bits != 0; bits &= bits - 1)
+            HS_TRY(visit(context, first + 64 * (int64_t)w + __builtin_ctzll(bits), err));
+    return HS_OK;
+}
+
+hs_status hs_by_id_visit(const hs_sim *sim, const unsigned char *selected, hs_by_id_visitor visit, void *context,
+                         hs_error *err)
+{
+    enum { WORDS = 1 << 14, CHUNK = 64 * WORDS };
+    const hs_atoms *atoms = &sim->atoms;
+    if (sim->parallel.n_ranks <= 1) return visit_here(atoms, selected, visit, context, err);
+    int64_t max_id = hs_atoms_max_id(atoms), *words = NULL;
+    int32_t *order = NULL;
+    HS_UNLESS_FAILED(err, hs_by_id_order(atoms, &order, err));
+    HS_UNLESS_FAILED(err, HS_ALLOC(words, WORDS, err));
+    hs_status status = hs_parallel_agree(&sim->parallel, err);
+    hs_parallel_max_int64(&sim->parallel, &max_id, 1);
+    int next = 0;
+    for (int64_t first = 1; status == HS_OK && first <= max_id; first += CHUNK) {
+        /* every ID is on one rank, so that a sum of words has the bits of all */
+        memset(words, 0, WORDS * sizeof *words);
+        for (; next < atoms->n_local && atoms->id[order[next]] < first + CHUNK; ++next) {
+            const int64_t place = atoms->id[order[next]] - first;
+            if (selected[order[next]])
+                words[place / 64] = (int64_t)((uint64_t)words[place / 64] | UINT64_C(1) << place % 64);
+        }
+        hs_parallel_sum_int64(&sim->parallel, words, WORDS);
+        status = visit_bits(words, WORDS, first, visit, context, err);
+    }
+    HS_FREE(order);
+    HS_FREE(words);
+    return status;
+}
+
+/** IDs so far, for hs_by_id_members. */
+typedef struct id_list {
+    int64_t *ids, n, capacity;
+} id_list;
+
+static hs_status append(void *context, int64_t id, hs_error *err)
+{
+    id_list *list = context;
+    if (list->n == list->capacity) {
+        const int64_t capacity = 2 * list->capacity + 1024;
+        HS_TRY(HS_GROW(list->ids, (size_t)list->n, (size_t)capacity, err));
+        list->capacity = capacity;
+    }
+    list->ids[list->n++] = id;
+    return HS_OK;
+}
+
 hs_status hs_by_id_members(const hs_sim *sim, const unsigned char *selected, int64_t **ids, int64_t *n, hs_error *err)
 {
-    const hs_atoms *atoms = &sim->atoms;
-    *ids = NULL;
-    *n = 0;
-    if (sim->parallel.n_ranks <= 1) return members_here(atoms, selected, ids, n, err);
-
-    /* the flag of ID k + 1 is flags[k]; every ID is on one rank, so that the sum holds the flags of all */
-    enum { CHUNK = 1 << 20 };
-    int64_t max_id = hs_atoms_max_id(atoms);
-    hs_parallel_max_int64(&sim->parallel, &max_id, 1);
-    HS_TRY(HS_ALLOC(*ids, (size_t)max_id, err));
-    int64_t *flags = *ids;
-    for (int i = 0; i < atoms->n_local; ++i) flags[atoms->id[i] - 1] = selected[i] != 0;
-    for (int64_t k = 0; k < max_id; k += CHUNK)
-        hs_parallel_sum_int64(&sim->parallel, flags + k, (int)(max_id - k < CHUNK ? max_id - k : CHUNK));
-    for (int64_t k = 0; k < max_id; ++k)
-        if (flags[k] != 0) flags[(*n)++] = k + 1;
-    return HS_OK;
+    id_list list = {0};
+    const hs_status status = hs_by_id_visit(sim, selected, append, &list, err);
+    *ids = list.ids;
+    *n = list.n;
+    return status;
 }

@@ -46,6 +46,9 @@ static void tell_communication(hs_sink *out, const hs_deck *deck)
     hs_say(out, "\nCommunication information:\n");
     hs_say(out, "Nprocs        = %d,   Nthreads = %d\n",
            deck->sim->parallel.n_ranks > 1 ? deck->sim->parallel.n_ranks : 1, hs_threads_get());
+    const hs_domain *domain = &deck->sim->domain;
+    if (hs_domain_is_divided(domain))
+        hs_say(out, "Processor grid = %d x %d x %d\n", domain->n[0], domain->n[1], domain->n[2]);
 }
 
 static void tell_computes(hs_sink *out, const hs_deck *deck)

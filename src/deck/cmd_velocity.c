@@ -139,27 +139,37 @@ static hs_status draw_by_id(const velocity *vel, int seed, hs_error *err)
     return HS_OK;
 }
 
+/** The generator of `loop local`, and the local atom that it comes to next. */
+typedef struct member_draw {
+    const velocity *vel;
+    hs_park park;
+    int next;
+} member_draw;
+
+static hs_status draw_for(void *context, int64_t id, hs_error *err)
+{
+    (void)err;
+    member_draw *m = context;
+    const velocity *vel = m->vel;
+    double v[3];
+    draw(vel, &m->park, v);
+    if (m->next < vel->group.n && vel->sim->atoms.id[vel->group.member[m->next]] == id)
+        assign(vel, vel->group.member[m->next++], v);
+    return HS_OK;
+}
+
 /** One generator, which draws for the group's atoms only. */
 static hs_status draw_by_member(const velocity *vel, int seed, int bit, hs_error *err)
 {
     enum { N_WARM_UP = 100 };
     const hs_atoms *atoms = &vel->sim->atoms;
     unsigned char *selected = NULL;
-    int64_t *ids = NULL, n_ids;
     HS_TRY(HS_ALLOC(selected, (size_t)atoms->n_local, err));
     for (int i = 0; i < atoms->n_local; ++i) selected[i] = (atoms->mask[i] & hs_group_mask(bit)) != 0;
-    hs_status status = hs_by_id_members(vel->sim, selected, &ids, &n_ids, err);
-    hs_park park;
-    hs_park_init(&park, seed);
-    for (int k = 0; k < N_WARM_UP; ++k) (void)hs_park_uniform(&park);
-    int next = 0;
-    for (int64_t k = 0; status == HS_OK && k < n_ids; ++k) {
-        double v[3];
-        draw(vel, &park, v);
-        if (next < vel->group.n && atoms->id[vel->group.member[next]] == ids[k])
-            assign(vel, vel->group.member[next++], v);
-    }
-    HS_FREE(ids);
+    member_draw m = {.vel = vel};
+    hs_park_init(&m.park, seed);
+    for (int k = 0; k < N_WARM_UP; ++k) (void)hs_park_uniform(&m.park);
+    const hs_status status = hs_by_id_visit(vel->sim, selected, draw_for, &m, err);
     HS_FREE(selected);
     return status;
 }

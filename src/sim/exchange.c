@@ -184,6 +184,16 @@ hs_status hs_sim_sort_and_cluster(hs_sim *sim, double reach, hs_error *err)
     return HS_OK;
 }
 
+static hs_status before_exchange(hs_sim *sim, hs_error *err)
+{
+    for (int k = 0; k < sim->n_fixes; ++k)
+        if (sim->fix[k]->style->pre_exchange != NULL) {
+            HS_TRY(hs_parallel_agree(&sim->parallel, err));
+            HS_TRY(sim->fix[k]->style->pre_exchange(sim->fix[k], err));
+        }
+    return HS_OK;
+}
+
 hs_status hs_sim_exchange(hs_sim *sim, bool is_listing, hs_error *err)
 {
     hs_timer_mark(&sim->timer);
@@ -194,6 +204,7 @@ hs_status hs_sim_exchange(hs_sim *sim, bool is_listing, hs_error *err)
         HS_TRY(hs_parallel_agree(&sim->parallel, err));
         hs_sim_shrink_box(sim);
     }
+    if (is_listing && sim->is_initialized) HS_TRY(before_exchange(sim, err));
     HS_TRY(hs_migrate(&sim->atoms, &sim->domain, &sim->parallel, &sim->box, err));
     if (is_listing) {
         hs_neighbor_list_now(&sim->neighbor, &sim->atoms);

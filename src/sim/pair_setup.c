@@ -113,6 +113,7 @@ hs_status hs_sim_setup_pair(hs_sim *sim, hs_error *err)
     HS_TRY(hs_sim_fit_pair(sim, err));
     HS_TRY(hs_pair_complete(sim->pair, err));
     HS_TRY(count_types(sim, err));
+    sim->env.reach = sim->pair->cutoff_max > 0.0 ? sim->pair->cutoff_max + sim->neighbor.settings.skin : 0.0;
     int groups[HS_GROUPS_MAX];
     const int n_groups = excluded_groups(&sim->neighbor.settings, groups);
     if (n_groups > 10 || (sim->atoms.n_types + 1) << n_groups > KERNEL_TYPES_MAX)

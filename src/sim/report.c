@@ -113,6 +113,16 @@ static void say_histogram(const hs_sim *sim, const char *name, double value)
     hs_say(sim->env.out, "\n");
 }
 
+/** How far the busiest rank is above the mean, for `balance` (collective). */
+static void say_imbalance(const hs_sim *sim)
+{
+    if (sim->parallel.n_ranks <= 1) return;
+    const spread atoms = spread_of(&sim->parallel, sim->atoms.n_local);
+    const spread pair_s = spread_of(&sim->parallel, sim->timer.phase_s[HS_PHASE_PAIR]);
+    hs_say(sim->env.out, "Load imbalance (largest/mean) = %.4g by atoms, %.4g by time of pair forces\n",
+           atoms.mean > 0.0 ? atoms.max / atoms.mean : 1.0, pair_s.mean > 0.0 ? pair_s.max / pair_s.mean : 1.0);
+}
+
 void hs_report_finish(hs_sim *sim, int64_t n_steps, double loop_s, double cpu_s)
 {
     hs_sink *out = sim->env.out;
@@ -140,6 +150,7 @@ void hs_report_finish(hs_sim *sim, int64_t n_steps, double loop_s, double cpu_s)
     } else {
         hs_say(out, "\n");
     }
+    say_imbalance(sim);
     hs_say(out, "Neighbor list builds = %lld\n", (long long)counters->n_builds);
     if (sim->neighbor.settings.check)
         hs_say(out, "Dangerous builds = %lld\n", (long long)counters->n_dangerous);

@@ -46,6 +46,7 @@ static hs_status create(hs_sim *sim, const hs_options *options, hs_sink *out, hs
                         .units = units,
                         .box = &sim->box,
                         .domain = &sim->domain,
+                        .timer = &sim->timer,
                         .atoms = &sim->atoms,
                         .groups = &sim->groups,
                         .lattice = &sim->lattice,

@@ -9,6 +9,16 @@
             if ((sim)->fix[k_]->style->hook != NULL) HS_TRY((sim)->fix[k_]->style->hook((sim)->fix[k_], (err)));       \
     } while (0)
 
+/** Whether a fix wants new lists at this step. */
+static bool is_wanted(const hs_sim *sim)
+{
+    for (int k = 0; k < sim->n_fixes; ++k) {
+        const hs_fix *fix = sim->fix[k];
+        if (fix->style->next_exchange != NULL && fix->style->next_exchange(fix) == sim->env.step) return true;
+    }
+    return false;
+}
+
 /** New cells, halo and lists when they are due; else only new positions of halo atoms. */
 static hs_status bring_neighbors_up_to_date(hs_sim *sim, hs_error *err)
 {
@@ -16,10 +26,12 @@ static hs_status bring_neighbors_up_to_date(hs_sim *sim, hs_error *err)
     sim->is_stopping = hs_sim_is_asked_to_stop(sim);
     HS_TRY(hs_neighbor_is_due(&sim->neighbor, &sim->atoms, &sim->parallel, sim->env.step, &is_due, &sim->is_stopping,
                               err));
-    hs_timer_add(&sim->timer, HS_PHASE_NEIGH);
+    hs_timer_add(&sim->timer, sim->parallel.n_ranks > 1 ? HS_PHASE_COMM : HS_PHASE_NEIGH); /* waiting, mostly */
+    is_due = is_due || is_wanted(sim);
     if (is_due) ++sim->neighbor.counters.n_builds;
     const hs_method *method = hs_sim_method(sim);
     if (is_due || !method->keeps_lists) return hs_sim_exchange(sim, is_due, err);
+    if (sim->pair->cutoff_max <= 0.0) return HS_OK;
     hs_halo_forward(&sim->halo, &sim->atoms);
     hs_timer_add(&sim->timer, HS_PHASE_COMM);
     if (method->update != NULL) HS_TRY(method->update(sim, err));

@@ -3,6 +3,7 @@
 #define HS_STYLE_ENV_H
 
 #include "base/message.h"
+#include "base/timer.h"
 #include "core/atoms.h"
 #include "core/box.h"
 #include "core/group.h"
@@ -29,6 +30,9 @@ typedef struct hs_env {
     struct hs_lattice *lattice; /**< never NULL; `none` until the deck sets one */
 
     hs_isa isa; /**< instruction set of kernels */
+
+    const hs_timer *timer; /**< what this rank has spent its time on since the run began */
+    double reach;          /**< largest cutoff and skin, distance; 0 without forces */
 
     /** Commands are repeated to make styles anew before their state comes from a checkpoint: files that were written before
      *  are to be added to, not emptied, and nothing is to be written. */

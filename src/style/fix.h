@@ -22,6 +22,11 @@ typedef struct hs_fix_style {
     HS_MUST_USE hs_status (*setup)(struct hs_fix *fix, hs_error *err); /**< after the run's first forces */
     HS_MUST_USE hs_status (*initial_integrate)(struct hs_fix *fix, hs_error *err); /**< half kick and drift */
     HS_MUST_USE hs_status (*post_integrate)(struct hs_fix *fix, hs_error *err); /**< after all drifts: walls, shifts */
+    /** First step, from the present one on, at which this fix wants lists made anew whatever the schedule; NULL: never. */
+    int64_t (*next_exchange)(const struct hs_fix *fix);
+    /** Before atoms go to the ranks that own their places, whenever lists are due: add or remove atoms, or move the ranks'
+     *  borders. Coordinates are wrapped. */
+    HS_MUST_USE hs_status (*pre_exchange)(struct hs_fix *fix, hs_error *err);
     /** Add to, or constrain, forces; called after the set-up's forces too, following setup. */
     HS_MUST_USE hs_status (*post_force)(struct hs_fix *fix, hs_error *err);
     HS_MUST_USE hs_status (*final_integrate)(struct hs_fix *fix, hs_error *err); /**< half kick */

@@ -6,7 +6,7 @@ command -v mpirun >/dev/null 2>&1 || { echo "no mpirun here"; exit 77; }
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
 export OMPI_MCA_hwloc_base_binding_policy=none OMPI_MCA_mpi_yield_when_idle=1
 work=$(mktemp -d)
-trap "rm -rf \"$work\"" EXIT
+trap 'rm -rf "$work"' EXIT
 cd "$work" || exit 1
 
 fail() { echo "FAILED: $*" >&2; exit 1; }

@@ -1,0 +1,195 @@
+#include "comm/balance.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/memory.h"
+
+/* Places tried between the bounds of a plane in one iteration. */
+enum { N_TRIES = 15 };
+
+hs_status hs_balance_read_axes(hs_balance *balance, const char *word, int dimension, const char *command, hs_error *err)
+{
+    balance->n_axes = 0;
+    for (const char *c = word; *c != '\0'; ++c) {
+        bool is_good = *c >= 'x' && *c <= 'z' && balance->n_axes < HS_BALANCE_AXES_MAX;
+        for (int k = 0; is_good && k < balance->n_axes; ++k) is_good = balance->axis[k] != *c - 'x';
+        if (!is_good)
+            return hs_fail(err, HS_ERROR_INPUT, "%s: '%s' must be the letters x, y, z, each at most once", command,
+                           word);
+        if (*c == 'z' && dimension == 2)
+            return hs_fail(err, HS_ERROR_INPUT, "%s: '%s': in two dimensions there is nothing to balance along z",
+                           command, word);
+        balance->axis[balance->n_axes++] = *c - 'x';
+    }
+    if (balance->n_axes > 0) return HS_OK;
+    return hs_fail(err, HS_ERROR_INPUT, "%s: the axes whose planes are to be moved are missing", command);
+}
+
+void hs_balance_measure(const hs_parallel *parallel, double load, double *largest, double *factor)
+{
+    double mean = load;
+    *largest = load;
+    hs_parallel_max_double(parallel, largest, 1);
+    hs_parallel_sum_double(parallel, &mean, 1);
+    mean /= parallel->n_ranks > 1 ? parallel->n_ranks : 1;
+    *factor = mean > 0.0 ? *largest / mean : 1.0;
+}
+
+/** Place of an atom along an axis as a fraction of the box, wrapped into it. */
+static double fraction_of(const hs_box *box, int axis, double x)
+{
+    const double fraction = (x - box->lo[axis]) / hs_box_length(box, axis);
+    if (box->periodic[axis]) return fraction - floor(fraction);
+    return fraction < 0.0 ? 0.0 : fraction > 1.0 ? 1.0 : fraction;
+}
+
+static int owner_of(const hs_domain *domain, int axis, double fraction)
+{
+    int k = 0;
+    while (k + 1 < domain->n[axis] && fraction >= domain->cut[axis][k + 1]) ++k;
+    return k;
+}
+
+hs_status hs_balance_predict(const hs_domain *domain, const hs_box *box, const hs_atoms *atoms, double weight,
+                             const hs_parallel *parallel, double *load, hs_error *err)
+{
+    double *loads = NULL;
+    HS_UNLESS_FAILED(err, HS_ALLOC(loads, (size_t)domain->n_ranks, err));
+    HS_TRY(hs_parallel_agree(parallel, err));
+    for (int i = 0; i < atoms->n_local; ++i) {
+        int at[3];
+        for (int axis = 0; axis < 3; ++axis)
+            at[axis] = owner_of(domain, axis, fraction_of(box, axis, atoms->x[axis][i]));
+        loads[hs_domain_rank(domain, at)] += weight;
+    }
+    hs_parallel_sum_double(parallel, loads, domain->n_ranks);
+    *load = loads[domain->rank];
+    HS_FREE(loads);
+    return HS_OK;
+}
+
+static int ascending(const void *a, const void *b)
+{
+    const double p = *(const double *)a, q = *(const double *)b;
+    return (p > q) - (p < q);
+}
+
+/** Numbers below a place, of n sorted ones. */
+static int64_t count_below(const double *sorted, int64_t n, double place)
+{
+    int64_t lo = 0, hi = n;
+    while (lo < hi) {
+        const int64_t middle = lo + (hi - lo) / 2;
+        if (sorted[middle] < place)
+            lo = middle + 1;
+        else
+            hi = middle;
+    }
+    return lo;
+}
+
+/** One plane on its way: it is between lo and hi, with so much work below them. */
+typedef struct bracket {
+    double lo, hi, work_lo, work_hi;
+} bracket;
+
+/** The planes of one axis on their way. */
+typedef struct search {
+    const double *place; /**< owned elsewhere [n]: sorted fractions of the local atoms */
+    int64_t n;
+    double weight, total;
+    bracket *plane; /**< owned [n_planes]: those within the box */
+    double *work;   /**< owned [n_planes * N_TRIES] */
+    int n_planes;
+} search;
+
+/** Find out how much work of all ranks is below each tried place, and narrow the brackets (collective). */
+static void narrow(search *s, const hs_parallel *parallel)
+{
+    for (int k = 0; k < s->n_planes; ++k)
+        for (int t = 0; t < N_TRIES; ++t) {
+            const bracket *b = &s->plane[k];
+            const double place = b->lo + (b->hi - b->lo) * (t + 1) / (N_TRIES + 1);
+            s->work[k * N_TRIES + t] = s->weight * (double)count_below(s->place, s->n, place);
+        }
+    hs_parallel_sum_double(parallel, s->work, s->n_planes * N_TRIES);
+    for (int k = 0; k < s->n_planes; ++k) {
+        bracket *b = &s->plane[k];
+        const bracket before = *b;
+        const double wanted = s->total * (k + 1) / (s->n_planes + 1);
+        for (int t = 0; t < N_TRIES; ++t) {
+            const double place = before.lo + (before.hi - before.lo) * (t + 1) / (N_TRIES + 1);
+            const double work = s->work[k * N_TRIES + t];
+            if (work <= wanted && place > b->lo) b->lo = place, b->work_lo = work;
+            if (work > wanted && place < b->hi) b->hi = place, b->work_hi = work;
+        }
+    }
+}
+
+/** Largest work of a slab relative to the mean, planes being at the lower ends of their brackets. */
+static double factor_of(const search *s)
+{
+    double below = 0.0, largest = 0.0;
+    for (int k = 0; k <= s->n_planes; ++k) {
+        const double work = k < s->n_planes ? s->plane[k].work_lo : s->total;
+        if (work - below > largest) largest = work - below;
+        below = work;
+    }
+    return s->total > 0.0 ? largest * (s->n_planes + 1) / s->total : 1.0;
+}
+
+/** Put the planes where they were found, no closer to each other than bricks may be thin. */
+static void place_planes(const search *s, double *cut, double least)
+{
+    const int n = s->n_planes + 1;
+    if (!(least * n < 1.0)) least = 0.5 / n;
+    for (int k = 1; k < n; ++k) cut[k] = fmax(s->plane[k - 1].lo, cut[k - 1] + least);
+    for (int k = n - 1; k > 0; --k) cut[k] = fmin(cut[k], cut[k + 1] - least);
+}
+
+static hs_status reserve(search *s, const hs_atoms *atoms, double **place, hs_error *err)
+{
+    HS_TRY(HS_ALLOC(*place, (size_t)atoms->n_local, err));
+    HS_TRY(HS_ALLOC(s->plane, (size_t)s->n_planes, err));
+    return HS_ALLOC(s->work, (size_t)s->n_planes * N_TRIES, err);
+}
+
+static hs_status shift_axis(const hs_balance *balance, hs_domain *domain, const hs_box *box, const hs_atoms *atoms,
+                            int axis, double weight, const hs_parallel *parallel, int *n_iterations, hs_error *err)
+{
+    search s = {.n = atoms->n_local, .weight = weight, .n_planes = domain->n[axis] - 1};
+    double *place = NULL;
+    HS_UNLESS_FAILED(err, reserve(&s, atoms, &place, err));
+    if (hs_parallel_agree(parallel, err) == HS_OK) {
+        for (int i = 0; i < atoms->n_local; ++i) place[i] = fraction_of(box, axis, atoms->x[axis][i]);
+        qsort(place, (size_t)atoms->n_local, sizeof *place, ascending);
+        s.place = place;
+        s.total = weight * (double)s.n;
+        hs_parallel_sum_double(parallel, &s.total, 1);
+        for (int k = 0; k < s.n_planes; ++k) s.plane[k] = (bracket){.hi = 1.0, .work_hi = s.total};
+        for (int iteration = 0; iteration < balance->n_iterations; ++iteration) {
+            narrow(&s, parallel);
+            ++*n_iterations;
+            if (factor_of(&s) <= balance->stop_factor) break;
+        }
+        if (s.total > 0.0) place_planes(&s, domain->cut[axis], balance->least_width / hs_box_length(box, axis));
+    }
+    HS_FREE(place);
+    HS_FREE(s.plane);
+    HS_FREE(s.work);
+    return err->status;
+}
+
+hs_status hs_balance_shift(const hs_balance *balance, hs_domain *domain, const hs_box *box, const hs_atoms *atoms,
+                           double weight, const hs_parallel *parallel, int *n_iterations, hs_error *err)
+{
+    *n_iterations = 0;
+    for (int k = 0; k < balance->n_axes; ++k) {
+        const int axis = balance->axis[k];
+        if (domain->n[axis] > 1)
+            HS_TRY(shift_axis(balance, domain, box, atoms, axis, weight, parallel, n_iterations, err));
+    }
+    return err->status;
+}
