@@ -53,7 +53,7 @@ void hs_warn(hs_sink *sink, const char *fmt, ...)
 
 void hs_progress(hs_sink *sink, const char *fmt, ...)
 {
-    if (sink->screen == NULL || !isatty(fileno(sink->screen))) return;
+    if (sink->no_progress || sink->screen == NULL || !isatty(fileno(sink->screen))) return;
     va_list args;
     va_start(args, fmt);
     fputs("\r\033[K", sink->screen);

@@ -11,6 +11,7 @@
 typedef struct hs_sink {
     FILE *screen;
     FILE *log;
+    bool no_progress;    /**< show no progress line, even if the screen seems to be a terminal */
     bool progress_shown; /**< a progress line stands on the terminal and must be wiped before other text */
     long n_warnings;
     long warning_limit; /**< print no more than so many (thermo_modify warn); 0: no limit, < 0: print none */

@@ -25,6 +25,7 @@ hs_status hs_cli_check(const hs_cli *cli, hs_error *err)
     }
     if (status == HS_OK) status = hs_deck_check(deck, settings.deck, err);
     if (status == HS_OK) status = hs_deck_run(deck, settings.deck, err);
+    if (status == HS_OK) status = hs_cli_predict_ranks(deck, &settings, err);
     hs_deck_destroy(&deck);
     if (status != HS_OK) return status;
     hs_say(&out, "%s: no errors found; no step was run and no file written\n",

@@ -48,6 +48,7 @@ typedef struct hs_cli {
     hs_parallel *parallel;                 /**< the ranks of this program */
 } hs_cli;
 
+enum { HS_CLI_RANK_COUNTS_MAX = 64 };
 enum { HS_CLI_NO_EFFECT_MAX = 2 }; /* -suffix, -package */
 
 /** What the options say. Words are borrowed from the command line. */
@@ -57,6 +58,9 @@ typedef struct hs_cli_settings {
     double walltime_s;        /**< -walltime: wall time after which to stop; 0: no limit */
     const char *log, *screen; /**< file, or "none"; NULL: the default */
     bool echo_screen, echo_log;
+    int rank_counts[HS_CLI_RANK_COUNTS_MAX]; /**< check -ranks */
+    int n_rank_counts;
+    double speed;                                /**< check -speed: million atom-steps/s of a core */
     const char *no_effect[HS_CLI_NO_EFFECT_MAX]; /**< LAMMPS options that were accepted and change nothing */
     const char *last_value; /**< last value of the last -var with several: it may have been meant as the deck */
     const char *last_variable;
@@ -93,6 +97,9 @@ HS_MUST_USE hs_status hs_cli_bench_neighbors(const hs_cli *cli, hs_error *err);
 HS_MUST_USE hs_status hs_cli_plot(const hs_cli *cli, hs_error *err);
 HS_MUST_USE hs_status hs_cli_report(const hs_cli *cli, hs_error *err);
 HS_MUST_USE hs_status hs_cli_help(const hs_cli *cli, hs_error *err);
+
+/** check -ranks: print what the system that the deck ends with would need on so many ranks. Nothing without -ranks. */
+HS_MUST_USE hs_status hs_cli_predict_ranks(const hs_deck *deck, const hs_cli_settings *settings, hs_error *err);
 
 /** The page of `halfshell --help`. */
 void hs_cli_usage(FILE *stream);

@@ -42,6 +42,10 @@ const hs_cli_option hs_cli_options[] = {
      "precision of the pair forces; wins over the deck's `precision`"},
     {"-isa", NULL, "NAME", RUN | RESUME | CHECK | BENCH,
      "instruction set of the kernels (default: auto, the widest of this machine)"},
+    {"-ranks", NULL, "LIST", CHECK,
+     "predict memory, halo, messages and speed for these numbers of ranks, as in 1,64,4096"},
+    {"-speed", NULL, "X", CHECK,
+     "million atom-steps/s of one core for that prediction, as `halfshell bench` tells (default: 15)"},
     {"-suffix", "-sf", "STYLE", RUN | CHECK, "accepted for LAMMPS's sake; has no effect"},
     {"-package", "-pk", "WORD...", RUN | CHECK, "accepted for LAMMPS's sake; has no effect"},
     {"-size", NULL, "N", BENCH, "cells of four atoms along each edge of the box (default: 20, which is 32,000 atoms)"},
@@ -177,6 +181,30 @@ static hs_status parse_walltime(const char *word, hs_cli_settings *settings, hs_
     return HS_OK;
 }
 
+/** 1,2,4: at most so many ranks that their grid can be looked for. */
+static hs_status parse_ranks(const char *list, hs_cli_settings *settings, hs_error *err)
+{
+    char copy[512];
+    if (snprintf(copy, sizeof copy, "%s", list) >= (int)sizeof copy)
+        return hs_fail(err, HS_ERROR_INPUT, "-ranks: the list is too long");
+    char *rest = copy;
+    for (char *word = strsep(&rest, ","); word != NULL; word = strsep(&rest, ",")) {
+        int64_t n;
+        if (!hs_text_to_int64(word, &n) || n < 1 || n > 100000000)
+            return hs_fail(err, HS_ERROR_INPUT, "-ranks: '%s' is not a whole number from 1 to 100000000", word);
+        if (settings->n_rank_counts == HS_CLI_RANK_COUNTS_MAX)
+            return hs_fail(err, HS_ERROR_INPUT, "-ranks: more than %d numbers", HS_CLI_RANK_COUNTS_MAX);
+        settings->rank_counts[settings->n_rank_counts++] = (int)n;
+    }
+    return HS_OK;
+}
+
+static hs_status parse_speed(const char *word, hs_cli_settings *settings, hs_error *err)
+{
+    if (hs_text_to_double(word, &settings->speed) && settings->speed > 0.0) return HS_OK;
+    return hs_fail(err, HS_ERROR_INPUT, "-speed: '%s' is not a number above 0", word);
+}
+
 static hs_status set_deck(const char *word, hs_cli_settings *settings, hs_error *err)
 {
     if (settings->deck == NULL) {
@@ -210,6 +238,8 @@ static hs_status parse_option(const hs_cli *cli, const hs_cli_option *option, in
     if (strcmp(option->name, "-neigh") == 0) return parse_method(value, settings, err);
     if (strcmp(option->name, "-precision") == 0) return hs_cli_parse_precision(value, &settings->options, err);
     if (strcmp(option->name, "-isa") == 0) return hs_cli_parse_isa(value, &settings->options, err);
+    if (strcmp(option->name, "-ranks") == 0) return parse_ranks(value, settings, err);
+    if (strcmp(option->name, "-speed") == 0) return parse_speed(value, settings, err);
     if (strcmp(option->name, "-var") == 0) {
         if (first + 1 >= cli->n) return hs_fail(err, HS_ERROR_INPUT, "-var %s: a value is missing", value);
         end = hs_cli_values_end(cli, first + 2);
@@ -228,7 +258,7 @@ static hs_status parse_option(const hs_cli *cli, const hs_cli_option *option, in
 
 hs_status hs_cli_parse(const hs_cli *cli, unsigned command, hs_cli_settings *settings, hs_error *err)
 {
-    *settings = (hs_cli_settings){.echo_log = true};
+    *settings = (hs_cli_settings){.echo_log = true, .speed = 15.0};
     for (int i = 0; i < cli->n; ++i) {
         const char *word = cli->word[i];
         if (!hs_cli_is_option(word)) {

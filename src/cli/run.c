@@ -47,6 +47,11 @@ static void greet(const hs_cli *cli, const hs_cli_settings *settings, hs_sink *o
     char machine[256];
     hs_machine_describe(machine, sizeof machine);
     hs_say_log(out, "Running on %s\n", machine);
+    if (cli->parallel->n_ranks > 1 && n_threads > hs_threads_available())
+        hs_warn(out,
+                "the %d threads of a rank have %d core%s together: mpirun has bound them; 'mpirun --bind-to none' or "
+                "'--map-by slot:PE=%d' gives each its own",
+                n_threads, hs_threads_available(), hs_threads_available() == 1 ? "" : "s", n_threads);
     for (int i = 0; i < HS_CLI_NO_EFFECT_MAX && settings->no_effect[i] != NULL; ++i)
         hs_say(out, "The option %s has no effect: Halfshell chooses its own kernels\n", settings->no_effect[i]);
 }
@@ -107,7 +112,10 @@ hs_status hs_cli_run(const hs_cli *cli, int *exit_code, hs_error *err)
     }
     FILE *file = NULL;
     HS_TRY(open_output(cli, "-screen", settings.screen != NULL ? settings.screen : "none", &file, err));
-    hs_sink out = {.screen = settings.screen != NULL ? file : cli->parallel->rank == 0 ? stdout : NULL};
+    hs_sink out = {.screen = settings.screen != NULL    ? file
+                             : cli->parallel->rank == 0 ? stdout
+                                                        : NULL,
+                   .no_progress = cli->parallel->is_launched};
     hs_threads_set(settings.options.n_threads);
     hs_status status = run_deck(cli, &settings, &out, exit_code, err);
     if (status == HS_OK) status = hs_cli_flush(out.screen, "screen output", err);

@@ -47,6 +47,7 @@ hs_status hs_parallel_init(hs_parallel *parallel, hs_error *err)
     if (MPI_Init_thread(NULL, NULL, MPI_THREAD_FUNNELED, &provided) != MPI_SUCCESS)
         return hs_fail(err, HS_ERROR_RUN, "MPI could not be started");
     hs_parallel_world(parallel);
+    parallel->is_launched = true;
     process.has_settle = parallel->n_ranks > 1 && MPI_Comm_dup(MPI_COMM_WORLD, &process.settle) == MPI_SUCCESS;
     process.may_abort = true;
     return HS_OK;

@@ -13,6 +13,7 @@
 typedef struct hs_parallel {
     int rank;
     int n_ranks;
+    bool is_launched; /**< by mpirun or the like, which passes the screen on: a terminal may be a file in truth */
 } hs_parallel;
 
 /** Start MPI, if the program was launched with it (collective). A program started without mpirun stays without. */

@@ -1,0 +1,31 @@
+#!/bin/bash
+# `halfshell check -ranks` predicts from geometry what a run then has: atoms and halo atoms of a rank, and the grid of bricks.
+set -eu
+# shellcheck source=tests/mpi/ranks.sh
+. "$PROJECT_ROOT/tests/mpi/ranks.sh"
+
+# atoms at random places, so that they are spread evenly but for the fluctuations of some thousand
+cat >in.gas <<'D'
+region box block 0 20 0 17 0 13
+create_box 1 box
+create_atoms 1 random 8000 1234 NULL
+mass 1 1.0
+pair_style zero 2.5
+pair_coeff 1 1
+neighbor 0.3 bin
+fix 1 all nve
+run 0
+D
+for n in 2 8; do
+    ranks 0 check -ranks "$n" in.gas >predicted
+    ranks "$n" in.gas -log log -screen none
+    read -r _ grid local halo _ < <(grep -A99 '^Prediction' predicted | grep "^ *$n ")
+    grep -q "  ${grid//x/ by } MPI processor grid" log || fail "$n ranks: $grid bricks predicted, not those of the log"
+    [ "$local" = $((8000 / n)) ] || fail "$n ranks: $local atoms predicted"
+    # images of the same atoms count several times, so fluctuations are some two per cent for each of few ranks
+    awk -v halo="$halo" '/^Nghost:/ { seen = 1; if ($2 < 0.94 * halo || $2 > 1.06 * halo) bad = $2 }
+        END { if (!seen || bad) { print "halo atoms: " bad ", predicted " halo; exit 1 } }' log >&2 || fail "$n ranks"
+done
+ranks 0 check -ranks 1000000 in.gas | grep -q '^ *1000000 .*x' || fail "a million ranks"
+if ranks 0 check -ranks 0 in.gas 2>said; then fail "-ranks 0 was accepted"; fi
+grep -q "^halfshell: error: -ranks: '0' is not a whole number" said || fail "$(cat said)"
