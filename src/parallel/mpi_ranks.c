@@ -89,10 +89,11 @@ hs_status hs_parallel_agree(const hs_parallel *parallel, hs_error *err)
     return share_error(parallel, MPI_COMM_WORLD, first, err);
 }
 
-/** Wait for the others; a rank with an error only so long as they may just be late. */
-static bool wait_for_all(MPI_Request *request, bool has_error)
+/** Wait for the others; a rank with an error only so long as they may just be late. Lower ranks lose patience first, so that
+ *  one of several with errors tells its own and stops the others before they do the same. */
+static bool wait_for_all(MPI_Request *request, int rank, bool has_error)
 {
-    const double patience_s = 2.0, start_s = hs_time_now_s();
+    const double patience_s = 2.0 + 0.5 * (rank < 4 ? rank : 4), start_s = hs_time_now_s();
     const struct timespec nap = {.tv_nsec = 1000000};
     int is_done = 0;
     if (!has_error || !process.may_abort) {
@@ -114,7 +115,7 @@ hs_status hs_parallel_settle(const hs_parallel *parallel, bool *stop, hs_error *
     /* the largest of: minus the lowest rank that holds an error; whether to stop */
     int mine[2] = {-place_of_error(parallel, err), *stop}, all[2];
     MPI_Iallreduce(mine, all, 2, MPI_INT, MPI_MAX, process.settle, &request);
-    if (!wait_for_all(&request, err->status != HS_OK)) {
+    if (!wait_for_all(&request, parallel->rank, err->status != HS_OK)) {
         hs_error_print(err, stderr);
         fflush(NULL);
         hs_parallel_abort(parallel, hs_exit_code(err->status));
