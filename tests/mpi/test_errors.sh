@@ -84,7 +84,7 @@ for _ in $(seq 100); do
     sleep 0.1
     grep -q '^ *10 ' killed/log 2>/dev/null && break
 done
-read -ra children < <(ps -o pid= --ppid "$launcher" | tr '\n' ' ')
+read -ra children < <(ps -o pid= --ppid "$launcher" | tr "\n" " ") || true # there is no newline at its end
 [ "${#children[@]}" -eq 3 ] || { cat killed/said >&2; fail "${#children[@]} ranks run, not 3"; }
 kill -KILL "${children[1]}"
 SECONDS=0
