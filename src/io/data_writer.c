@@ -138,15 +138,15 @@ static hs_status write_atoms(const hs_env *env, hs_writer *writer, hs_error *err
     hs_atom_style_name(&env->atoms->style, style);
     HS_UNLESS_FAILED(err, sort_atoms(env->atoms, &order, err));
     const row_source source = {.env = env, .order = order};
-    hs_rows rows = {.n = env->atoms->n_local, .key = row_key, .format = append_atom, .context = &source};
+    hs_text_rows rows = {.n = env->atoms->n_local, .key = row_key, .format = append_atom, .context = &source};
     if (writer != NULL)
-        HS_UNLESS_FAILED(err, hs_writer_printf(writer, err, "\nAtoms # %s\n\n",
-                                               env->atoms->style.is_hybrid ? "hybrid" : style));
-    hs_status status = hs_rows_write(&rows, writer, env->parallel, err);
+        HS_UNLESS_FAILED(
+            err, hs_writer_printf(writer, err, "\nAtoms # %s\n\n", env->atoms->style.is_hybrid ? "hybrid" : style));
+    hs_status status = hs_text_rows_write(&rows, writer, env->parallel, err);
     if (status == HS_OK) {
         if (writer != NULL) HS_UNLESS_FAILED(err, hs_writer_printf(writer, err, "\nVelocities\n\n"));
         rows.format = append_velocity;
-        status = hs_rows_write(&rows, writer, env->parallel, err);
+        status = hs_text_rows_write(&rows, writer, env->parallel, err);
     }
     HS_FREE(order);
     return status;

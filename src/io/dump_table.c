@@ -236,13 +236,13 @@ static hs_status write_snapshot(hs_dump *dump, hs_writer *writer, hs_error *err)
     if (!table->no_header && writer != NULL)
         HS_UNLESS_FAILED(err, table->layout->has_atom_header ? write_item_header(dump, writer, err)
                                                              : write_xyz_header(dump, writer, err));
-    const hs_rows rows = {.n = table->n_rows,
-                          .is_descending = table->is_descending,
-                          .by_rank = table->is_unsorted,
-                          .key = hs_dump_key,
-                          .format = append_row,
-                          .context = dump};
-    return hs_rows_write(&rows, writer, dump->env->parallel, err);
+    const hs_text_rows rows = {.n = table->n_rows,
+                               .is_descending = table->is_descending,
+                               .by_rank = table->is_unsorted,
+                               .key = hs_dump_key,
+                               .format = append_row,
+                               .context = dump};
+    return hs_text_rows_write(&rows, writer, dump->env->parallel, err);
 }
 
 /** dump_modify maxfiles: remember the new file and delete the one written max_files snapshots ago. */

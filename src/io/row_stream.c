@@ -51,7 +51,7 @@ static size_t piece_bytes(const hs_parallel *parallel)
 }
 
 /** Make the text of this rank's next rows. */
-static hs_status fill(piece *p, const hs_rows *rows, const hs_parallel *parallel, hs_error *err)
+static hs_status fill(piece *p, const hs_text_rows *rows, const hs_parallel *parallel, hs_error *err)
 {
     const size_t n_bytes = piece_bytes(parallel);
     hs_text_clear(&p->text);
@@ -75,7 +75,7 @@ typedef struct announcement {
 
 /** Send all rows of this rank to the first one, piece by piece. When the text of a row cannot be made the others must not
  *  wait for it: an empty last piece ends the rows, and the error is agreed on later. */
-static void send_rows(const hs_rows *rows, const hs_parallel *parallel, hs_error *err)
+static void send_rows(const hs_text_rows *rows, const hs_parallel *parallel, hs_error *err)
 {
     piece p = {0};
     do {
@@ -124,7 +124,7 @@ static void receive_piece(piece *p, const hs_parallel *parallel, int rank, hs_er
 }
 
 /** Bring a rank's piece to its next row; false when it has none left. */
-static bool advance(piece *p, int rank, const hs_rows *rows, const hs_parallel *parallel, hs_error *err)
+static bool advance(piece *p, int rank, const hs_text_rows *rows, const hs_parallel *parallel, hs_error *err)
 {
     while (p->next == p->n) {
         if (p->is_last) return false;
@@ -162,7 +162,8 @@ static void sift_down(merge *m, int root)
 }
 
 /** First rank: take rows off the ranks in order. After an error all rows are still taken, so that nobody waits. */
-static void merge_rows(merge *m, const hs_rows *rows, hs_writer *writer, const hs_parallel *parallel, hs_error *err)
+static void merge_rows(merge *m, const hs_text_rows *rows, hs_writer *writer, const hs_parallel *parallel,
+                       hs_error *err)
 {
     for (int rank = 0; rank < parallel->n_ranks; ++rank)
         if (advance(&m->piece[rank], rank, rows, parallel, err)) m->heap[m->n++] = rank;
@@ -178,7 +179,7 @@ static void merge_rows(merge *m, const hs_rows *rows, hs_writer *writer, const h
 }
 
 /** One rank: no keys, no pieces. */
-static hs_status write_alone(const hs_rows *rows, hs_writer *writer, hs_error *err)
+static hs_status write_alone(const hs_text_rows *rows, hs_writer *writer, hs_error *err)
 {
     hs_text text = {0};
     hs_status status = HS_OK;
@@ -191,7 +192,7 @@ static hs_status write_alone(const hs_rows *rows, hs_writer *writer, hs_error *e
     return status;
 }
 
-hs_status hs_rows_write(const hs_rows *rows, hs_writer *writer, const hs_parallel *parallel, hs_error *err)
+hs_status hs_text_rows_write(const hs_text_rows *rows, hs_writer *writer, const hs_parallel *parallel, hs_error *err)
 {
     merge m = {.is_descending = rows->is_descending && !rows->by_rank};
     if (parallel->n_ranks <= 1) return err->status != HS_OK ? err->status : write_alone(rows, writer, err);

@@ -16,7 +16,7 @@ typedef struct hs_row_key {
 } hs_row_key;
 
 /** The rows of this rank. */
-typedef struct hs_rows {
+typedef struct hs_text_rows {
     int64_t n;
     bool is_descending; /**< by value; ids always ascend. The same on all ranks */
     bool by_rank;       /**< all rows of a rank before those of the next; keys are not asked for */
@@ -25,13 +25,14 @@ typedef struct hs_rows {
     /** Append row k and its newline to text. */
     HS_MUST_USE hs_status (*format)(const void *context, int64_t k, hs_text *text, hs_error *err);
     const void *context;
-} hs_rows;
+} hs_text_rows;
 
 /** Which of two keys comes first: < 0, 0, > 0. */
 int hs_row_compare(const hs_row_key *a, const hs_row_key *b, bool is_descending);
 
 /** Write the rows of all ranks. @p writer is the first rank's; NULL on the others. Collective, errors agreed: one that a
  *  rank holds in @p err already stops all before anything is written. */
-HS_MUST_USE hs_status hs_rows_write(const hs_rows *rows, hs_writer *writer, const hs_parallel *parallel, hs_error *err);
+HS_MUST_USE hs_status hs_text_rows_write(const hs_text_rows *rows, hs_writer *writer, const hs_parallel *parallel,
+                                         hs_error *err);
 
 #endif

@@ -162,6 +162,14 @@ void hs_parallel_broadcast(const hs_parallel *parallel, int root, void *bytes, s
     FOR_PIECES(n, at, length) MPI_Bcast((char *)bytes + at, (int)length, MPI_BYTE, root, MPI_COMM_WORLD);
 }
 
+void hs_parallel_gather_int64(const hs_parallel *parallel, int64_t value, int64_t *values)
+{
+    if (parallel->n_ranks <= 1)
+        values[0] = value;
+    else
+        MPI_Allgather(&value, 1, MPI_INT64_T, values, 1, MPI_INT64_T, MPI_COMM_WORLD);
+}
+
 /* Messages of the halo have the tag 0 (messages.c). */
 enum { TAG_BYTES = 1 };
 

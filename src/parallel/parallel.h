@@ -40,6 +40,8 @@ void hs_parallel_min_double(const hs_parallel *parallel, double *values, int n);
 void hs_parallel_max_int64(const hs_parallel *parallel, int64_t *values, int n);
 /** Bytes of the rank @p root to all (collective). */
 void hs_parallel_broadcast(const hs_parallel *parallel, int root, void *bytes, size_t n);
+/** values[rank] = the value of each rank (collective). */
+void hs_parallel_gather_int64(const hs_parallel *parallel, int64_t value, int64_t *values);
 /** Bytes from one rank to another; both calls wait for the other. Not for halos: see messages.h. */
 void hs_parallel_send(const hs_parallel *parallel, int to, const void *bytes, size_t n);
 void hs_parallel_receive(const hs_parallel *parallel, int from, void *bytes, size_t n);
