@@ -75,6 +75,8 @@ static hs_status parse(const hs_cli *cli, bench *plan, hs_error *err)
         if (strcmp(option->name, "-repeat") == 0) HS_TRY(parse_count("-repeat", value, 1000, &plan->repeat, err));
         if (strcmp(option->name, "-threads") == 0) HS_TRY(parse_list(plan, "-threads", value, add_threads, err));
         if (strcmp(option->name, "-precision") == 0) HS_TRY(hs_cli_parse_precision(value, &plan->options, err));
+        if (strcmp(option->name, "-reproducible") == 0)
+            HS_TRY(hs_cli_parse_reproducible(value, &plan->options, err));
         if (strcmp(option->name, "-isa") == 0) HS_TRY(hs_cli_parse_isa(value, &plan->options, err));
         if (strcmp(option->name, "-neigh") == 0) HS_TRY(parse_list(plan, "-neigh", value, add_method, err));
     }

@@ -70,6 +70,8 @@ typedef struct hs_cli_settings {
 HS_MUST_USE hs_status hs_cli_parse(const hs_cli *cli, unsigned command, hs_cli_settings *settings, hs_error *err);
 /** Give the deck the variables of -var. The words must have passed hs_cli_parse. */
 HS_MUST_USE hs_status hs_cli_set_variables(const hs_cli *cli, unsigned command, hs_deck *deck, hs_error *err);
+/** Value of -reproducible. */
+HS_MUST_USE hs_status hs_cli_parse_reproducible(const char *word, hs_options *options, hs_error *err);
 /** Value of -precision. */
 HS_MUST_USE hs_status hs_cli_parse_precision(const char *word, hs_options *options, hs_error *err);
 /** Value of -isa: an instruction set that kernels exist for and this machine has. */

@@ -40,6 +40,8 @@ const hs_cli_option hs_cli_options[] = {
     {"-neigh", NULL, "METHOD", RUN | RESUME | CHECK, "neighbor method; wins over the deck's neighbor_method"},
     {"-precision", NULL, "double|mixed", RUN | RESUME | CHECK | BENCH,
      "precision of the pair forces; wins over the deck's `precision`"},
+    {"-reproducible", NULL, "on|off", RUN | RESUME | CHECK | BENCH,
+     "same bits on any threads and ranks (default: on in double precision); wins over the deck's `reproducible`"},
     {"-isa", NULL, "NAME", RUN | RESUME | CHECK | BENCH,
      "instruction set of the kernels (default: auto, the widest of this machine)"},
     {"-ranks", NULL, "LIST", CHECK,
@@ -144,6 +146,14 @@ hs_status hs_cli_parse_precision(const char *word, hs_options *options, hs_error
     return HS_OK;
 }
 
+hs_status hs_cli_parse_reproducible(const char *word, hs_options *options, hs_error *err)
+{
+    if (strcmp(word, "on") != 0 && strcmp(word, "off") != 0)
+        return hs_fail(err, HS_ERROR_INPUT, "-reproducible: '%s' is neither on nor off", word);
+    options->reproducible = word[1] == 'n' ? HS_REPRODUCIBLE_ON : HS_REPRODUCIBLE_OFF;
+    return HS_OK;
+}
+
 hs_status hs_cli_parse_isa(const char *word, hs_options *options, hs_error *err)
 {
     hs_isa isa;
@@ -237,6 +247,7 @@ static hs_status parse_option(const hs_cli *cli, const hs_cli_option *option, in
     if (strcmp(option->name, "-threads") == 0) return parse_threads(value, settings, err);
     if (strcmp(option->name, "-neigh") == 0) return parse_method(value, settings, err);
     if (strcmp(option->name, "-precision") == 0) return hs_cli_parse_precision(value, &settings->options, err);
+    if (strcmp(option->name, "-reproducible") == 0) return hs_cli_parse_reproducible(value, &settings->options, err);
     if (strcmp(option->name, "-isa") == 0) return hs_cli_parse_isa(value, &settings->options, err);
     if (strcmp(option->name, "-ranks") == 0) return parse_ranks(value, settings, err);
     if (strcmp(option->name, "-speed") == 0) return parse_speed(value, settings, err);

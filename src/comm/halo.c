@@ -214,6 +214,14 @@ static hs_status reserve_atoms(hs_halo *halo, hs_atoms *atoms, hs_error *err)
     return HS_OK;
 }
 
+/** Vectors may reach beyond the last atom. What they load there is masked, but must be numbers: the memory may have held
+ *  fixed-point forces, and some integers are the patterns of NaN. */
+static void clear_padding(const hs_atoms *atoms)
+{
+    for (int axis = 0; axis < 3; ++axis)
+        memset(atoms->x[axis] + atoms->n_local + atoms->n_halo, 0, HS_ATOMS_PAD * sizeof(double));
+}
+
 hs_status hs_halo_build(hs_halo *halo, const hs_domain *domain, const hs_parallel *parallel, const hs_box *box,
                         hs_atoms *atoms, double reach, hs_error *err)
 {
@@ -232,6 +240,7 @@ hs_status hs_halo_build(hs_halo *halo, const hs_domain *domain, const hs_paralle
     halo->generation = atoms->generation;
 #pragma omp parallel for schedule(static)
     for (int k = 0; k < halo->n; ++k) halo->slot[k] = k;
+    clear_padding(atoms);
     hs_halo_forward(halo, atoms);
     return HS_OK;
 }

@@ -58,10 +58,11 @@ void hs_halo_forward(const hs_halo *halo, hs_atoms *atoms);
 void hs_halo_forward_positions(const hs_halo *halo, const hs_atoms *atoms, double *const position[3]);
 /** Copy any per-atom array of @p size bytes an atom, with room for the halo, to the halo. Collective. */
 void hs_halo_forward_array(const hs_halo *halo, const hs_atoms *atoms, void *values, size_t size);
-/** Add forces of halo atoms to their sources. The order of additions does not depend on the number of threads. Collective. */
-void hs_halo_reverse(const hs_halo *halo, hs_atoms *atoms);
+/** Add forces of halo atoms to their sources. The order of additions does not depend on the number of threads. Collective.
+ *  @p is_fixed: the forces are 64-bit integers in the place of doubles (fixed point). */
+void hs_halo_reverse(const hs_halo *halo, hs_atoms *atoms, bool is_fixed);
 /** The same for any three per-atom arrays (torques). Collective. */
-void hs_halo_reverse_arrays(const hs_halo *halo, const hs_atoms *atoms, double *const values[3]);
+void hs_halo_reverse_arrays(const hs_halo *halo, const hs_atoms *atoms, double *const values[3], bool is_fixed);
 void hs_halo_fini(hs_halo *halo);
 
 #endif

@@ -145,10 +145,17 @@ void hs_halo_forward_fields(const hs_halo *halo, hs_atoms *atoms)
     flush(&b);
 }
 
-/** The one addition of the reverse exchange. */
-static inline void add_back(double *to, double value) { *to += value; }
+/** The one addition of the reverse exchange; in fixed point both are integers. */
+static inline void add_back(double *to, const double *value, bool is_fixed)
+{
+    typedef uint64_t __attribute__((may_alias)) integer;
+    if (is_fixed)
+        *(integer *)to += *(const integer *)value;
+    else
+        *to += *value;
+}
 
-void hs_halo_reverse_arrays(const hs_halo *halo, const hs_atoms *atoms, double *const values[3])
+void hs_halo_reverse_arrays(const hs_halo *halo, const hs_atoms *atoms, double *const values[3], bool is_fixed)
 {
     const int n_local = atoms->n_local;
 #pragma omp parallel for schedule(static)
@@ -162,7 +169,7 @@ void hs_halo_reverse_arrays(const hs_halo *halo, const hs_atoms *atoms, double *
 #pragma omp for schedule(static)
         for (int k = block->begin; k < block->end; ++k)
             for (int axis = 0; axis < 3; ++axis)
-                add_back(&values[axis][halo->source[k]], values[axis][n_local + halo->slot[k]]);
+                add_back(&values[axis][halo->source[k]], &values[axis][n_local + halo->slot[k]], is_fixed);
     }
     hs_messages_wait(&halo->reverse);
     if (halo->out.n == halo->out.n_self_atoms) return;
@@ -172,8 +179,11 @@ void hs_halo_reverse_arrays(const hs_halo *halo, const hs_atoms *atoms, double *
 #pragma omp for schedule(static)
         for (int k = block->begin; k < block->end; ++k)
             for (int axis = 0; axis < 3; ++axis)
-                add_back(&values[axis][halo->source[k]], words_of(&halo->out, k)[axis]);
+                add_back(&values[axis][halo->source[k]], &words_of(&halo->out, k)[axis], is_fixed);
     }
 }
 
-void hs_halo_reverse(const hs_halo *halo, hs_atoms *atoms) { hs_halo_reverse_arrays(halo, atoms, atoms->f); }
+void hs_halo_reverse(const hs_halo *halo, hs_atoms *atoms, bool is_fixed)
+{
+    hs_halo_reverse_arrays(halo, atoms, atoms->f, is_fixed);
+}

@@ -1,5 +1,5 @@
 /* Commands of the neighbor search and of communication: neighbor, neigh_modify, neighbor_method,
- * precision, comm_modify, comm_style. */
+ * precision, reproducible, comm_modify, comm_style. */
 #include <string.h>
 
 #include "base/memory.h"
@@ -202,6 +202,26 @@ static hs_status check_precision(const hs_args *args, bool has_variables, hs_err
     return hs_precision_get(args->word[0], &scratch, err);
 }
 
+static hs_status run_reproducible(hs_deck *deck, const hs_args *args, hs_error *err)
+{
+    hs_sim *sim = deck->sim;
+    bool is_on;
+    HS_TRY(hs_arg_bool(args, 0, &is_on, err));
+    sim->is_initialized = false;
+    sim->reproducible = sim->options.reproducible != HS_REPRODUCIBLE_DEFAULT ? sim->options.reproducible
+                        : is_on                                              ? HS_REPRODUCIBLE_ON
+                                                                             : HS_REPRODUCIBLE_OFF;
+    return HS_OK;
+}
+
+static hs_status check_reproducible(const hs_args *args, bool has_variables, hs_error *err)
+{
+    bool is_on;
+    (void)has_variables;
+    if (args->n == 0 || strchr(args->word[0], '$') != NULL) return HS_OK;
+    return hs_arg_bool(args, 0, &is_on, err);
+}
+
 static const hs_keyword comm_keywords[] = {
     {"cutoff", 1, "<distance>", "accepted: the halo is as wide as the forces need"},
     {"mode", 1, "single", "one cutoff for all atoms"},
@@ -279,6 +299,23 @@ const hs_command hs_commands_neighbor[] = {
                .example = "precision mixed"},
      .run = run_precision,
      .check = check_precision},
+    {.about =
+         {.name = "reproducible",
+          .syntax = {.usage = "on|off", .n_min = 1, .n_max = 1},
+          .summary = "the same bits on any number of threads and ranks (Halfshell's own command)",
+          .details =
+              "`on` (default in double precision) gives the same bits of positions, velocities and thermo output on "
+              "any "
+              "number of threads and ranks, with any neighbor method, with AVX2 and AVX-512 kernels, and after any "
+              "restart: positions are kept on a grid of a power of two (some 1e-14 of the box), forces and energies "
+              "of pairs are added as 64-bit integers, sums over atoms are exact. The SSE2 and portable kernels, which "
+              "have no fused "
+              "multiply-add, are reproducible among themselves. `off` adds in floating point, a little faster. It is "
+              "off in mixed precision, "
+              "where `on` is refused. The command line's `-reproducible` wins over the deck.",
+          .example = "reproducible off"},
+     .run = run_reproducible,
+     .check = check_reproducible},
     {.about = {.name = "comm_modify",
                .syntax = {.usage = "<keyword> <value> ...", .n_min = 0, .n_max = 0, .keywords = comm_keywords},
                .summary = "settings of LAMMPS's ghost atoms, accepted where they change no result",

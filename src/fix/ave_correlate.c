@@ -84,15 +84,17 @@ static hs_status read_keywords(correlate_state *state, const hs_args *args, int 
 static hs_status check_numbers(const correlate_state *state, const hs_args *args, hs_error *err)
 {
     if (state->freq % state->every != 0)
-        return hs_fail(err, HS_ERROR_INPUT,
-                       "%s: output comes every %lld steps (Nfreq), which must be a multiple of the %lld steps between samples "
-                       "(Nevery)",
-                       args->command, (long long)state->freq, (long long)state->every);
+        return hs_fail(
+            err, HS_ERROR_INPUT,
+            "%s: output comes every %lld steps (Nfreq), which must be a multiple of the %lld steps between samples "
+            "(Nevery)",
+            args->command, (long long)state->freq, (long long)state->every);
     if (!state->is_running && state->freq < (state->n_lags - 1) * state->every)
-        return hs_fail(err, HS_ERROR_INPUT,
-                       "%s: with ave one, %d lags of %lld steps do not fit into the %lld steps (Nfreq) between outputs; 'ave "
-                       "running' goes on over them",
-                       args->command, state->n_lags, (long long)state->every, (long long)state->freq);
+        return hs_fail(
+            err, HS_ERROR_INPUT,
+            "%s: with ave one, %d lags of %lld steps do not fit into the %lld steps (Nfreq) between outputs; 'ave "
+            "running' goes on over them",
+            args->command, state->n_lags, (long long)state->every, (long long)state->freq);
     return HS_OK;
 }
 
@@ -127,8 +129,9 @@ static hs_status create(hs_fix *fix, const hs_args *args, hs_error *err)
     HS_TRY(check_numbers(state, args, err));
     HS_TRY(make_pairs(state, err));
     if (state->n_pairs == 0)
-        return hs_fail(err, HS_ERROR_INPUT, "%s: one value has no pairs of type %s; 'type auto' correlates it with itself",
-                       args->command, pair_types[state->type]);
+        return hs_fail(err, HS_ERROR_INPUT,
+                       "%s: one value has no pairs of type %s; 'type auto' correlates it with itself", args->command,
+                       pair_types[state->type]);
     const size_t n = (size_t)state->n_lags, n_pairs = (size_t)state->n_pairs;
     HS_TRY(HS_ALLOC(state->sample, n * (size_t)state->n_values, err));
     HS_TRY(HS_ALLOC(state->sum, n * n_pairs, err));
@@ -181,7 +184,7 @@ static bool needs_energy(const hs_fix *fix, int64_t step)
 /** Products of the latest sample with each of the ring. */
 static void accumulate(correlate_state *state)
 {
-    const double *new = state->sample + (size_t)state->last * (size_t)state->n_values;
+    const double *new = state->sample + (size_t)state->last *(size_t)state->n_values;
     int at = state->last;
     for (int lag = 0; lag < state->n_samples; ++lag) {
         const double *old = state->sample + (size_t)at * (size_t)state->n_values;
@@ -274,24 +277,26 @@ static hs_status keep_state(hs_fix *fix, hs_state *kept, hs_error *err)
 }
 
 const hs_fix_style hs_fix_style_ave_correlate = {
-    .about = {.name = "ave/correlate",
-              .syntax = {.usage = "<Nevery> <Nrepeat> <Nfreq> <value> ... [keyword value ...]",
-                         .n_min = 4,
-                         .n_max = -1,
-                         .keywords = keywords},
-              .summary = "time correlations of numbers",
-              .details =
-                  "Values are numbers: `c_ID`, `c_ID[i]`, `f_ID`, `f_ID[i]`, `v_name`, ranges as in `c_ID[*]`. They are "
-                  "sampled every Nevery steps, and products V_i(s) V_j(s + t) of samples up to Nrepeat - 1 samples apart are "
-                  "averaged over all s. Results come every Nfreq steps. With `ave one` averages start anew then; with `ave "
-                  "running` they go on.\n\n"
-                  "`f_ID[i][j]` is an array of Nrepeat rows: the time t in steps, the number of samples, and one column for "
-                  "each pair of values: each value with itself (`type auto`), those with i < j (`upper`), i > j (`lower`), "
-                  "both kinds, or all (`full`). `trap(f_ID[3])` in a formula integrates the first of them. A sample costs "
-                  "Nrepeat products for each pair. The group has no meaning.",
-              .reference = "R. Kubo, J. Phys. Soc. Jpn. 12, 570 (1957), doi:10.1143/JPSJ.12.570",
-              .example = "variable pxy equal pxy\nfix SS all ave/correlate 5 400 2000 v_pxy type auto file profile.gk ave "
-                         "running"},
+    .about =
+        {.name = "ave/correlate",
+         .syntax = {.usage = "<Nevery> <Nrepeat> <Nfreq> <value> ... [keyword value ...]",
+                    .n_min = 4,
+                    .n_max = -1,
+                    .keywords = keywords},
+         .summary = "time correlations of numbers",
+         .details =
+             "Values are numbers: `c_ID`, `c_ID[i]`, `f_ID`, `f_ID[i]`, `v_name`, ranges as in `c_ID[*]`. They are "
+             "sampled every Nevery steps, and products V_i(s) V_j(s + t) of samples up to Nrepeat - 1 samples apart "
+             "are "
+             "averaged over all s. Results come every Nfreq steps. With `ave one` averages start anew then; with `ave "
+             "running` they go on.\n\n"
+             "`f_ID[i][j]` is an array of Nrepeat rows: the time t in steps, the number of samples, and one column for "
+             "each pair of values: each value with itself (`type auto`), those with i < j (`upper`), i > j (`lower`), "
+             "both kinds, or all (`full`). `trap(f_ID[3])` in a formula integrates the first of them. A sample costs "
+             "Nrepeat products for each pair. The group has no meaning.",
+         .reference = "R. Kubo, J. Phys. Soc. Jpn. 12, 570 (1957), doi:10.1143/JPSJ.12.570",
+         .example = "variable pxy equal pxy\nfix SS all ave/correlate 5 400 2000 v_pxy type auto file profile.gk ave "
+                    "running"},
     .state_size = sizeof(correlate_state),
     .create = create,
     .destroy = destroy,

@@ -70,17 +70,17 @@ static inline hs_status brownian_init(hs_fix *fix, hs_error *err)
 }
 
 /** One axis of brownian_translate; without @p is_all, atoms of other groups stay. */
-static inline void brownian_translate_axis(const brownian_state *state, double dt, const uint32_t *restrict group,
-                                           uint32_t mask, int n, const double *restrict f,
-                                           const double *restrict number, double *restrict x, double *restrict v,
-                                           const bool is_all)
+static inline void brownian_translate_axis(const brownian_state *state, double dt, double magic,
+                                           const uint32_t *restrict group, uint32_t mask, int n,
+                                           const double *restrict f, const double *restrict number, double *restrict x,
+                                           double *restrict v, const bool is_all)
 {
     const double drift = state->drift, kick = state->kick;
     for (int i = 0; i < n; ++i) {
         const bool is_moved = is_all || (group[i] & mask) != 0;
         const double v_new = drift * f[i] + kick * number[i];
         v[i] = is_moved ? v_new : v[i];
-        x[i] = is_moved ? x[i] + dt * v_new : x[i];
+        x[i] = is_moved ? hs_moved(x[i], dt * v_new, magic) : x[i];
     }
 }
 
@@ -95,9 +95,11 @@ static inline void brownian_translate(const hs_fix *fix, int begin, int n, const
         double *x = atoms->x[axis] + begin, *v = atoms->v[axis] + begin;
         const double *f = atoms->f[axis] + begin, *number = noise->number[axis];
         if (fix->group == 0) /* group all: half as many instructions */
-            brownian_translate_axis(fix->state, dt, group, fix->mask, n, f, number, x, v, true);
+            brownian_translate_axis(fix->state, dt, fix->env->position_magic, group, fix->mask, n, f, number, x, v,
+                                    true);
         else
-            brownian_translate_axis(fix->state, dt, group, fix->mask, n, f, number, x, v, false);
+            brownian_translate_axis(fix->state, dt, fix->env->position_magic, group, fix->mask, n, f, number, x, v,
+                                    false);
     }
 }
 

@@ -30,7 +30,8 @@ static inline void move(const hs_fix *fix, bool drift)
 {
     const nve_state *nve = fix->state;
     const hs_atoms *atoms = fix->env->atoms;
-    const double *half_kick = nve->half_kick, half_dt = nve->half_dt, dt = drift ? fix->env->dt : 0.0;
+    const double *half_kick = nve->half_kick, half_dt = nve->half_dt, dt = drift ? fix->env->dt : 0.0,
+                 magic = fix->env->position_magic;
     const uint32_t mask = fix->mask;
 #pragma omp parallel
     for (int axis = 0; axis < 3; ++axis) {
@@ -43,7 +44,7 @@ static inline void move(const hs_fix *fix, bool drift)
             const bool is_moved = (group[i] & mask) != 0;
             const double v_new = v[i] + (rmass != NULL ? half_dt / rmass[i] : half_kick[type[i]]) * f[i];
             v[i] = is_moved ? v_new : v[i];
-            if (drift) x[i] = is_moved ? x[i] + dt * v_new : x[i];
+            if (drift) x[i] = is_moved ? hs_moved(x[i], dt * v_new, magic) : x[i];
         }
     }
 }

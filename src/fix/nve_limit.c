@@ -36,7 +36,8 @@ static void move(hs_fix *fix, bool drift)
         n_limited += is_limited;
         for (int axis = 0; axis < 3; ++axis) {
             atoms->v[axis][i] = scale * v[axis];
-            if (drift) atoms->x[axis][i] += dt * atoms->v[axis][i];
+            if (drift)
+                atoms->x[axis][i] = hs_moved(atoms->x[axis][i], dt * atoms->v[axis][i], fix->env->position_magic);
         }
     }
     state->n_limited += n_limited;

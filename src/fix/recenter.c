@@ -97,7 +97,8 @@ static hs_status post_integrate(hs_fix *fix, hs_error *err)
         state->shift[axis] = shift;
 #pragma omp parallel for schedule(static)
         for (int i = 0; i < atoms->n_local; ++i)
-            if (atoms->mask[i] & state->shifted) atoms->x[axis][i] += shift;
+            if (atoms->mask[i] & state->shifted)
+                atoms->x[axis][i] = hs_moved(atoms->x[axis][i], shift, fix->env->position_magic);
     }
     return HS_OK;
 }

@@ -159,7 +159,6 @@ static hs_status work_cluster(hs_force_space *space, const hs_force_job *job, in
     const hs_cluster_kernel kernel =
         job->evaluator->set[job->isa][job->precision]->cluster[job->with_energy][!job->input.table->is_uniform][0];
     const int64_t n_room = (int64_t)job->atoms->n_local + job->atoms->n_halo + HS_ATOMS_PAD;
-    hs_kernel_output out = {.f = {buffer->f[0], buffer->f[1], buffer->f[2]}};
     int begin, end;
     chunks_of_thread(list, thread, space->n_threads, &begin, &end);
     for (int k = begin; k < end; ++k) {
@@ -170,10 +169,10 @@ static hs_status work_cluster(hs_force_space *space, const hs_force_job *job, in
             const int first_entry = chunk->start[ci - chunk->begin],
                       n = chunk->start[ci - chunk->begin + 1] - first_entry;
             if (n > 0)
-                kernel(&job->input, &out, job->clusters->local.entry[ci].first, chunk->entries.entry + first_entry, n);
+                kernel(&job->input, &buffer->out, job->clusters->local.entry[ci].first,
+                       chunk->entries.entry + first_entry, n);
         }
     }
-    hs_force_add_output(buffer, &out);
     return HS_OK;
 }
 

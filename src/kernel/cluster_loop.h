@@ -3,12 +3,13 @@
  *  Included by kernel/instantiate.h after the file of a pair style has defined evaluate() and N_PARAMS. The three bools
  *  are constants where it is called, so the compiler makes a kernel of its own for each combination. */
 
-#define HS_INLINE static inline __attribute__((always_inline))
+#include "kernel/accumulate.h"
 
 /** Sums over the pairs of one i-cluster, in vectors: minus the forces on the i-atoms, energy, virial. */
 typedef struct cluster_sums {
-    hs_vec f[HS_CLUSTER][3];
-    hs_vec energy, virial[6];
+    hs_acc f[HS_CLUSTER][3];
+    hs_acc energy, virial[6];
+    hs_vec peak_force, peak_energy; /**< fixed point: the largest force/r and energy */
 } cluster_sums;
 
 /** What stays the same over the list of one i-cluster. */
@@ -18,12 +19,25 @@ typedef struct cluster_constants {
     double origin[3], listed_origin[3];        /**< coordinates are relative to these in single precision */
     hs_real x[3][HS_CLUSTER];                  /**< of the i-atoms */
     hs_real x_listed[3][HS_CLUSTER];           /**< when the list was due; only with listed_only */
+    hs_magic magic_force, magic_energy;
 } cluster_constants;
+
+/** virial += d F of the pairs of one vector, F = force_over_r d. */
+HS_INLINE void add_virial(hs_acc virial[6], hs_vec force_over_r, hs_vec dx, hs_vec dy, hs_vec dz, hs_magic magic)
+{
+    const hs_vec fx = force_over_r * dx, fy = force_over_r * dy, fz = force_over_r * dz;
+    hs_acc_add_product(&virial[0], dx, fx, magic);
+    hs_acc_add_product(&virial[1], dy, fy, magic);
+    hs_acc_add_product(&virial[2], dz, fz, magic);
+    hs_acc_add_product(&virial[3], dx, fy, magic);
+    hs_acc_add_product(&virial[4], dx, fz, magic);
+    hs_acc_add_product(&virial[5], dy, fz, magic);
+}
 
 /** One row of one vector: i-atom `row` against the j-atoms at x_j; adds to sums and to the j-atoms' reaction. */
 HS_INLINE void row_pairs(const hs_kernel_input *in, const cluster_constants *constants, int row, const hs_vec x_j[3],
                          const hs_vec *params, hs_msk listed, const hs_cluster_entry *entry, int sub,
-                         cluster_sums *sums, hs_vec reaction[3], bool with_energy, bool listed_only)
+                         cluster_sums *sums, hs_acc reaction[3], bool with_energy, bool listed_only)
 {
     /* from i to j, so that the i-atom's coordinate can be broadcast by the subtraction itself */
     const hs_real(*x_i)[HS_CLUSTER] = constants->x;
@@ -36,27 +50,25 @@ HS_INLINE void row_pairs(const hs_kernel_input *in, const cluster_constants *con
         const hs_vec lx = hs_load_clusters(in->x_listed[0], from[0], entry, sub) - hs_set1(constants->x_listed[0][row]);
         const hs_vec ly = hs_load_clusters(in->x_listed[1], from[1], entry, sub) - hs_set1(constants->x_listed[1][row]);
         const hs_vec lz = hs_load_clusters(in->x_listed[2], from[2], entry, sub) - hs_set1(constants->x_listed[2][row]);
-        const hs_vec listed_r2 = hs_fma(lz, lz, hs_fma(ly, ly, lx * lx));
+        const hs_vec listed_r2 = lx * lx + ly * ly + lz * lz; /* rounded as in refine.c: the same pairs in both */
         mask = hs_mask_and(mask, hs_less(listed_r2, params[HS_TABLE_LISTED_R2]));
     }
     hs_vec force_over_r, energy = hs_set1(0.0);
     evaluate(params + HS_TABLE_PARAMS, r2, &force_over_r, &energy, with_energy);
     force_over_r = hs_keep(mask, force_over_r);
-    const hs_vec fx = force_over_r * dx, fy = force_over_r * dy, fz = force_over_r * dz;
-    sums->f[row][0] += fx;
-    sums->f[row][1] += fy;
-    sums->f[row][2] += fz;
-    reaction[0] += fx;
-    reaction[1] += fy;
-    reaction[2] += fz;
+    hs_acc_note_peak(&sums->peak_force, force_over_r);
+    const hs_acc term[3] = {hs_acc_term(force_over_r, dx, constants->magic_force),
+                            hs_acc_term(force_over_r, dy, constants->magic_force),
+                            hs_acc_term(force_over_r, dz, constants->magic_force)};
+    for (int axis = 0; axis < 3; ++axis) {
+        sums->f[row][axis] += term[axis];
+        reaction[axis] += term[axis];
+    }
     if (with_energy) {
-        sums->energy += hs_keep(mask, energy);
-        sums->virial[0] = hs_fma(dx, fx, sums->virial[0]);
-        sums->virial[1] = hs_fma(dy, fy, sums->virial[1]);
-        sums->virial[2] = hs_fma(dz, fz, sums->virial[2]);
-        sums->virial[3] = hs_fma(dx, fy, sums->virial[3]);
-        sums->virial[4] = hs_fma(dx, fz, sums->virial[4]);
-        sums->virial[5] = hs_fma(dy, fz, sums->virial[5]);
+        energy = hs_keep(mask, energy);
+        hs_acc_note_peak(&sums->peak_energy, energy);
+        hs_acc_add(&sums->energy, energy, constants->magic_energy);
+        add_virial(sums->virial, force_over_r, dx, dy, dz, constants->magic_energy);
     }
 }
 
@@ -65,7 +77,8 @@ HS_INLINE cluster_constants make_constants(const hs_kernel_input *in, int first,
 {
     const hs_pair_table *table = in->table;
     const int stride = HS_TABLE_PARAMS + N_PARAMS;
-    cluster_constants constants = {.row_table = {NULL}};
+    cluster_constants constants = {.magic_force = hs_magic_of(in->magic_force),
+                                   .magic_energy = hs_magic_of(in->magic_energy)};
     const double *values = table->values + (size_t)(table->n_types + 1) * (size_t)stride;
     for (int row = 0; row < HS_CLUSTER && by_type; ++row)
         constants.row_table[row] = table->values + (size_t)in->type[first + row] * (size_t)(table->n_types * stride);
@@ -83,6 +96,28 @@ HS_INLINE cluster_constants make_constants(const hs_kernel_input *in, int first,
     return constants;
 }
 
+/** Of a set of rows: how many they are, and a 1 for each in its place of 16 bits. */
+static const unsigned char n_rows[16] = {0, 1, 1, 2, 1, 2, 2, 3, 1, 2, 2, 3, 2, 3, 3, 4};
+#define PLACE(row) ((uint64_t)1 << 16 * (row))
+static const uint64_t one_each[16] = {
+    0,
+    PLACE(0),
+    PLACE(1),
+    PLACE(0) + PLACE(1),
+    PLACE(2),
+    PLACE(0) + PLACE(2),
+    PLACE(1) + PLACE(2),
+    PLACE(0) + PLACE(1) + PLACE(2),
+    PLACE(3),
+    PLACE(0) + PLACE(3),
+    PLACE(1) + PLACE(3),
+    PLACE(0) + PLACE(1) + PLACE(3),
+    PLACE(2) + PLACE(3),
+    PLACE(0) + PLACE(2) + PLACE(3),
+    PLACE(1) + PLACE(2) + PLACE(3),
+    PLACE(0) + PLACE(1) + PLACE(2) + PLACE(3),
+};
+
 /** One vector of j-atoms against the i-atoms whose bits are set in `rows`. */
 HS_INLINE void vector_rows(const hs_kernel_input *in, hs_kernel_output *out, const hs_cluster_entry *entry, int sub,
                            const cluster_constants *constants, cluster_sums *sums, const uint32_t rows,
@@ -94,7 +129,7 @@ HS_INLINE void vector_rows(const hs_kernel_input *in, hs_kernel_output *out, con
                            hs_load_clusters(in->x[1], origin[1], entry, sub),
                            hs_load_clusters(in->x[2], origin[2], entry, sub)};
     const hs_masks masks = hs_masks_of(entry, sub);
-    hs_vec reaction[3] = {hs_set1(0.0), hs_set1(0.0), hs_set1(0.0)};
+    hs_acc reaction[3] = {hs_acc_zero(), hs_acc_zero(), hs_acc_zero()};
 #pragma GCC unroll 4
     for (int row = 0; row < HS_CLUSTER; ++row) {
         if ((rows >> row & 1u) == 0) continue;
@@ -105,7 +140,23 @@ HS_INLINE void vector_rows(const hs_kernel_input *in, hs_kernel_output *out, con
         row_pairs(in, constants, row, x_j, params, hs_masks_row(masks, row), entry, sub, sums, reaction, with_energy,
                   listed_only);
     }
-    for (int axis = 0; axis < 3; ++axis) hs_add_clusters(out->f[axis], entry, sub, reaction[axis]);
+    for (int axis = 0; axis < 3; ++axis) {
+        hs_acc_settle(&reaction[axis], n_rows[rows & 0xfu], constants->magic_force);
+        hs_acc_add_clusters(out->f[axis], entry, sub, reaction[axis]);
+    }
+}
+
+/** Groups of entries after which counts and energies are passed on: so many that sums of HS_FIXED_BITS bits fit 63. */
+enum { CHUNK_MAX = 1 << (63 - HS_FIXED_BITS - 5) };
+
+/** Pass on energy and virial of n terms. */
+HS_INLINE void report_energy(hs_kernel_output *out, const cluster_constants *constants, cluster_sums *sums, int64_t n)
+{
+    hs_acc_settle(&sums->energy, n, constants->magic_energy);
+    for (int k = 0; k < 6; ++k) hs_acc_settle(&sums->virial[k], n, constants->magic_energy);
+    hs_acc_report(out, sums->energy, sums->virial);
+    sums->energy = hs_acc_zero();
+    for (int k = 0; k < 6; ++k) sums->virial[k] = hs_acc_zero();
 }
 
 HS_INLINE void cluster_loop(const hs_kernel_input *in, hs_kernel_output *out, int first, const hs_cluster_entry *entry,
@@ -113,16 +164,29 @@ HS_INLINE void cluster_loop(const hs_kernel_input *in, hs_kernel_output *out, in
 {
     const cluster_constants constants = make_constants(in, first, by_type, listed_only);
     cluster_sums sums = {0};
-    for (int e = 0; e < n_entries; e += HS_GROUP) {
-        const uint32_t rows = entry[e].mask >> HS_ENTRY_ROWS_SHIFT;
-        for (int sub = 0; sub < HS_SUBS; ++sub) {
-            vector_rows(in, out, entry + e, sub, &constants, &sums, rows, with_energy, by_type, listed_only);
+    int64_t n_terms[HS_CLUSTER] = {0}; /* vectors that each i-atom met */
+    for (int begin = 0, end; begin < n_entries; begin = end) {
+        uint64_t count = 0; /* the same since begin, 16 bits for each i-atom: one addition counts for all four */
+        int64_t n_new = 0;
+        end = n_entries - begin > CHUNK_MAX * HS_GROUP ? begin + CHUNK_MAX * HS_GROUP : n_entries;
+        for (int e = begin; e < end; e += HS_GROUP) {
+            const uint32_t rows = entry[e].mask >> HS_ENTRY_ROWS_SHIFT;
+            for (int sub = 0; sub < HS_SUBS; ++sub)
+                vector_rows(in, out, entry + e, sub, &constants, &sums, rows, with_energy, by_type, listed_only);
+            count += one_each[rows & 0xfu];
         }
+        for (int row = 0; row < HS_CLUSTER; ++row) {
+            const int64_t n = (int64_t)(count >> 16 * row & 0xffff) * HS_SUBS;
+            n_terms[row] += n;
+            n_new += n;
+        }
+        if (with_energy) report_energy(out, &constants, &sums, n_new);
     }
     for (int row = 0; row < HS_CLUSTER; ++row)
-        for (int axis = 0; axis < 3; ++axis) out->f[axis][first + row] -= hs_sum(sums.f[row][axis]);
-    if (with_energy) {
-        out->energy += hs_sum(sums.energy);
-        for (int k = 0; k < 6; ++k) out->virial[k] += hs_sum(sums.virial[k]);
-    }
+        for (int axis = 0; axis < 3; ++axis) {
+            hs_acc_settle(&sums.f[row][axis], n_terms[row], constants.magic_force);
+            hs_acc_subtract_from(out->f[axis], first + row, sums.f[row][axis]);
+        }
+    hs_acc_report_peak(&out->peak_force, sums.peak_force);
+    if (with_energy) hs_acc_report_peak(&out->peak_energy, sums.peak_energy);
 }

@@ -1,5 +1,6 @@
 #include "kernel/force.h"
 
+#include <math.h>
 #include <string.h>
 
 #include "base/memory.h"
@@ -49,25 +50,56 @@ static void begin_thread(hs_force_buffer *buffer, int64_t n_atoms, bool is_ready
     memset(buffer->touched, is_ready, (size_t)n_blocks(n_atoms) + 1);
     memset(&buffer->error, 0, sizeof buffer->error);
     buffer->entries.n = 0;
-    buffer->energy = 0.0;
-    memset(buffer->virial, 0, sizeof buffer->virial);
+    buffer->out = (hs_kernel_output){.f = {buffer->f[0], buffer->f[1], buffer->f[2]}};
     memset(buffer->weight, 0, sizeof buffer->weight);
 }
 
+/** f[begin, end) += added; in fixed point both hold integers. */
+static void add_forces(double *restrict f, const double *restrict added, int64_t begin, int64_t end, bool is_fixed)
+{
+    typedef uint64_t __attribute__((may_alias)) integer;
+    if (is_fixed)
+        for (int64_t i = begin; i < end; ++i) ((integer *)f)[i] += ((const integer *)added)[i];
+    else
+        for (int64_t i = begin; i < end; ++i) f[i] += added[i];
+}
+
 /** Add what the other threads wrote in one block to thread 0's (the atoms') forces. */
-static void reduce_block(hs_force_space *space, int64_t block, int64_t n_room)
+static void reduce_block(hs_force_space *space, int64_t block, int64_t n_room, bool is_fixed)
 {
     const int64_t begin = block << HS_FORCE_BLOCK_BITS;
     const int64_t end = begin + HS_FORCE_BLOCK < n_room ? begin + HS_FORCE_BLOCK : n_room;
     for (int axis = 0; axis < 3; ++axis) {
-        double *restrict f = space->buffer[0].f[axis];
+        double *f = space->buffer[0].f[axis];
         if (!space->buffer[0].touched[block]) memset(f + begin, 0, (size_t)(end - begin) * sizeof(double));
         for (int t = 1; t < space->n_threads; ++t) {
-            if (!space->buffer[t].touched[block]) continue;
-            const double *restrict f_thread = space->buffer[t].f[axis];
-            for (int64_t i = begin; i < end; ++i) f[i] += f_thread[i];
+            if (space->buffer[t].touched[block]) add_forces(f, space->buffer[t].f[axis], begin, end, is_fixed);
         }
     }
+}
+
+void hs_force_result_add(hs_force_result *sum, const hs_force_result *added)
+{
+    sum->energy += added->energy;
+    sum->energy_fixed += added->energy_fixed;
+    for (int k = 0; k < 6; ++k) {
+        sum->virial[k] += added->virial[k];
+        sum->virial_fixed[k] += added->virial_fixed[k];
+    }
+    sum->peak_force = fmax(sum->peak_force, added->peak_force);
+    sum->peak_energy = fmax(sum->peak_energy, added->peak_energy);
+}
+
+static void add_output(hs_force_result *result, const hs_kernel_output *out)
+{
+    result->energy += out->energy;
+    result->energy_fixed += out->energy_fixed;
+    for (int k = 0; k < 6; ++k) {
+        result->virial[k] += out->virial[k];
+        result->virial_fixed[k] += out->virial_fixed[k];
+    }
+    result->peak_force = fmax(result->peak_force, out->peak_force);
+    result->peak_energy = fmax(result->peak_energy, out->peak_energy);
 }
 
 hs_status hs_force_run_threads(hs_force_space *space, const hs_force_job *job, hs_force_work work,
@@ -83,14 +115,14 @@ hs_status hs_force_run_threads(hs_force_space *space, const hs_force_job *job, h
         (void)work(space, job, hs_thread_number());
 #pragma omp barrier
 #pragma omp for schedule(static)
-        for (int64_t block = 0; block < n_blocks(n_room); ++block) reduce_block(space, block, n_room);
+        for (int64_t block = 0; block < n_blocks(n_room); ++block)
+            reduce_block(space, block, n_room, job->precision == HS_PRECISION_FIXED);
     }
     memset(result, 0, sizeof *result);
     for (int t = 0; t < space->n_threads; ++t) {
         const hs_force_buffer *buffer = &space->buffer[t];
         if (buffer->error.status != HS_OK && err->status == HS_OK) *err = buffer->error;
-        result->energy += buffer->energy;
-        for (int k = 0; k < 6; ++k) result->virial[k] += buffer->virial[k];
+        add_output(result, &buffer->out);
     }
     return err->status;
 }
@@ -100,12 +132,6 @@ static hs_cluster_kernel choose_kernel(const hs_force_job *job, int *group)
     const hs_kernel_set *set = job->evaluator->set[job->isa][job->precision];
     *group = set->group;
     return set->cluster[job->with_energy][!job->input.table->is_uniform][job->input.listed_only];
-}
-
-void hs_force_add_output(hs_force_buffer *buffer, const hs_kernel_output *out)
-{
-    buffer->energy += out->energy;
-    for (int k = 0; k < 6; ++k) buffer->virial[k] += out->virial[k];
 }
 
 void hs_force_share(const hs_force_space *space, int64_t n, int thread, int64_t *begin, int64_t *end)
@@ -151,7 +177,6 @@ static hs_status work_cell(hs_force_space *space, const hs_force_job *job, int t
     int64_t begin, end;
     const hs_cluster_kernel kernel = choose_kernel(job, &group);
     const hs_cluster_find find = hs_isa_find(job->isa);
-    hs_kernel_output out = {.f = {buffer->f[0], buffer->f[1], buffer->f[2]}};
     hs_force_share(space, local->n, thread, &begin, &end);
     int column = begin < end ? hs_clusters_column(job->clusters, job->cells, (int)begin) : 0;
     hs_entry_list *entries = &buffer->entries;
@@ -164,10 +189,9 @@ static hs_status work_cell(hs_force_space *space, const hs_force_job *job, int t
         const int first = local->entry[ci].first;
         HS_TRY(hs_entry_list_pad(entries, 0, group, first, &buffer->error));
         touch_entries(buffer, first, entries, n_room);
-        kernel(&job->input, &out, first, entries->entry, entries->n);
+        kernel(&job->input, &buffer->out, first, entries->entry, entries->n);
         hs_force_weigh(buffer, ci, local->n, entries->n);
     }
-    hs_force_add_output(buffer, &out);
     return HS_OK;
 }
 
@@ -178,25 +202,28 @@ hs_status hs_force_cell(hs_force_space *space, const hs_force_job *job, hs_force
     return status;
 }
 
+static double distance2(const double *const x[3], int i, int j, double d[3])
+{
+    for (int axis = 0; axis < 3; ++axis) d[axis] = x[axis][i] - x[axis][j];
+    return d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
+}
+
+/** Whether the pair was within its listed distance, where that counts. */
+static inline bool is_listed(const hs_kernel_input *in, const double *row, int i, int j)
+{
+    double d[3];
+    return !in->listed_only || distance2(in->x_listed, i, j, d) < row[HS_TABLE_LISTED_R2];
+}
+
 /** One pair of the double loop. */
 static inline void nsq_pair(hs_force_buffer *buffer, const hs_force_job *job, int i, int j)
 {
     const hs_kernel_input *in = &job->input;
     const hs_pair_table *table = in->table;
     const double *row = table->values + (size_t)(in->type[i] * table->n_types + in->type[j]) * (size_t)table->stride;
-    double d[3], r2 = 0.0, listed_r2 = 0.0;
-    for (int axis = 0; axis < 3; ++axis) {
-        d[axis] = in->x[axis][i] - in->x[axis][j];
-        r2 += d[axis] * d[axis];
-    }
-    if (!(r2 < row[HS_TABLE_CUT_R2])) return;
-    if (in->listed_only) {
-        for (int axis = 0; axis < 3; ++axis) {
-            const double listed = in->x_listed[axis][i] - in->x_listed[axis][j];
-            listed_r2 += listed * listed;
-        }
-        if (!(listed_r2 < row[HS_TABLE_LISTED_R2])) return;
-    }
+    double d[3];
+    const double r2 = distance2(in->x, i, j, d);
+    if (!(r2 < row[HS_TABLE_CUT_R2]) || !is_listed(in, row, i, j)) return;
     double force_over_r, energy, f[3];
     job->evaluator->single(row + HS_TABLE_PARAMS, r2, &force_over_r, &energy);
     for (int axis = 0; axis < 3; ++axis) {
@@ -204,13 +231,36 @@ static inline void nsq_pair(hs_force_buffer *buffer, const hs_force_job *job, in
         buffer->f[axis][i] += f[axis];
         buffer->f[axis][j] -= f[axis];
     }
-    buffer->energy += energy;
-    buffer->virial[0] += d[0] * f[0];
-    buffer->virial[1] += d[1] * f[1];
-    buffer->virial[2] += d[2] * f[2];
-    buffer->virial[3] += d[0] * f[1];
-    buffer->virial[4] += d[0] * f[2];
-    buffer->virial[5] += d[1] * f[2];
+    buffer->out.energy += energy;
+    double *virial = buffer->out.virial;
+    virial[0] += d[0] * f[0];
+    virial[1] += d[1] * f[1];
+    virial[2] += d[2] * f[2];
+    virial[3] += d[0] * f[1];
+    virial[4] += d[0] * f[2];
+    virial[5] += d[1] * f[2];
+}
+
+/** The double loop with the kernel of method verlet for the pairs it finds: in fixed point all methods must round alike. */
+static hs_status nsq_in_fixed_point(hs_force_space *space, const hs_force_job *job, int thread)
+{
+    hs_force_buffer *buffer = &space->buffer[thread];
+    const hs_kernel_input *in = &job->input;
+    const hs_pair_table *table = in->table;
+    const int n_local = job->atoms->n_local, n_all = n_local + job->atoms->n_halo;
+    const hs_verlet_kernel kernel =
+        job->evaluator->set[job->isa][job->precision]->verlet[job->with_energy][!table->is_uniform];
+    HS_TRY(hs_candidates_reserve(&buffer->candidates, n_all, &buffer->error));
+    int32_t *const listed = buffer->candidates.near;
+    for (int i = thread; i < n_local; i += space->n_threads) {
+        const double *rows = table->values + (size_t)(in->type[i] * table->n_types) * (size_t)table->stride;
+        int64_t range[2] = {0, 0};
+        for (int j = i + 1; j < n_all; ++j)
+            if (is_listed(in, rows + (size_t)in->type[j] * (size_t)table->stride, i, j)) listed[range[1]++] = j;
+        for (int k = 0; k < HS_VERLET_PAD; ++k) listed[range[1] + k] = i;
+        kernel(in, &buffer->out, i, i + 1, range, listed);
+    }
+    return HS_OK;
 }
 
 static hs_status work_nsq(hs_force_space *space, const hs_force_job *job, int thread)
@@ -218,6 +268,7 @@ static hs_status work_nsq(hs_force_space *space, const hs_force_job *job, int th
     hs_force_buffer *buffer = &space->buffer[thread];
     const int n_local = job->atoms->n_local, n_all = n_local + job->atoms->n_halo;
     for (int64_t i = 0; i < n_all; i += HS_FORCE_BLOCK) hs_force_touch(buffer, i, n_all + HS_ATOMS_PAD);
+    if (job->precision == HS_PRECISION_FIXED) return nsq_in_fixed_point(space, job, thread);
     for (int i = thread; i < n_local; i += space->n_threads)
         for (int j = i + 1; j < n_all; ++j) nsq_pair(buffer, job, i, j);
     return HS_OK;
@@ -226,4 +277,29 @@ static hs_status work_nsq(hs_force_space *space, const hs_force_job *job, int th
 hs_status hs_force_nsq(hs_force_space *space, const hs_force_job *job, hs_force_result *result, hs_error *err)
 {
     return hs_force_run_threads(space, job, work_nsq, result, err);
+}
+
+int hs_fixed_exponent(double value, int bits)
+{
+    int exponent;
+    (void)frexp(value, &exponent); /* value < 2^exponent */
+    return exponent - bits;
+}
+
+void hs_force_job_set_grid(hs_force_job *job, hs_fixed_grid grid)
+{
+    job->input.magic_force = ldexp(1.5, 52 + grid.force);
+    job->input.magic_energy = ldexp(1.5, 52 + grid.energy);
+}
+
+void hs_force_settle(hs_atoms *atoms, int exponent)
+{
+    typedef int64_t __attribute__((may_alias)) integer;
+    const double unit = ldexp(1.0, exponent);
+#pragma omp parallel
+    for (int axis = 0; axis < 3; ++axis) {
+        double *f = atoms->f[axis];
+#pragma omp for schedule(static) nowait
+        for (int i = 0; i < atoms->n_local; ++i) f[i] = (double)((const integer *)f)[i] * unit;
+    }
 }

@@ -30,9 +30,9 @@ typedef struct hs_force_buffer {
     unsigned char *touched; /**< owned: block b of HS_FORCE_BLOCK atoms was written to (and cleared before) */
     hs_entry_list entries;  /**< owned: list of the i-cluster at hand (method cell), or all of the thread's (cluster) */
     hs_search search;
-    hs_candidates candidates; /**< methods linked, incremental, hash */
-    hs_error error;           /**< what went wrong on this thread */
-    double energy, virial[6];
+    hs_candidates candidates;        /**< methods linked, incremental, hash, and nsq in fixed point */
+    hs_error error;                  /**< what went wrong on this thread */
+    hs_kernel_output out;            /**< its f are those above */
     int64_t weight[HS_FORCE_CHUNKS]; /**< methods without lists: pairs met in each chunk of the clusters or cells */
 } hs_force_buffer;
 
@@ -46,8 +46,9 @@ typedef struct hs_force_space {
 
 struct hs_cluster_list;
 struct hs_verlet_list;
+struct hs_force_job;
 
-/** What to compute with. */
+/** What to compute with. In fixed point (precision HS_PRECISION_FIXED) see hs_force_job_set_grid. */
 typedef struct hs_force_job {
     hs_atoms *atoms;
     const hs_cells *cells;
@@ -64,10 +65,29 @@ typedef struct hs_force_job {
     bool is_added; /**< add to the forces that the atoms have, not overwrite them */
 } hs_force_job;
 
+/** Energy and virial of this rank's pairs. In fixed point they, and the atoms' forces, are integers: multiples of the grid
+ *  of the job, for hs_force_settle and hs_exact_add_scaled; the double fields are 0. */
 typedef struct hs_force_result {
-    double energy; /**< of this rank's pairs */
-    double virial[6];
+    double energy, virial[6];
+    __int128 energy_fixed, virial_fixed[6];
+    double peak_force;  /**< fixed point: largest |force|/r of a pair */
+    double peak_energy; /**< fixed point, with_energy: largest |energy| of a pair */
 } hs_force_result;
+
+/** sum += added; peaks become the larger ones. */
+void hs_force_result_add(hs_force_result *sum, const hs_force_result *added);
+
+/** Grid of fixed-point sums: forces are multiples of 2^force, energies and virials of 2^energy, in their units. */
+typedef struct hs_fixed_grid {
+    int force, energy;
+} hs_fixed_grid;
+
+/** The finest grid on which a value has fewer than that many bits (HS_FIXED_BITS for forces and energies). */
+int hs_fixed_exponent(double value, int bits);
+/** Set the job up for fixed point on that grid. */
+void hs_force_job_set_grid(struct hs_force_job *job, hs_fixed_grid grid);
+/** Turn the forces of the local atoms from multiples of 2^exponent into forces, after hs_halo_reverse. Threaded. */
+void hs_force_settle(hs_atoms *atoms, int exponent);
 
 /** Make the block of atom i ready to be added to. The last block may reach into the arrays' padding. */
 static inline void hs_force_touch(hs_force_buffer *buffer, int64_t i, int64_t n_room)
@@ -87,9 +107,6 @@ HS_MUST_USE hs_status hs_force_run_threads(hs_force_space *space, const hs_force
                                            hs_force_result *result, hs_error *err);
 /** Room for the atoms in the buffers of all threads. */
 HS_MUST_USE hs_status hs_force_space_reserve(hs_force_space *space, const hs_atoms *atoms, hs_error *err);
-/** Add a kernel's energy and virial to the thread's. */
-void hs_force_add_output(hs_force_buffer *buffer, const hs_kernel_output *out);
-
 /** Share [*begin, *end) of a thread in n clusters or cells: of equal weight, where a chunk of them weighs as many pairs as
  *  it had at the evaluation before (near upper faces, where halo atoms are searched too, there are more). */
 void hs_force_share(const hs_force_space *space, int64_t n, int thread, int64_t *begin, int64_t *end);
@@ -113,6 +130,8 @@ HS_MUST_USE hs_status hs_force_cell(hs_force_space *space, const hs_force_job *j
 HS_MUST_USE hs_status hs_force_chains(hs_force_space *space, const hs_force_job *job, hs_force_result *result,
                                       hs_error *err);
 void hs_candidates_fini(hs_candidates *candidates);
+/** Room for n candidates; keeps those there are. */
+HS_MUST_USE hs_status hs_candidates_reserve(hs_candidates *candidates, int n, hs_error *err);
 void hs_force_space_fini(hs_force_space *space);
 
 #endif

@@ -14,9 +14,10 @@ void hs_candidates_fini(hs_candidates *candidates)
     memset(candidates, 0, sizeof *candidates);
 }
 
-static hs_status grow(hs_candidates *candidates, hs_error *err)
+hs_status hs_candidates_reserve(hs_candidates *candidates, int n_needed, hs_error *err)
 {
-    const int n = candidates->n, capacity = 2 * n + 256;
+    if (n_needed <= candidates->capacity) return HS_OK;
+    const int n = candidates->n, capacity = n_needed + n_needed / 2 + 256;
     HS_TRY(HS_GROW(candidates->index, (size_t)n, (size_t)capacity, err));
     for (int axis = 0; axis < 3; ++axis) HS_TRY(HS_GROW(candidates->x[axis], (size_t)n, (size_t)capacity, err));
     HS_TRY(HS_GROW(candidates->r2, 0, (size_t)capacity, err));
@@ -29,7 +30,7 @@ static hs_status grow(hs_candidates *candidates, hs_error *err)
 static hs_status follow(hs_candidates *candidates, const hs_force_job *job, int32_t first, hs_error *err)
 {
     for (int32_t i = first; i != HS_CHAIN_END; i = job->chains->next[i]) {
-        if (candidates->n == candidates->capacity) HS_TRY(grow(candidates, err));
+        HS_TRY(hs_candidates_reserve(candidates, candidates->n + 1, err));
         candidates->index[candidates->n] = i;
         for (int axis = 0; axis < 3; ++axis) candidates->x[axis][candidates->n] = job->input.x[axis][i];
         ++candidates->n;
@@ -56,9 +57,11 @@ static hs_status gather(hs_candidates *candidates, const hs_force_job *job, int6
     return HS_OK;
 }
 
-/** Candidates [begin, n) closer than the largest cutoff to candidate a, into near. */
+/** Candidates [begin, n) closer than the largest cutoff to candidate a, into near; a hair more, for the kernel, which looks again, may round
+ *  otherwise. */
 static int find_near(hs_candidates *candidates, int a, double cutoff)
 {
+    const double limit = cutoff * cutoff * (1.0 + 1e-12);
     const double x = candidates->x[0][a], y = candidates->x[1][a], z = candidates->x[2][a];
     const int n = candidates->n, begin = a + 1;
     for (int b = begin; b < n; ++b) {
@@ -68,7 +71,7 @@ static int find_near(hs_candidates *candidates, int a, double cutoff)
     int n_near = 0;
     for (int b = begin; b < n; ++b) {
         candidates->near[n_near] = candidates->index[b];
-        n_near += candidates->r2[b] < cutoff * cutoff;
+        n_near += candidates->r2[b] < limit;
     }
     return n_near;
 }
@@ -108,7 +111,6 @@ static hs_status work_chains(hs_force_space *space, const hs_force_job *job, int
     const int64_t n_room = (int64_t)job->atoms->n_local + job->atoms->n_halo + HS_ATOMS_PAD;
     const hs_verlet_kernel kernel =
         job->evaluator->set[job->isa][job->precision]->verlet[job->with_energy][!job->input.table->is_uniform];
-    hs_kernel_output out = {.f = {buffer->f[0], buffer->f[1], buffer->f[2]}};
     int64_t begin, end;
     hs_force_share(space, job->chains->n_cells, thread, &begin, &end);
     for (int64_t cell = begin; cell < end; ++cell) {
@@ -121,11 +123,10 @@ static hs_status work_chains(hs_force_space *space, const hs_force_job *job, int
             hs_force_touch(buffer, i, n_room);
             for (int k = 0; k < range[1]; ++k) hs_force_touch(buffer, candidates->near[k], n_room);
             for (int k = 0; k < HS_VERLET_PAD; ++k) candidates->near[range[1] + k] = i;
-            kernel(&job->input, &out, i, i + 1, range, candidates->near);
+            kernel(&job->input, &buffer->out, i, i + 1, range, candidates->near);
         }
         if (n_own > 0) hs_force_weigh(buffer, cell, job->chains->n_cells, (int64_t)n_own * candidates->n);
     }
-    hs_force_add_output(buffer, &out);
     return HS_OK;
 }
 

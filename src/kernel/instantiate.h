@@ -53,11 +53,11 @@ static void single(const double *params, double r2, double *force_over_r, double
 }
 
 #define HS_KERNELS(isa) HS_PASTE3(hs_kernels_, HS_EVALUATOR, isa)
-extern const hs_kernel_set HS_KERNELS(portable), HS_KERNELS(portable_mixed);
+extern const hs_kernel_set HS_KERNELS(portable), HS_KERNELS(portable_mixed), HS_KERNELS(portable_fixed);
 #if defined(__x86_64__)
-extern const hs_kernel_set HS_KERNELS(sse2), HS_KERNELS(sse2_mixed);
-extern const hs_kernel_set HS_KERNELS(avx2), HS_KERNELS(avx2_mixed);
-extern const hs_kernel_set HS_KERNELS(avx512), HS_KERNELS(avx512_mixed);
+extern const hs_kernel_set HS_KERNELS(sse2), HS_KERNELS(sse2_mixed), HS_KERNELS(sse2_fixed);
+extern const hs_kernel_set HS_KERNELS(avx2), HS_KERNELS(avx2_mixed), HS_KERNELS(avx2_fixed);
+extern const hs_kernel_set HS_KERNELS(avx512), HS_KERNELS(avx512_mixed), HS_KERNELS(avx512_fixed);
 #endif
 extern const hs_evaluator HS_PASTE2(hs_evaluator_, HS_EVALUATOR);
 const hs_evaluator HS_PASTE2(hs_evaluator_, HS_EVALUATOR) = {
@@ -65,11 +65,11 @@ const hs_evaluator HS_PASTE2(hs_evaluator_, HS_EVALUATOR) = {
     .single = single,
     .set =
         {
-            [HS_ISA_PORTABLE] = {&HS_KERNELS(portable), &HS_KERNELS(portable_mixed)},
+            [HS_ISA_PORTABLE] = {&HS_KERNELS(portable), &HS_KERNELS(portable_mixed), &HS_KERNELS(portable_fixed)},
 #if defined(__x86_64__)
-            [HS_ISA_SSE2] = {&HS_KERNELS(sse2), &HS_KERNELS(sse2_mixed)},
-            [HS_ISA_AVX2] = {&HS_KERNELS(avx2), &HS_KERNELS(avx2_mixed)},
-            [HS_ISA_AVX512] = {&HS_KERNELS(avx512), &HS_KERNELS(avx512_mixed)},
+            [HS_ISA_SSE2] = {&HS_KERNELS(sse2), &HS_KERNELS(sse2_mixed), &HS_KERNELS(sse2_fixed)},
+            [HS_ISA_AVX2] = {&HS_KERNELS(avx2), &HS_KERNELS(avx2_mixed), &HS_KERNELS(avx2_fixed)},
+            [HS_ISA_AVX512] = {&HS_KERNELS(avx512), &HS_KERNELS(avx512_mixed), &HS_KERNELS(avx512_fixed)},
 #endif
         },
 };

@@ -13,12 +13,13 @@ const char *const hs_precision_names[] = {"double", "mixed", NULL};
 
 hs_status hs_precision_get(const char *name, hs_precision *precision, hs_error *err)
 {
-    for (int p = 0; p < HS_N_PRECISIONS; ++p)
-        if (strcmp(name, hs_precision_names[p]) == 0) {
-            *precision = (hs_precision)p;
+    size_t n = 0;
+    for (; hs_precision_names[n] != NULL; ++n)
+        if (strcmp(name, hs_precision_names[n]) == 0) {
+            *precision = (hs_precision)n;
             return HS_OK;
         }
-    const char *nearest = hs_text_nearest(name, hs_precision_names, HS_N_PRECISIONS);
+    const char *nearest = hs_text_nearest(name, hs_precision_names, n);
     return hs_fail(err, HS_ERROR_INPUT, "there is no precision '%s'; %s'%s'", name,
                    nearest != NULL ? "did you mean " : "expected double or ", nearest != NULL ? nearest : "mixed");
 }

@@ -14,10 +14,11 @@ extern const char *const hs_isa_names[]; /**< ended by NULL */
 typedef enum {
     HS_PRECISION_DOUBLE,
     HS_PRECISION_MIXED, /**< pairs in float, relative to the i-cluster; sums of forces and energies in double */
+    HS_PRECISION_FIXED, /**< pairs in double, sums in 64-bit fixed point: reproducible in any order (kernel/fixed.h) */
     HS_N_PRECISIONS
 } hs_precision;
 
-extern const char *const hs_precision_names[]; /**< ended by NULL */
+extern const char *const hs_precision_names[]; /**< those a user may name: double, mixed; ended by NULL */
 /** By name; an error naming the nearest when there is none of that name. */
 HS_MUST_USE hs_status hs_precision_get(const char *name, hs_precision *precision, hs_error *err);
 /** Widest instruction set of this machine that kernels exist for. */
@@ -42,6 +43,10 @@ typedef struct hs_pair_table {
     bool is_uniform; /**< all rows that can occur are the same, namely row (1, 1) */
 } hs_pair_table;
 
+/** Fixed point: bits that a pair's force and energy may have on their grid: few enough that sums over the neighbors of an atom, 8,192 of
+ *  the largest and any number of usual ones, fit 64-bit integers. */
+enum { HS_FIXED_BITS = 50 };
+
 /** What all kernels of one force evaluation read. Everything is borrowed and const. */
 typedef struct hs_kernel_input {
     const double *x[3];        /**< positions, local and halo, in cluster order */
@@ -49,13 +54,17 @@ typedef struct hs_kernel_input {
     bool listed_only;          /**< count only pairs that were within their listed distance then */
     const int32_t *type;       /**< kernel types, local and halo */
     const hs_pair_table *table;
+    double magic_force, magic_energy; /**< fixed point only: see kernel/accumulate.h */
 } hs_kernel_input;
 
 /** What a kernel adds to; private to one thread. */
 typedef struct hs_kernel_output {
-    double *f[3]; /**< forces on local and halo atoms */
+    double *f[3]; /**< forces on local and halo atoms; in fixed point the doubles hold 64-bit integers */
     double energy;
     double virial[6]; /**< sum of r_a F_b over pairs: xx yy zz xy xz yz */
+    /* fixed point only: the same as multiples of the grid, and the largest force/r and energy of a pair */
+    __int128 energy_fixed, virial_fixed[6];
+    double peak_force, peak_energy;
 } hs_kernel_output;
 
 /** Forces (and energy and virial) between the atoms of one i-cluster and the entries of its list. */

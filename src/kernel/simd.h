@@ -18,6 +18,7 @@
  *      hs_keep(m, a)                      a where m is set, else 0 (also where a is not a number)
  *      hs_select(m, a, b)                 a where m is set, else b
  *      hs_sum(a)                          sum of the lanes
+ *      hs_max_abs(a, b)                   in each lane the larger of a and |b| (double only)
  *      hs_local(x, origin)                a coordinate as kernels use it: x itself in double; in float x - origin, rounded
  *                                         after the subtraction, so that large boxes lose no digits
  *      hs_load_clusters(x, origin, entry, sub)  hs_local of the j-atoms of this vector

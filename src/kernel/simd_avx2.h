@@ -34,6 +34,11 @@ static inline hs_msk hs_less(hs_vec a, hs_vec b) { return _mm256_cmp_pd(a, b, _C
 static inline hs_vec hs_keep(hs_msk m, hs_vec a) { return _mm256_and_pd(m, a); }
 static inline hs_vec hs_select(hs_msk m, hs_vec a, hs_vec b) { return _mm256_blendv_pd(b, a, m); }
 
+static inline hs_vec hs_max_abs(hs_vec a, hs_vec b)
+{
+    return _mm256_max_pd(_mm256_andnot_pd(_mm256_set1_pd(-0.0), b), a);
+}
+
 static inline double hs_sum(hs_vec a)
 {
     const __m128d pair = _mm_add_pd(_mm256_castpd256_pd128(a), _mm256_extractf128_pd(a, 1));

@@ -29,6 +29,10 @@ static inline hs_msk hs_mask_and(hs_msk m, hs_msk n) { return m & n; }
 static inline hs_msk hs_less(hs_vec a, hs_vec b) { return _mm512_cmp_pd_mask(a, b, _CMP_LT_OQ); }
 static inline hs_vec hs_keep(hs_msk m, hs_vec a) { return _mm512_maskz_mov_pd(m, a); }
 static inline hs_vec hs_select(hs_msk m, hs_vec a, hs_vec b) { return _mm512_mask_mov_pd(b, m, a); }
+static inline hs_vec hs_max_abs(hs_vec a, hs_vec b)
+{
+    return _mm512_range_pd(a, b, 11);
+} /* larger size, without sign */
 static inline double hs_sum(hs_vec a) { return _mm512_reduce_add_pd(a); }
 
 static inline hs_vec hs_load_clusters(const double *x, double origin, const hs_cluster_entry *entry, int sub)

@@ -32,7 +32,11 @@ static inline uint32_t hs_mask_to_bits(hs_msk m) { return (uint32_t)_mm_movemask
 static inline hs_msk hs_mask_and(hs_msk m, hs_msk n) { return _mm_and_pd(m, n); }
 static inline hs_msk hs_less(hs_vec a, hs_vec b) { return _mm_cmplt_pd(a, b); }
 static inline hs_vec hs_keep(hs_msk m, hs_vec a) { return _mm_and_pd(m, a); }
-static inline hs_vec hs_select(hs_msk m, hs_vec a, hs_vec b) { return _mm_or_pd(_mm_and_pd(m, a), _mm_andnot_pd(m, b)); }
+static inline hs_vec hs_select(hs_msk m, hs_vec a, hs_vec b)
+{
+    return _mm_or_pd(_mm_and_pd(m, a), _mm_andnot_pd(m, b));
+}
+static inline hs_vec hs_max_abs(hs_vec a, hs_vec b) { return _mm_max_pd(_mm_andnot_pd(_mm_set1_pd(-0.0), b), a); }
 static inline double hs_sum(hs_vec a) { return _mm_cvtsd_f64(_mm_add_sd(a, _mm_unpackhi_pd(a, a))); }
 
 static inline hs_vec hs_load_clusters(const double *x, double origin, const hs_cluster_entry *entry, int sub)

@@ -26,7 +26,10 @@ static inline hs_msk hs_masks_row(hs_masks masks, int row)
 static inline hs_msk hs_mask_and(hs_msk m, hs_msk n) { return _mm_and_ps(m, n); }
 static inline hs_msk hs_less(hs_vec a, hs_vec b) { return _mm_cmplt_ps(a, b); }
 static inline hs_vec hs_keep(hs_msk m, hs_vec a) { return _mm_and_ps(m, a); }
-static inline hs_vec hs_select(hs_msk m, hs_vec a, hs_vec b) { return _mm_or_ps(_mm_and_ps(m, a), _mm_andnot_ps(m, b)); }
+static inline hs_vec hs_select(hs_msk m, hs_vec a, hs_vec b)
+{
+    return _mm_or_ps(_mm_and_ps(m, a), _mm_andnot_ps(m, b));
+}
 
 static inline double hs_sum(hs_vec a)
 {

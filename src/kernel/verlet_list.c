@@ -200,7 +200,6 @@ static hs_status work_verlet(hs_force_space *space, const hs_force_job *job, int
     const hs_verlet_kernel kernel =
         job->evaluator->set[job->isa][job->precision]->verlet[job->with_energy][!job->input.table->is_uniform];
     const int64_t n_room = (int64_t)job->atoms->n_local + job->atoms->n_halo + HS_ATOMS_PAD;
-    hs_kernel_output out = {.f = {buffer->f[0], buffer->f[1], buffer->f[2]}};
     int begin, end;
     chunks_of_thread(list, thread, space->n_threads, &begin, &end);
     for (int k = begin; k < end; ++k) {
@@ -208,9 +207,8 @@ static hs_status work_verlet(hs_force_space *space, const hs_force_job *job, int
         if (chunk->n == 0) continue;
         for (int b = 0; b < chunk->n_blocks; ++b)
             hs_force_touch(buffer, (int64_t)chunk->block[b] << HS_FORCE_BLOCK_BITS, n_room);
-        kernel(&job->input, &out, chunk->first, chunk->first + chunk->n_atoms, chunk->start, chunk->neighbor);
+        kernel(&job->input, &buffer->out, chunk->first, chunk->first + chunk->n_atoms, chunk->start, chunk->neighbor);
     }
-    hs_force_add_output(buffer, &out);
     return HS_OK;
 }
 

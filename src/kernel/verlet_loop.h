@@ -5,8 +5,10 @@
 
 /** Sums over the pairs of one i-atom, in vectors: minus the force on it, energy, virial. */
 typedef struct verlet_sums {
-    hs_vec f[3];
-    hs_vec energy, virial[6];
+    hs_acc f[3];
+    hs_acc energy, virial[6];
+    hs_vec peak_force, peak_energy; /**< fixed point: the largest force/r and energy */
+    int n_terms;                    /**< vectors met */
 } verlet_sums;
 
 /** What stays the same over the list of one i-atom. */
@@ -14,6 +16,7 @@ typedef struct verlet_atom {
     double x[3];             /**< coordinates are relative to these in single precision */
     hs_vec x_local[3];       /**< its own, as kernels use it, in all lanes */
     const double *row_table; /**< its row of the pair table, by_type */
+    hs_magic magic_force, magic_energy;
 } verlet_atom;
 
 /** The parameters of the pairs of one vector. */
@@ -42,22 +45,38 @@ HS_INLINE void verlet_vector(const hs_kernel_input *in, hs_kernel_output *out, c
     hs_vec force_over_r, energy = hs_set1(0.0);
     evaluate(params + HS_TABLE_PARAMS, r2, &force_over_r, &energy, with_energy);
     force_over_r = hs_keep(mask, force_over_r);
-    const hs_vec fx = force_over_r * dx, fy = force_over_r * dy, fz = force_over_r * dz;
-    sums->f[0] += fx;
-    sums->f[1] += fy;
-    sums->f[2] += fz;
-    hs_scatter_add(out->f[0], j, fx);
-    hs_scatter_add(out->f[1], j, fy);
-    hs_scatter_add(out->f[2], j, fz);
-    if (with_energy) {
-        sums->energy += hs_keep(mask, energy);
-        sums->virial[0] = hs_fma(dx, fx, sums->virial[0]);
-        sums->virial[1] = hs_fma(dy, fy, sums->virial[1]);
-        sums->virial[2] = hs_fma(dz, fz, sums->virial[2]);
-        sums->virial[3] = hs_fma(dx, fy, sums->virial[3]);
-        sums->virial[4] = hs_fma(dx, fz, sums->virial[4]);
-        sums->virial[5] = hs_fma(dy, fz, sums->virial[5]);
+    hs_acc_note_peak(&sums->peak_force, force_over_r);
+    const hs_magic magic = atom->magic_force;
+    hs_acc term[3] = {hs_acc_term(force_over_r, dx, magic), hs_acc_term(force_over_r, dy, magic),
+                      hs_acc_term(force_over_r, dz, magic)};
+    ++sums->n_terms;
+    for (int axis = 0; axis < 3; ++axis) {
+        sums->f[axis] += term[axis];
+        hs_acc_settle(&term[axis], 1, magic);
+        hs_acc_scatter_add(out->f[axis], j, term[axis]);
     }
+    if (with_energy) {
+        energy = hs_keep(mask, energy);
+        hs_acc_note_peak(&sums->peak_energy, energy);
+        hs_acc_add(&sums->energy, energy, atom->magic_energy);
+        add_virial(sums->virial, force_over_r, dx, dy, dz, atom->magic_energy);
+    }
+}
+
+/** Add what one i-atom has met to the output. */
+HS_INLINE void finish_atom(hs_kernel_output *out, int i, const verlet_atom *atom, verlet_sums *sums,
+                           const bool with_energy)
+{
+    for (int axis = 0; axis < 3; ++axis) {
+        hs_acc_settle(&sums->f[axis], sums->n_terms, atom->magic_force);
+        hs_acc_subtract_from(out->f[axis], i, sums->f[axis]);
+    }
+    hs_acc_report_peak(&out->peak_force, sums->peak_force);
+    if (!with_energy) return;
+    hs_acc_settle(&sums->energy, sums->n_terms, atom->magic_energy);
+    for (int k = 0; k < 6; ++k) hs_acc_settle(&sums->virial[k], sums->n_terms, atom->magic_energy);
+    hs_acc_report(out, sums->energy, sums->virial);
+    hs_acc_report_peak(&out->peak_energy, sums->peak_energy);
 }
 
 HS_INLINE void verlet_loop(const hs_kernel_input *in, hs_kernel_output *out, int begin, int end, const int64_t *start,
@@ -72,7 +91,9 @@ HS_INLINE void verlet_loop(const hs_kernel_input *in, hs_kernel_output *out, int
         int64_t at = start[i - begin];
         const int64_t stop = start[i - begin + 1];
         if (at == stop) continue;
-        verlet_atom atom = {.x = {in->x[0][i], in->x[1][i], in->x[2][i]}};
+        verlet_atom atom = {.x = {in->x[0][i], in->x[1][i], in->x[2][i]},
+                            .magic_force = hs_magic_of(in->magic_force),
+                            .magic_energy = hs_magic_of(in->magic_energy)};
         for (int axis = 0; axis < 3; ++axis) atom.x_local[axis] = hs_set1(hs_local(atom.x[axis], atom.x[axis]));
         if (by_type) atom.row_table = table->values + (size_t)in->type[i] * (size_t)(table->n_types * stride);
         verlet_sums sums = {0};
@@ -80,10 +101,6 @@ HS_INLINE void verlet_loop(const hs_kernel_input *in, hs_kernel_output *out, int
             verlet_vector(in, out, &atom, list + at, HS_LANES, only, &sums, true, with_energy, by_type);
         if (at < stop)
             verlet_vector(in, out, &atom, list + at, (int)(stop - at), only, &sums, false, with_energy, by_type);
-        for (int axis = 0; axis < 3; ++axis) out->f[axis][i] -= hs_sum(sums.f[axis]);
-        if (with_energy) {
-            out->energy += hs_sum(sums.energy);
-            for (int k = 0; k < 6; ++k) out->virial[k] += hs_sum(sums.virial[k]);
-        }
+        finish_atom(out, i, &atom, &sums, with_energy);
     }
 }

@@ -204,6 +204,7 @@ hs_status hs_sim_exchange(hs_sim *sim, bool is_listing, hs_error *err)
         HS_TRY(hs_parallel_agree(&sim->parallel, err));
         hs_sim_shrink_box(sim);
     }
+    hs_sim_settle_positions(sim);
     if (is_listing && sim->is_initialized) HS_TRY(before_exchange(sim, err));
     HS_TRY(hs_migrate(&sim->atoms, &sim->domain, &sim->parallel, &sim->box, err));
     if (is_listing) {

@@ -1,6 +1,7 @@
 /* Pair forces of a step: the method's kernels for each part of the pair style, the halo's forces home, sums over ranks. */
 #include <string.h>
 
+#include "core/exact_sum.h"
 #include "sim/methods.h"
 
 /** Index of the first part of the pair style that exerts forces; there is one. Its table has the distances of the lists. */
@@ -22,7 +23,7 @@ hs_force_job hs_sim_make_job(hs_sim *sim, bool with_energy)
                         .chains = &neighbor->chains,
                         .evaluator = sim->pair->part[part]->style->evaluator,
                         .isa = sim->isa,
-                        .precision = sim->precision,
+                        .precision = sim->kernel_precision,
                         .cutoff_max = sim->pair->cutoff_max,
                         .with_energy = with_energy};
     job.input = (hs_kernel_input){.x = {atoms->x[0], atoms->x[1], atoms->x[2]},
@@ -62,6 +63,8 @@ static void clear_forces(hs_atoms *atoms)
 static hs_status add_parts(hs_sim *sim, bool with_energy, hs_force_result *sum, hs_error *err)
 {
     hs_force_job job = hs_sim_make_job(sim, with_energy);
+    memset(sum, 0, sizeof *sum);
+    hs_force_job_set_grid(&job, sim->grid);
     for (int k = 0; k < sim->pair->n_parts; ++k) {
         hs_force_result result;
         job.evaluator = sim->pair->part[k]->style->evaluator;
@@ -69,10 +72,39 @@ static hs_status add_parts(hs_sim *sim, bool with_energy, hs_force_result *sum, 
         if (job.evaluator == NULL) continue;
         HS_TRY(hs_sim_method(sim)->forces(sim, &job, &result, err));
         job.is_added = true;
-        sum->energy += result.energy;
-        for (int c = 0; c < 6; ++c) sum->virial[c] += result.virial[c];
+        hs_force_result_add(sum, &result);
     }
     return HS_OK;
+}
+
+/** Evaluate all parts; in fixed point again on a coarser grid when a force was too large for it. */
+static hs_status evaluate(hs_sim *sim, bool with_energy, hs_force_result *result, hs_error *err)
+{
+    const bool is_fixed = sim->kernel_precision == HS_PRECISION_FIXED;
+    if (is_fixed) hs_sim_begin_grid(sim);
+    for (bool fits = false; !fits;) {
+        HS_TRY(add_parts(sim, with_energy, result, err));
+        fits = true;
+        if (is_fixed) HS_TRY(hs_sim_fit_grid(sim, result, &fits, err));
+    }
+    hs_timer_add(&sim->timer, HS_PHASE_PAIR);
+    hs_halo_reverse(&sim->halo, &sim->atoms, is_fixed);
+    hs_timer_add(&sim->timer, HS_PHASE_COMM);
+    if (!is_fixed) return HS_OK;
+    hs_force_settle(&sim->atoms, sim->grid.force);
+    hs_timer_add(&sim->timer, HS_PHASE_PAIR);
+    return HS_OK;
+}
+
+/** Energy and virial over all ranks: sums[7] (collective). */
+static void sum_energy(const hs_sim *sim, const hs_force_result *result, double sums[7])
+{
+    hs_exact_sum exact[7] = {{{0}, 0, 0.0}};
+    for (int k = 0; k < 7; ++k) {
+        hs_exact_add(&exact[k], k == 0 ? result->energy : result->virial[k - 1]);
+        hs_exact_add_scaled(&exact[k], k == 0 ? result->energy_fixed : result->virial_fixed[k - 1], sim->grid.energy);
+    }
+    hs_exact_total(exact, 7, &sim->parallel, sums);
 }
 
 hs_status hs_sim_pair_forces(hs_sim *sim, bool with_energy, hs_error *err)
@@ -80,18 +112,13 @@ hs_status hs_sim_pair_forces(hs_sim *sim, bool with_energy, hs_error *err)
     hs_env *env = &sim->env;
     hs_force_result result = {0};
     hs_timer_mark(&sim->timer);
-    if (!hs_pair_has_forces(sim->pair) || sim->pair->cutoff_max <= 0.0) {
+    if (!hs_pair_has_forces(sim->pair) || sim->pair->cutoff_max <= 0.0)
         clear_forces(&sim->atoms);
-    } else {
-        HS_TRY(add_parts(sim, with_energy, &result, err));
-        hs_timer_add(&sim->timer, HS_PHASE_PAIR);
-        hs_halo_reverse(&sim->halo, &sim->atoms);
-        hs_timer_add(&sim->timer, HS_PHASE_COMM);
-    }
+    else
+        HS_TRY(evaluate(sim, with_energy, &result, err));
     if (!with_energy) return HS_OK;
-    double sums[7] = {result.energy};
-    memcpy(sums + 1, result.virial, sizeof result.virial);
-    hs_parallel_sum_double(&sim->parallel, sums, 7);
+    double sums[7];
+    sum_energy(sim, &result, sums);
     env->pair_energy = sums[0];
     memcpy(env->pair_virial, sums + 1, sizeof env->pair_virial);
     env->energy_step = env->step;

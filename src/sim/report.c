@@ -34,11 +34,11 @@ static hs_status describe_neighbors(const hs_sim *sim, hs_text *text, hs_error *
     HS_TRY(
         hs_text_printf(text, err, "  master list distance cutoff = %.8g\n  ghost atom cutoff = %.8g\n", reach, reach));
     if (cutoff > 0.0) HS_TRY(hs_sim_describe_cells(sim, text, err));
-    return hs_text_printf(text, err, "  neighbor method %s: %s\n  pair kernels: %s, %s precision\n  pairs: %s\n",
-                          hs_neighbor_methods[settings->method], hs_sim_method(sim)->help, hs_isa_names[sim->isa],
-                          hs_precision_names[sim->precision],
-                          settings->exact ? "all within the cutoff at every step"
-                                          : "as the update schedule above gives them");
+    return hs_text_printf(
+        text, err, "  neighbor method %s: %s\n  pair kernels: %s, %s precision%s\n  pairs: %s\n",
+        hs_neighbor_methods[settings->method], hs_sim_method(sim)->help, hs_isa_names[sim->isa],
+        hs_precision_names[sim->precision], sim->kernel_precision == HS_PRECISION_FIXED ? ", reproducible sums" : "",
+        settings->exact ? "all within the cutoff at every step" : "as the update schedule above gives them");
 }
 
 void hs_report_setup(hs_sim *sim)

@@ -51,6 +51,7 @@ hs_status hs_sim_setup(hs_sim *sim, hs_error *err)
         false; /* until the end of this: the exchange below may find atoms that were placed far away */
     hs_timer_reset(&sim->timer);
     HS_TRY(hs_sim_setup_pair(sim, err));
+    HS_TRY(hs_sim_setup_reproducible(sim, err));
     HS_TRY(init_styles(sim, err));
     hs_neighbor_start(&sim->neighbor);
     HS_TRY(hs_sim_exchange(sim, true, err));

@@ -39,6 +39,7 @@ static hs_status create(hs_sim *sim, const hs_options *options, hs_sink *out, hs
     const hs_units *units = hs_units_find("lj");
     HS_TRY(hs_neighbor_init(&sim->neighbor, &sim->atoms, units->skin, err));
     if (options->precision[0] != '\0') HS_TRY(hs_precision_get(options->precision, &sim->precision, err));
+    sim->reproducible = options->reproducible;
     if (options->neighbor_method[0] != '\0')
         HS_TRY(hs_neighbor_set_method(&sim->neighbor, options->neighbor_method, err));
     sim->env = (hs_env){.parallel = &sim->parallel,

@@ -19,13 +19,17 @@
 
 struct hs_thermo;
 
+/** `reproducible on|off`; by default it is on in double precision. */
+typedef enum { HS_REPRODUCIBLE_DEFAULT, HS_REPRODUCIBLE_ON, HS_REPRODUCIBLE_OFF } hs_reproducible;
+
 /** Settings of the command line and of commands that can be given before there is a box. */
 typedef struct hs_options {
-    int n_threads;            /**< 0: OMP_NUM_THREADS, else 1 */
-    char neighbor_method[32]; /**< -neigh, wins over the deck; "" = the deck's or the default */
-    char precision[16];       /**< -precision, wins over the deck; "" = the deck's or double */
-    char isa[16];             /**< instruction set of the kernels; "" or "auto": the best of this machine */
-    bool dry_run;             /**< halfshell check: no step is run, no file is written; `run` reports instead */
+    int n_threads;                /**< 0: OMP_NUM_THREADS, else 1 */
+    char neighbor_method[32];     /**< -neigh, wins over the deck; "" = the deck's or the default */
+    char precision[16];           /**< -precision, wins over the deck; "" = the deck's or double */
+    hs_reproducible reproducible; /**< -reproducible, wins over the deck */
+    char isa[16];                 /**< instruction set of the kernels; "" or "auto": the best of this machine */
+    bool dry_run;                 /**< halfshell check: no step is run, no file is written; `run` reports instead */
 } hs_options;
 
 typedef struct hs_sim {
@@ -60,7 +64,11 @@ typedef struct hs_sim {
     hs_cluster_list list;  /**< method cluster: pairs of the last scheduled build */
     hs_verlet_list verlet; /**< method verlet: the same */
     hs_isa isa;
-    hs_precision precision;
+    hs_precision precision; /**< as asked for: double or mixed */
+    hs_reproducible reproducible;
+    hs_precision kernel_precision; /**< of the present run's kernels: fixed point when reproducible */
+    int force_exponent;            /**< fixed point: grid of the next forces; part of the state of a run */
+    hs_fixed_grid grid;            /**< fixed point: grids of the latest forces and energies */
     hs_timer timer;
 
     bool is_initialized; /**< a run has been set up since the last change of the system (run pre no is allowed) */
@@ -147,6 +155,17 @@ hs_force_job hs_sim_make_job(hs_sim *sim, bool with_energy);
 HS_MUST_USE hs_status hs_sim_sort_and_cluster(hs_sim *sim, double reach, hs_error *err);
 /** The halo alone, to `reach`, with its kernel types.  sim/exchange.c */
 HS_MUST_USE hs_status hs_sim_make_halo(hs_sim *sim, double reach, hs_error *err);
+/* Reproducible runs (sim/reproducible.c). */
+/** Choose the kernels' precision, and round box and positions to the grid; part of every set-up. */
+HS_MUST_USE hs_status hs_sim_setup_reproducible(hs_sim *sim, hs_error *err);
+/** The box has changed: choose the position grid anew, and round to it when it is another. */
+void hs_sim_settle_positions(hs_sim *sim);
+/** Grids for the forces of this step. */
+void hs_sim_begin_grid(hs_sim *sim);
+/** Whether all pairs fitted the grid (collective); if not, coarsen it for another try. After a list build, take the finest grid that
+ *  the present forces allow. An error when a force is infinite. */
+HS_MUST_USE hs_status hs_sim_fit_grid(hs_sim *sim, const hs_force_result *result, bool *fits, hs_error *err);
+
 /** Pair forces on all local atoms, and with_energy also env.pair_energy and pair_virial (collective).  sim/pair_forces.c */
 HS_MUST_USE hs_status hs_sim_pair_forces(hs_sim *sim, bool with_energy, hs_error *err);
 /** What fixes add to, or change about, the forces; with env.with_energy also env.fix_energy and fix_virial (collective).

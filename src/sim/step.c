@@ -24,8 +24,8 @@ static hs_status bring_neighbors_up_to_date(hs_sim *sim, hs_error *err)
 {
     bool is_due;
     sim->is_stopping = hs_sim_is_asked_to_stop(sim);
-    HS_TRY(hs_neighbor_is_due(&sim->neighbor, &sim->atoms, &sim->parallel, sim->env.step, &is_due, &sim->is_stopping,
-                              err));
+    HS_TRY(hs_neighbor_is_due(&sim->neighbor, &sim->atoms, sim->env.position_magic, &sim->parallel, sim->env.step, &is_due,
+                              &sim->is_stopping, err));
     hs_timer_add(&sim->timer, sim->parallel.n_ranks > 1 ? HS_PHASE_COMM : HS_PHASE_NEIGH); /* waiting, mostly */
     is_due = is_due || is_wanted(sim);
     if (is_due) ++sim->neighbor.counters.n_builds;

@@ -49,6 +49,8 @@ typedef struct hs_env {
     /** Raised whenever positions, velocities, forces or the order of atoms change: results of computes are remembered for
      *  one revision. Who changes atoms outside of the hooks before end_of_step raises it (hs_env_changed). */
     uint64_t revision;
+    /** Reproducible runs keep positions on a grid: (d + position_magic) - position_magic rounds to it. Else 0. See hs_moved. */
+    double position_magic;
     double time_origin; /**< simulated time at step time_origin_step: set when dt changes, so that time goes on */
     int64_t time_origin_step;
 
@@ -89,5 +91,9 @@ static inline double hs_env_ramp(const hs_env *env)
                ? (double)(env->step - env->ramp_start) / (double)(env->ramp_stop - env->ramp_start)
                : 0.0;
 }
+
+/** The coordinate x moved by d; @p magic is env->position_magic. Every fix moves atoms by this: in reproducible runs the step,
+ *  not the sum, is rounded to the position grid, so that an atom moves alike in all its periodic images. */
+static inline double hs_moved(double x, double d, double magic) { return x + ((d + magic) - magic); }
 
 #endif

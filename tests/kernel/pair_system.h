@@ -159,7 +159,16 @@ static forces_t sum_all_images(const system_t *s)
 }
 
 typedef enum { NSQ, CELL, VERLET, CLUSTER, N_METHODS } method_t;
+static const char *const form_names[HS_N_PRECISIONS] = {"double", "mixed", "fixed point"};
 static const char *const method_names[] = {"nsq", "cell", "verlet", "cluster"};
+
+/** The grid for forces and energies as large as those of an evaluation. */
+static hs_fixed_grid finest_grid(const system_t *s, const hs_force_result *result)
+{
+    const double force = result->peak_force * s->cutoff_max;
+    const double energy = fmax(force * s->cutoff_max, result->peak_energy);
+    return (hs_fixed_grid){hs_fixed_exponent(force, HS_FIXED_BITS), hs_fixed_exponent(energy, HS_FIXED_BITS)};
+}
 
 static forces_t evaluate_with(system_t *s, method_t method, hs_isa isa, hs_precision precision, bool with_energy)
 {
@@ -204,16 +213,26 @@ static forces_t evaluate_with(system_t *s, method_t method, hs_isa isa, hs_preci
         .cutoff_max = reach,
         .with_energy = with_energy,
         .input = {.x = {atoms->x[0], atoms->x[1], atoms->x[2]}, .type = atoms->type, .table = &s->table}};
-    if (method == CLUSTER) {
-        ck_assert_hs_ok(hs_cluster_list_build(&list, &space, &job, &err), err);
-        ck_assert_hs_ok(hs_force_cluster(&space, &list, &job, &result, &err), err);
-    } else if (method == VERLET) {
-        ck_assert_hs_ok(hs_verlet_list_build(&verlet, &space, &job, &err), err);
-        ck_assert_hs_ok(hs_force_verlet(&space, &verlet, &job, &result, &err), err);
-    } else {
-        ck_assert_hs_ok((is_nsq ? hs_force_nsq : hs_force_cell)(&space, &job, &result, &err), err);
+    if (method == CLUSTER) ck_assert_hs_ok(hs_cluster_list_build(&list, &space, &job, &err), err);
+    if (method == VERLET) ck_assert_hs_ok(hs_verlet_list_build(&verlet, &space, &job, &err), err);
+    const bool is_fixed = precision == HS_PRECISION_FIXED;
+    hs_fixed_grid grid = {-20, -20}; /* coarse: to learn how large forces and energies are */
+    for (int pass = 0; pass < (is_fixed ? 2 : 1); ++pass) {
+        if (is_fixed) hs_force_job_set_grid(&job, grid);
+        if (method == CLUSTER)
+            ck_assert_hs_ok(hs_force_cluster(&space, &list, &job, &result, &err), err);
+        else if (method == VERLET)
+            ck_assert_hs_ok(hs_force_verlet(&space, &verlet, &job, &result, &err), err);
+        else
+            ck_assert_hs_ok((is_nsq ? hs_force_nsq : hs_force_cell)(&space, &job, &result, &err), err);
+        if (pass == 0) grid = finest_grid(s, &result);
     }
-    hs_halo_reverse(&halo, atoms);
+    hs_halo_reverse(&halo, atoms, is_fixed);
+    if (is_fixed) {
+        hs_force_settle(atoms, grid.force);
+        result.energy = ldexp((double)result.energy_fixed, grid.energy);
+        for (int k = 0; k < 6; ++k) result.virial[k] = ldexp((double)result.virial_fixed[k], grid.energy);
+    }
     forces_t out = make_forces(atoms->n_local);
     for (int i = 0; i < atoms->n_local; ++i)
         for (int axis = 0; axis < 3; ++axis) out.f[axis][atoms->id[i] - 1] = atoms->f[axis][i];

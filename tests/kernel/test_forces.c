@@ -39,8 +39,8 @@ static void add_lattice(system_t *s, const int n[3])
 /** Relative to the largest pair force. Double: a force is a sum of at most some hundred terms, none larger than that, each
  *  with a relative error of some epsilon (2.2e-16) from r^-14 and from x_i - x_j. Mixed: coordinates up to 6 from the origin
  *  are rounded to 2.4e-7 (half a unit of float there), which r^-14 turns into 14 * 2.4e-7 / 0.8 = 4e-6 a pair, with some ten
- *  near pairs, and as much again from float arithmetic. */
-static const double tolerances[HS_N_PRECISIONS] = {1e-12, 4e-5};
+ *  near pairs, and as much again from float arithmetic. Fixed point: 50 bits for the largest pair, as good as double. */
+static const double tolerances[HS_N_PRECISIONS] = {1e-12, 4e-5, 1e-12};
 
 static void check_all_methods(system_t *s, const char *what)
 {
@@ -51,16 +51,16 @@ static void check_all_methods(system_t *s, const char *what)
        each of these meets each number in a third of the systems. */
     static int n_systems = 0;
     ++n_systems;
-    for (int kind = -3; kind < 3 * 2 * 2 * ((int)hs_isa_best() + 1); ++kind) {
+    for (int kind = -3; kind < 3 * 2 * HS_N_PRECISIONS * ((int)hs_isa_best() + 1); ++kind) {
         const method_t method = kind < 0 ? NSQ : (method_t)(CELL + kind % 3);
         const bool with_energy = kind < 0 || kind / 3 % 2;
-        const hs_precision precision = kind >= 0 && kind / 6 % 2 ? HS_PRECISION_MIXED : HS_PRECISION_DOUBLE;
-        const hs_isa isa = kind < 0 ? HS_ISA_PORTABLE : (hs_isa)(kind / 12);
+        const hs_precision precision = (hs_precision)(kind < 0 ? HS_PRECISION_DOUBLE : kind / 6 % HS_N_PRECISIONS);
+        const hs_isa isa = kind < 0 ? HS_ISA_PORTABLE : (hs_isa)(kind / (6 * HS_N_PRECISIONS));
         const int threads = 1 + (kind + 3 + kind / 3 + n_systems) % 3;
         hs_threads_set(threads);
         forces_t given = evaluate_with(s, method, isa, precision, with_energy);
         snprintf(name, sizeof name, "%s, %s, %s, %s, %d threads, energy %d", what, method_names[method],
-                 hs_isa_names[isa], hs_precision_names[precision], threads, with_energy);
+                 hs_isa_names[isa], form_names[precision], threads, with_energy);
         assert_same(&given, &right, n, with_energy, tolerances[precision], name);
         free_forces(&given);
     }

@@ -72,7 +72,7 @@ static void begin_system(system_t *s, hs_pair *pair, int dimension, const double
 
 /** As in test_forces.c; here no potential is steeper than r^-14 at r = 0.8, so the same tolerances hold, with exponentials
  *  and cosines of 2 units in the last place among the some tens of terms. */
-static const double tolerances[HS_N_PRECISIONS] = {[HS_PRECISION_DOUBLE] = 1e-12, [HS_PRECISION_MIXED] = 4e-5};
+static const double tolerances[HS_N_PRECISIONS] = {1e-12, 4e-5, 1e-12};
 
 START_TEST(all_methods)
 {
@@ -86,16 +86,17 @@ START_TEST(all_methods)
                          dimension == 2 ? "pfp" : "ppf");
             add_random(&s, dimension == 2 ? 40 : 190, 0.8, 4711);
             forces_t right = sum_all_images(&s);
-            for (int kind = -1; kind < 3 * 2 * 2 * ((int)hs_isa_best() + 1); ++kind) {
+            for (int kind = -1; kind < 3 * 2 * HS_N_PRECISIONS * ((int)hs_isa_best() + 1); ++kind) {
                 const method_t method = kind < 0 ? NSQ : (method_t)(CELL + kind % 3);
                 const bool with_energy = kind < 0 || kind / 3 % 2;
-                const hs_precision precision = kind >= 0 && kind / 6 % 2 ? HS_PRECISION_MIXED : HS_PRECISION_DOUBLE;
-                const hs_isa isa = kind < 0 ? HS_ISA_PORTABLE : (hs_isa)(kind / 12);
+                const hs_precision precision =
+                    (hs_precision)(kind < 0 ? HS_PRECISION_DOUBLE : kind / 6 % HS_N_PRECISIONS);
+                const hs_isa isa = kind < 0 ? HS_ISA_PORTABLE : (hs_isa)(kind / (6 * HS_N_PRECISIONS));
                 char name[160];
                 hs_threads_set(1 + (kind + 1 + n_cases++) % 2);
                 forces_t given = evaluate_with(&s, method, isa, precision, with_energy);
                 snprintf(name, sizeof name, "%s, %dD, %d types, %s, %s, %s", usage->style, dimension, n_types,
-                         method_names[method], hs_isa_names[isa], hs_precision_names[precision]);
+                         method_names[method], hs_isa_names[isa], form_names[precision]);
                 assert_same(&given, &right, s.atoms.n_local, with_energy, tolerances[precision], name);
                 free_forces(&given);
             }

@@ -144,10 +144,10 @@ START_TEST(test_reversal)
         reverse(&e);
         need(&e, hs_simulation_run(e.simulation, n));
         get_state(&e, &x_end, &v_end);
-        /* Every step rounds 3 N coordinates of size < 16 to 2^-50 (rms 2^-50/sqrt(12)). A rounding error made s steps
+        /* Every step rounds 3 N coordinates to the position grid, 2^-46 here (rms 2^-46/sqrt(12)). A rounding error made s steps
            from the start, on the way out or back, is carried back to the start over s steps and grows on that way at
            most as a disturbance grows over all n. 2 n of them add up as a random walk. An upper bound therefore. */
-        const double rounding = 0x1p-50 / sqrt(12.0) * sqrt((double)N3) * sqrt(2.0 * n);
+        const double rounding = 0x1p-46 / sqrt(12.0) * sqrt((double)N3) * sqrt(2.0 * n);
         const double distance = distance_of(x, x_end, N3);
         printf("  %5d   %.3e                         %.3e                %.3g\n", n, distance, rounding * growth,
                growth);
