@@ -185,7 +185,7 @@ void hs_pair_scan_visit(const hs_pair_scan *scan, hs_pair_visit visit, void *con
     }
 }
 
-void hs_pair_scan_reverse(hs_pair_scan *scan) { hs_halo_reverse(&scan->halo, &scan->atoms); }
+void hs_pair_scan_reverse(hs_pair_scan *scan) { hs_halo_reverse(&scan->halo, &scan->atoms, false); }
 
 /** Numbers of pairs that the sums of one atom must hold without rounding. */
 static const double pairs_max = 4096.0;
