@@ -45,7 +45,8 @@ foreach(isa IN LISTS kernel_isas)
   target_compile_definitions(halfshell_kernels_${isa}_fixed PRIVATE HS_KERNEL_ISA=${isa}_fixed HS_FIXED)
   foreach(target halfshell_search_${isa} halfshell_kernels_${isa} halfshell_kernels_${isa}_mixed
           halfshell_kernels_${isa}_fixed)
-    target_compile_options(${target} PRIVATE ${kernel_flags_${isa}})
+    # without -g: debug information of hundreds of unrolled kernels is most of the library, and of the time to link it
+    target_compile_options(${target} PRIVATE ${kernel_flags_${isa}} $<$<CONFIG:Release>:-g0>)
     target_include_directories(${target} PRIVATE "${CMAKE_CURRENT_SOURCE_DIR}/src")
     list(APPEND kernel_objects $<TARGET_OBJECTS:${target}>)
   endforeach()

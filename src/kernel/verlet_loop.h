@@ -63,6 +63,17 @@ HS_INLINE void verlet_vector(const hs_kernel_input *in, hs_kernel_output *out, c
     }
 }
 
+HS_INLINE void begin_atom(verlet_sums *sums, const bool with_energy)
+{
+    for (int axis = 0; axis < 3; ++axis) sums->f[axis] = hs_acc_zero();
+    sums->peak_force = hs_set1(0.0);
+    sums->n_terms = 0;
+    if (!with_energy) return;
+    sums->energy = hs_acc_zero();
+    for (int k = 0; k < 6; ++k) sums->virial[k] = hs_acc_zero();
+    sums->peak_energy = hs_set1(0.0);
+}
+
 /** Add what one i-atom has met to the output. */
 HS_INLINE void finish_atom(hs_kernel_output *out, int i, const verlet_atom *atom, verlet_sums *sums,
                            const bool with_energy)
@@ -96,7 +107,8 @@ HS_INLINE void verlet_loop(const hs_kernel_input *in, hs_kernel_output *out, int
                             .magic_energy = hs_magic_of(in->magic_energy)};
         for (int axis = 0; axis < 3; ++axis) atom.x_local[axis] = hs_set1(hs_local(atom.x[axis], atom.x[axis]));
         if (by_type) atom.row_table = table->values + (size_t)in->type[i] * (size_t)(table->n_types * stride);
-        verlet_sums sums = {0};
+        verlet_sums sums;
+        begin_atom(&sums, with_energy);
         for (; stop - at >= HS_LANES; at += HS_LANES)
             verlet_vector(in, out, &atom, list + at, HS_LANES, only, &sums, true, with_energy, by_type);
         if (at < stop)
