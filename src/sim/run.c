@@ -41,6 +41,7 @@ hs_status hs_sim_init_resumed(hs_sim *sim, hs_error *err)
 {
     HS_TRY(check_system(sim, err));
     HS_TRY(hs_sim_setup_pair(sim, err));
+    HS_TRY(hs_sim_setup_reproducible(sim, err));
     return init_styles(sim, err);
 }
 
