@@ -307,12 +307,15 @@ const hs_command hs_commands_neighbor[] = {
               "`on` (default in double precision) gives the same bits of positions, velocities and thermo output on "
               "any "
               "number of threads and ranks, with any neighbor method, with AVX2 and AVX-512 kernels, and after any "
-              "restart: positions are kept on a grid of a power of two (some 1e-14 of the box), forces and energies "
-              "of pairs are added as 64-bit integers, sums over atoms are exact. The SSE2 and portable kernels, which "
-              "have no fused "
-              "multiply-add, are reproducible among themselves. `off` adds in floating point, a little faster. It is "
-              "off in mixed precision, "
-              "where `on` is refused. The command line's `-reproducible` wins over the deck.",
+              "restart. Positions and the box are kept on a grid of a power of two (some 1e-14 of the box, so a "
+              "lattice "
+              "site on the very face of a region may come to lie beyond it when a run starts), forces and energies of "
+              "pairs are added "
+              "as 64-bit integers, sums over atoms are exact. The SSE2 and portable kernels, which have no fused "
+              "multiply-add, are "
+              "reproducible among themselves. `off` adds in floating point, a tenth faster. It is off in mixed "
+              "precision, where `on` "
+              "is refused. The command line's `-reproducible` wins over the deck.",
           .example = "reproducible off"},
      .run = run_reproducible,
      .check = check_reproducible},
