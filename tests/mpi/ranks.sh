@@ -6,7 +6,9 @@ command -v mpirun >/dev/null 2>&1 || { echo "no mpirun here"; exit 77; }
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
 export OMPI_MCA_hwloc_base_binding_policy=none OMPI_MCA_mpi_yield_when_idle=1
 work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
+# Nothing that was started stays behind: neither a launcher in the background, nor one that hangs (see ranks).
+trap 'kill $(jobs -p) 2>/dev/null || true; rm -rf "$work"' EXIT
+trap 'exit 1' HUP INT TERM
 cd "$work" || exit 1
 
 fail() { echo "FAILED: $*" >&2; exit 1; }
@@ -16,9 +18,9 @@ ranks() {
     local n=$1
     shift
     if [ "$n" -eq 0 ]; then
-        timeout 60 "$HALFSHELL" "$@"
+        timeout -k 5 60 "$HALFSHELL" "$@"
     else
-        timeout 60 mpirun --oversubscribe -np "$n" "$HALFSHELL" "$@"
+        timeout -k 5 60 mpirun --oversubscribe -np "$n" "$HALFSHELL" "$@"
     fi
 }
 

@@ -68,7 +68,7 @@ exec "$@"
 S
 chmod +x limited
 both() { # the second rank with little memory
-    timeout 60 mpirun --oversubscribe -np 1 "$HALFSHELL" "$@" : -np 1 ./limited "$HALFSHELL" "$@"
+    timeout -k 5 60 mpirun --oversubscribe -np 1 "$HALFSHELL" "$@" : -np 1 ./limited "$HALFSHELL" "$@"
 }
 if both in.run -log none >said 2>&1; then
     expect 2 "out of memory" both in.run -var n 70 -log none
@@ -78,13 +78,15 @@ fi
 
 # A rank is killed in mid-run: its parent, mpirun, sees it and ends the others.
 mkdir killed
-(cd killed && exec mpirun --oversubscribe -np 3 "$HALFSHELL" ../in.run -var steps 1000000 -log log >said 2>&1) &
+(cd killed && exec timeout -k 5 60 mpirun --oversubscribe -np 3 "$HALFSHELL" ../in.run -var steps 1000000 -log log >said 2>&1) &
 launcher=$!
 for _ in $(seq 100); do
     sleep 0.1
     grep -q '^ *10 ' killed/log 2>/dev/null && break
 done
-read -ra children < <(ps -o pid= --ppid "$launcher" | tr "\n" " ") || true # there is no newline at its end
+children_of() { ps -o pid= --ppid "$1" | tr "\n" " "; }
+read -r mpirun < <(children_of "$launcher") || true # there is no newline at its end
+read -ra children < <(children_of "$mpirun") || true
 [ "${#children[@]}" -eq 3 ] || { cat killed/said >&2; fail "${#children[@]} ranks run, not 3"; }
 kill -KILL "${children[1]}"
 SECONDS=0
