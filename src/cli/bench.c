@@ -75,8 +75,7 @@ static hs_status parse(const hs_cli *cli, bench *plan, hs_error *err)
         if (strcmp(option->name, "-repeat") == 0) HS_TRY(parse_count("-repeat", value, 1000, &plan->repeat, err));
         if (strcmp(option->name, "-threads") == 0) HS_TRY(parse_list(plan, "-threads", value, add_threads, err));
         if (strcmp(option->name, "-precision") == 0) HS_TRY(hs_cli_parse_precision(value, &plan->options, err));
-        if (strcmp(option->name, "-reproducible") == 0)
-            HS_TRY(hs_cli_parse_reproducible(value, &plan->options, err));
+        if (strcmp(option->name, "-reproducible") == 0) HS_TRY(hs_cli_parse_reproducible(value, &plan->options, err));
         if (strcmp(option->name, "-isa") == 0) HS_TRY(hs_cli_parse_isa(value, &plan->options, err));
         if (strcmp(option->name, "-neigh") == 0) HS_TRY(parse_list(plan, "-neigh", value, add_method, err));
     }
@@ -88,6 +87,7 @@ static hs_status parse(const hs_cli *cli, bench *plan, hs_error *err)
     const int64_t n_atoms = ATOMS_A_CELL * plan->size * plan->size * plan->size;
     int n_methods = 0;
     for (int k = 0; plan->n_methods == 0 && hs_neighbor_methods[k] != NULL && n_methods < CASES_MAX; ++k) {
+        if (strcmp(hs_neighbor_methods[k], "auto") == 0) continue; /* one of the others */
         /* The double loop is the oracle, not a contestant: it would take hours on the larger systems. */
         if (strcmp(hs_neighbor_methods[k], "nsq") == 0 && n_atoms > NSQ_ATOMS_MAX) continue;
         if (hs_methods[k].options & HS_METHOD_TAKES_STENCIL) continue; /* nor are the textbook's: bench neighbors */

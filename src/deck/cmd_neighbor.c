@@ -281,7 +281,9 @@ const hs_command hs_commands_neighbor[] = {
               "only. "
               "`cell` sorts atoms into Morton-ordered cells at every step, `verlet` keeps a list of the neighbors of "
               "each "
-              "atom, `cluster` (default) lists of pairs of four-atom clusters. docs/neighbor-methods.md measures them. "
+              "atom, `cluster` lists of pairs of four-atom clusters; `auto` (default) begins with `cluster`, and runs "
+              "of 1,000 steps and more try `verlet` too, and keep the faster one. docs/neighbor-methods.md measures "
+              "them. "
               "Keywords that a command does not name go back to their defaults (except `pairs`). The command "
               "line's `-neigh` wins over the deck's method, whose keywords are then not used.",
           .example =

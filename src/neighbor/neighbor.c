@@ -6,14 +6,15 @@
 #include "base/memory.h"
 #include "base/text.h"
 
-const char *const hs_neighbor_methods[] = {"nsq", "linked", "incremental", "hash", "cell", "verlet", "cluster", NULL};
+const char *const hs_neighbor_methods[] = {"nsq",    "linked",  "incremental", "hash", "cell",
+                                           "verlet", "cluster", "auto",        NULL};
 
 hs_status hs_neighbor_init(hs_neighbor *neighbor, hs_atoms *atoms, double skin, hs_error *err)
 {
     static const char *const names[3] = {"x listed", "y listed", "z listed"};
     memset(neighbor, 0, sizeof *neighbor);
     neighbor->settings =
-        (hs_neighbor_settings){.skin = skin, .every = 1, .delay = 10, .check = true, .method = HS_METHOD_CLUSTER};
+        (hs_neighbor_settings){.skin = skin, .every = 1, .delay = 10, .check = true, .method = HS_METHOD_AUTO};
     for (int axis = 0; axis < 3; ++axis) {
         HS_TRY(hs_atoms_add_field(atoms, names[axis], (void **)&neighbor->x_listed[axis], sizeof(double), true, err));
         hs_atoms_keep_from_halo(atoms, (void **)&neighbor->x_listed[axis]); /* needed there on late steps only */

@@ -30,6 +30,7 @@ typedef enum {
     HS_METHOD_CELL,
     HS_METHOD_VERLET,
     HS_METHOD_CLUSTER,
+    HS_METHOD_AUTO, /**< one of those with lists, chosen by sim/tuner.h */
     HS_N_METHODS
 } hs_neighbor_method;
 

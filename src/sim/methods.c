@@ -5,7 +5,13 @@
 /* Steps after which atoms are sorted again for methods whose lists do not need it: diffusion undoes the order slowly. */
 enum { SORT_EVERY = 1000 };
 
-const hs_method *hs_sim_method(const hs_sim *sim) { return &hs_methods[sim->neighbor.settings.method]; }
+hs_neighbor_method hs_sim_method_in_use(const hs_sim *sim)
+{
+    const hs_neighbor_method method = sim->neighbor.settings.method;
+    return method == HS_METHOD_AUTO ? sim->tuner.method : method;
+}
+
+const hs_method *hs_sim_method(const hs_sim *sim) { return &hs_methods[hs_sim_method_in_use(sim)]; }
 
 static double listed_reach(const hs_sim *sim) { return sim->pair->cutoff_max + sim->neighbor.settings.skin; }
 
@@ -193,6 +199,9 @@ const hs_method hs_methods[HS_N_METHODS] = {
                            .options = COLUMN_OPTIONS,
                            .renew = renew_cluster,
                            .forces = forces_cluster},
+    [HS_METHOD_AUTO] = {.help = "cluster or verlet, whichever is faster: longer runs try both",
+                        .keeps_lists = true,
+                        .options = COLUMN_OPTIONS},
 };
 
 static hs_status describe_columns(const hs_cells *cells, hs_text *text, hs_error *err)

@@ -22,7 +22,9 @@ typedef struct hs_method {
 /** By hs_neighbor_method. */
 extern const hs_method hs_methods[HS_N_METHODS];
 
-/** The entry of the method in use. */
+/** The method in use: with `auto` the one being tried or chosen. */
+hs_neighbor_method hs_sim_method_in_use(const hs_sim *sim);
+/** Its entry. */
 const hs_method *hs_sim_method(const hs_sim *sim);
 /** What the method's cells are like, for the log; nothing when it has none. */
 HS_MUST_USE hs_status hs_sim_describe_cells(const hs_sim *sim, hs_text *text, hs_error *err);

@@ -123,6 +123,14 @@ static void say_imbalance(const hs_sim *sim)
            atoms.mean > 0.0 ? atoms.max / atoms.mean : 1.0, pair_s.mean > 0.0 ? pair_s.max / pair_s.mean : 1.0);
 }
 
+static void say_tuning(hs_sim *sim)
+{
+    hs_text text = {0};
+    hs_error err = {0};
+    if (hs_tuner_describe(sim, &text, &err) == HS_OK && text.length > 0) hs_say(sim->env.out, "%s", hs_text_get(&text));
+    hs_text_fini(&text);
+}
+
 void hs_report_finish(hs_sim *sim, int64_t n_steps, double loop_s, double cpu_s)
 {
     hs_sink *out = sim->env.out;
@@ -156,6 +164,7 @@ void hs_report_finish(hs_sim *sim, int64_t n_steps, double loop_s, double cpu_s)
         hs_say(out, "Dangerous builds = %lld\n", (long long)counters->n_dangerous);
     else
         hs_say(out, "Dangerous builds not checked\n");
+    say_tuning(sim);
     if (out->log != NULL) fflush(out->log);
 }
 

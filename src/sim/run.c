@@ -42,6 +42,7 @@ hs_status hs_sim_init_resumed(hs_sim *sim, hs_error *err)
     HS_TRY(check_system(sim, err));
     HS_TRY(hs_sim_setup_pair(sim, err));
     HS_TRY(hs_sim_setup_reproducible(sim, err));
+    hs_tuner_start(sim);
     return init_styles(sim, err);
 }
 
@@ -53,6 +54,7 @@ hs_status hs_sim_setup(hs_sim *sim, hs_error *err)
     hs_timer_reset(&sim->timer);
     HS_TRY(hs_sim_setup_pair(sim, err));
     HS_TRY(hs_sim_setup_reproducible(sim, err));
+    hs_tuner_start(sim);
     HS_TRY(init_styles(sim, err));
     hs_neighbor_start(&sim->neighbor);
     HS_TRY(hs_sim_exchange(sim, true, err));

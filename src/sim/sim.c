@@ -1,5 +1,5 @@
 /* The simulation object: making it, and the styles it owns. */
-#include "sim/sim.h"
+#include "sim/methods.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -123,7 +123,7 @@ static void view_pairs(hs_env *env, hs_pair_view *view)
     while (sim->pair->part[k]->style->evaluator == NULL) ++k;
     view->is_uniform = sim->pair_table[k].is_uniform;
     view->clusters = &sim->neighbor.clusters;
-    if (sim->neighbor.settings.method == HS_METHOD_CLUSTER && sim->list.generation == sim->atoms.generation)
+    if (hs_sim_method_in_use(sim) == HS_METHOD_CLUSTER && sim->list.generation == sim->atoms.generation)
         view->list = &sim->list;
 }
 

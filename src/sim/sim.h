@@ -10,6 +10,7 @@
 #include "kernel/cluster_list.h"
 #include "kernel/verlet_list.h"
 #include "neighbor/neighbor.h"
+#include "sim/tuner.h"
 #include "style/compute.h"
 #include "style/dump.h"
 #include "style/env.h"
@@ -63,6 +64,7 @@ typedef struct hs_sim {
     hs_force_space forces; /**< buffers of the pair kernels */
     hs_cluster_list list;  /**< method cluster: pairs of the last scheduled build */
     hs_verlet_list verlet; /**< method verlet: the same */
+    hs_tuner tuner;        /**< method auto */
     hs_isa isa;
     hs_precision precision; /**< as asked for: double or mixed */
     hs_reproducible reproducible;

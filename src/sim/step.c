@@ -24,11 +24,14 @@ static hs_status bring_neighbors_up_to_date(hs_sim *sim, hs_error *err)
 {
     bool is_due;
     sim->is_stopping = hs_sim_is_asked_to_stop(sim);
-    HS_TRY(hs_neighbor_is_due(&sim->neighbor, &sim->atoms, sim->env.position_magic, &sim->parallel, sim->env.step, &is_due,
-                              &sim->is_stopping, err));
+    HS_TRY(hs_neighbor_is_due(&sim->neighbor, &sim->atoms, sim->env.position_magic, &sim->parallel, sim->env.step,
+                              &is_due, &sim->is_stopping, err));
     hs_timer_add(&sim->timer, sim->parallel.n_ranks > 1 ? HS_PHASE_COMM : HS_PHASE_NEIGH); /* waiting, mostly */
     is_due = is_due || is_wanted(sim);
-    if (is_due) ++sim->neighbor.counters.n_builds;
+    if (is_due) {
+        ++sim->neighbor.counters.n_builds;
+        hs_tuner_at_build(sim);
+    }
     const hs_method *method = hs_sim_method(sim);
     if (is_due || !method->keeps_lists) return hs_sim_exchange(sim, is_due, err);
     if (sim->pair->cutoff_max <= 0.0) return HS_OK;
