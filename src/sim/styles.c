@@ -14,12 +14,6 @@
         HS_FREE(item);                                                                                                 \
     } while (0)
 
-static void destroy_compute(hs_compute *compute)
-{
-    HS_FREE(compute->atoms);
-    DESTROY_STYLE(compute);
-}
-
 static void destroy_dump(hs_dump *dump)
 {
     HS_FREE(dump->file);
@@ -30,7 +24,7 @@ void hs_sim_destroy_styles(hs_sim *sim)
 {
     for (int k = 0; k < sim->n_dumps; ++k) destroy_dump(sim->dump[k]);
     for (int k = 0; k < sim->n_fixes; ++k) DESTROY_STYLE(sim->fix[k]);
-    for (int k = 0; k < sim->n_computes; ++k) destroy_compute(sim->compute[k]);
+    for (int k = 0; k < sim->n_computes; ++k) hs_compute_destroy(&sim->compute[k]);
     for (int k = sim->n_regions; k-- > 0;) hs_region_destroy(&sim->region[k]);
     HS_FREE(sim->dump);
     HS_FREE(sim->fix);
@@ -219,27 +213,9 @@ hs_status hs_sim_add_compute(hs_sim *sim, const char *id, const char *group, con
     HS_TRY(hs_groups_get(&sim->groups, group, &bit, err));
     if (hs_sim_find_compute(sim, id) != NULL)
         return hs_fail(err, HS_ERROR_INPUT, "compute: the ID '%s' is taken; uncompute it first or use another", id);
+    HS_TRY(HS_GROW(sim->compute, (size_t)sim->n_computes, (size_t)sim->n_computes + 1, err));
     hs_compute *compute;
-    HS_TRY(HS_ALLOC(compute, 1, err));
-    *compute = (hs_compute){.style = style,
-                            .group = bit,
-                            .mask = hs_group_mask(bit),
-                            .env = &sim->env,
-                            .is_extensive = style->is_extensive,
-                            .is_vector_extensive = style->is_vector_extensive,
-                            .has_scalar = style->scalar != NULL,
-                            .has_vector = style->vector != NULL,
-                            .has_array = style->array != NULL,
-                            .has_atoms = style->per_atom != NULL};
-    hs_compute_invalidate(compute);
-    hs_status status = hs_memory_strdup(&compute->id, id, err);
-    if (status == HS_OK) status = hs_memory_alloc(&compute->state, 1, style->state_size + 1, err);
-    if (status == HS_OK && style->create != NULL) status = style->create(compute, &named, err);
-    if (status == HS_OK) status = HS_GROW(sim->compute, (size_t)sim->n_computes, (size_t)sim->n_computes + 1, err);
-    if (status != HS_OK) {
-        destroy_compute(compute);
-        return status;
-    }
+    HS_TRY(hs_compute_create(&compute, &sim->env, style, id, bit, &named, err));
     sim->compute[sim->n_computes++] = compute;
     return HS_OK;
 }
@@ -315,7 +291,7 @@ hs_status hs_sim_remove_compute(hs_sim *sim, const char *id, hs_error *err)
     int place;
     PLACE_OF(sim->compute, sim->n_computes, "compute", id, place, err);
     if (place < 3) return hs_fail(err, HS_ERROR_INPUT, "uncompute: '%s' belongs to the thermo output and stays", id);
-    destroy_compute(sim->compute[place]);
+    hs_compute_destroy(&sim->compute[place]);
     CLOSE_GAP(sim->compute, sim->n_computes, place);
     return HS_OK;
 }

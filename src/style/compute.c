@@ -1,6 +1,53 @@
 #include "style/compute.h"
 
+#include <string.h>
+
 #include "base/memory.h"
+
+const hs_compute_style *hs_compute_style_find(const char *name)
+{
+    for (int k = 0; hs_compute_styles[k] != NULL; ++k)
+        if (strcmp(hs_compute_styles[k]->about.name, name) == 0) return hs_compute_styles[k];
+    return NULL;
+}
+
+hs_status hs_compute_create(hs_compute **compute, hs_env *env, const hs_compute_style *style, const char *id, int group,
+                            const hs_args *args, hs_error *err)
+{
+    hs_compute *new_one;
+    *compute = NULL;
+    HS_TRY(HS_ALLOC(new_one, 1, err));
+    *new_one = (hs_compute){.style = style,
+                            .group = group,
+                            .mask = hs_group_mask(group),
+                            .env = env,
+                            .is_extensive = style->is_extensive,
+                            .is_vector_extensive = style->is_vector_extensive,
+                            .has_scalar = style->scalar != NULL,
+                            .has_vector = style->vector != NULL,
+                            .has_array = style->array != NULL,
+                            .has_atoms = style->per_atom != NULL};
+    hs_compute_invalidate(new_one);
+    hs_status status = hs_memory_strdup(&new_one->id, id, err);
+    if (status == HS_OK) status = hs_memory_alloc(&new_one->state, 1, style->state_size + 1, err);
+    if (status == HS_OK && style->create != NULL) status = style->create(new_one, args, err);
+    if (status == HS_OK)
+        *compute = new_one;
+    else
+        hs_compute_destroy(&new_one);
+    return status;
+}
+
+void hs_compute_destroy(hs_compute **compute)
+{
+    hs_compute *old = *compute;
+    if (old == NULL) return;
+    if (old->state != NULL && old->style->destroy != NULL) old->style->destroy(old);
+    HS_FREE(old->atoms);
+    HS_FREE(old->state);
+    HS_FREE(old->id);
+    HS_FREE(*compute);
+}
 
 /** The pair energy and virial of this step exist only when the step was told to compute them. */
 static hs_status check_energy(const hs_compute *compute, hs_error *err)

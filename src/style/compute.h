@@ -67,6 +67,15 @@ typedef struct hs_compute {
     double n_dof;         /**< temperature computes: degrees of freedom */
 } hs_compute;
 
+/** A new compute, ID copied. The caller keeps it, calls its init before each run, and gives it to hs_compute_destroy: the
+ *  simulation for those of the deck, a fix for one of its own. */
+HS_MUST_USE hs_status hs_compute_create(hs_compute **compute, hs_env *env, const hs_compute_style *style,
+                                        const char *id, int group, const hs_args *args, hs_error *err);
+/** Free a compute and clear the pointer; NULL is fine. */
+void hs_compute_destroy(hs_compute **compute);
+/** The compute style of that name, or NULL. */
+const hs_compute_style *hs_compute_style_find(const char *name);
+
 /** Evaluate if needed (collective); an error when the style has none, or needs an energy that this step did not compute. */
 HS_MUST_USE hs_status hs_compute_scalar(hs_compute *compute, double *value, hs_error *err);
 /** Element i (from 0) of the vector. */

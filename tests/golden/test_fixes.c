@@ -64,7 +64,7 @@ START_TEST(test_against_lammps)
             run_case(start, name, text), ++n_cases;
         item = next;
     }
-    ck_assert_int_eq(n_cases, 10);
+    ck_assert_int_eq(n_cases, 14);
     free(file);
 }
 END_TEST

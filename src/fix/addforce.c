@@ -1,0 +1,170 @@
+/* Adds a force to each atom of a group: f += F, with the energy -F r. */
+#include <string.h>
+
+#include "base/memory.h"
+#include "style/applied_force.h"
+#include "style/atom_sum.h"
+
+typedef struct addforce_state {
+    hs_applied_force force;
+    int64_t every;
+    char *energy_variable;  /**< owned; atom-style variable that gives the energy of each atom; NULL: -F r */
+    double *energy_of_atom; /**< owned [capacity] */
+    size_t capacity;
+    double sums[4]; /**< sum of the forces before, and energy, of the latest step it acted */
+} addforce_state;
+
+static const hs_keyword keywords[] = {
+    {"every", 1, "<N>", "act at multiples of N steps only"},
+    {"region", 1, "<region-ID>", "only atoms that are in this region at the step"},
+    {"energy", 1, "v_<name>", "atom-style variable: the potential energy of each atom in the added force"},
+    {NULL, 0, NULL, NULL},
+};
+
+static hs_status read_keyword(hs_fix *fix, const hs_args *args, int i, hs_error *err)
+{
+    addforce_state *state = fix->state;
+    if (strcmp(args->word[i], "every") == 0) return hs_arg_int(args, i + 1, 1, INT64_MAX, &state->every, err);
+    if (strcmp(args->word[i], "region") == 0) return hs_applied_force_region(&state->force, fix, args, i + 1, err);
+    if (strncmp(args->word[i + 1], "v_", 2) != 0)
+        return hs_arg_refuse(args, i + 1, "an atom-style variable (v_name)", NULL, err);
+    HS_FREE(state->energy_variable);
+    return hs_memory_strdup(&state->energy_variable, args->word[i + 1] + 2, err);
+}
+
+static hs_status create(hs_fix *fix, const hs_args *args, hs_error *err)
+{
+    addforce_state *state = fix->state;
+    state->every = 1;
+    HS_TRY(hs_syntax_check(&fix->style->about.syntax, args, false, err));
+    HS_TRY(hs_applied_force_create(&state->force, args, false, err));
+    for (int i = 3; i < args->n; i += 2) HS_TRY(read_keyword(fix, args, i, err));
+    return HS_OK;
+}
+
+static void destroy(hs_fix *fix)
+{
+    addforce_state *state = fix->state;
+    hs_applied_force_fini(&state->force);
+    HS_FREE(state->energy_variable);
+    HS_FREE(state->energy_of_atom);
+}
+
+static hs_status init(hs_fix *fix, hs_error *err)
+{
+    const addforce_state *state = fix->state;
+    const hs_env *env = fix->env;
+    HS_TRY(hs_applied_force_init(&((addforce_state *)fix->state)->force, fix, true, err));
+    if (state->energy_variable == NULL) return HS_OK;
+    const int kind = env->variable_kind != NULL ? env->variable_kind(env->deck, state->energy_variable) : 0;
+    if (kind == 2) return HS_OK;
+    return hs_fail(err, HS_ERROR_INPUT, "fix '%s' (addforce): energy needs an atom-style variable, and '%s' is %s",
+                   fix->id, state->energy_variable, kind == 0 ? "no variable that has a value" : "of another style");
+}
+
+static hs_status update_energies(hs_fix *fix, hs_error *err)
+{
+    addforce_state *state = fix->state;
+    const hs_env *env = fix->env;
+    const size_t n = (size_t)env->atoms->n_local;
+    if (state->energy_variable == NULL) return HS_OK;
+    if (n >= state->capacity) {
+        HS_TRY(HS_GROW(state->energy_of_atom, 0, n + n / 8 + 1, err));
+        state->capacity = n + n / 8 + 1;
+    }
+    return env->variable_atoms(env->deck, state->energy_variable, state->energy_of_atom, err);
+}
+
+/** Forces before, and the energy of the force that is added. */
+static void add_terms(const hs_atoms *atoms, const void *context, int begin, int end, hs_exact_sum *sums)
+{
+    const hs_fix *fix = context;
+    const addforce_state *state = fix->state;
+    for (int i = begin; i < end; ++i) {
+        double r[3];
+        if (!hs_applied_force_acts(&state->force, fix, i)) continue;
+        hs_fix_unwrapped(fix, i, r);
+        for (int axis = 0; axis < 3; ++axis) {
+            hs_exact_add(&sums[axis], atoms->f[axis][i]);
+            if (state->energy_variable == NULL)
+                hs_exact_add(&sums[3], -hs_applied_force_of(&state->force, axis, i) * r[axis]);
+        }
+        if (state->energy_variable != NULL) hs_exact_add(&sums[3], state->energy_of_atom[i]);
+    }
+}
+
+static void virial_of(const hs_fix *fix, int i, double w[6])
+{
+    const addforce_state *state = fix->state;
+    double r[3], f[3];
+    if (!hs_applied_force_acts(&state->force, fix, i)) return;
+    hs_fix_unwrapped(fix, i, r);
+    for (int axis = 0; axis < 3; ++axis) f[axis] = hs_applied_force_of(&state->force, axis, i);
+    hs_fix_add_virial(f, r, w); /* F_a r_b as in LAMMPS: the virial of an outer force is not symmetric */
+}
+
+static hs_status post_force(hs_fix *fix, hs_error *err)
+{
+    addforce_state *state = fix->state;
+    const hs_atoms *atoms = fix->env->atoms;
+    if (fix->env->step % state->every != 0) return HS_OK;
+    HS_TRY(hs_applied_force_update(&state->force, fix, err));
+    HS_TRY(update_energies(fix, err));
+    hs_atom_sum(atoms, fix->env->parallel, add_terms, fix, 4, state->sums);
+    if (hs_fix_needs_virial(fix)) hs_fix_sum_virial(fix, virial_of);
+#pragma omp parallel for schedule(static)
+    for (int i = 0; i < atoms->n_local; ++i) {
+        if (!hs_applied_force_acts(&state->force, fix, i)) continue;
+        for (int axis = 0; axis < 3; ++axis) atoms->f[axis][i] += hs_applied_force_of(&state->force, axis, i);
+    }
+    return HS_OK;
+}
+
+static hs_status scalar(hs_fix *fix, double *value, hs_error *err)
+{
+    (void)err;
+    *value = ((addforce_state *)fix->state)->sums[3];
+    return HS_OK;
+}
+
+static hs_status vector(hs_fix *fix, int i, double *value, hs_error *err)
+{
+    (void)err;
+    *value = ((addforce_state *)fix->state)->sums[i];
+    return HS_OK;
+}
+
+static hs_status keep_state(hs_fix *fix, hs_state *kept, hs_error *err)
+{
+    return hs_state_double(kept, "sums", ((addforce_state *)fix->state)->sums, 4, err);
+}
+
+const hs_fix_style hs_fix_style_addforce = {
+    .about =
+        {.name = "addforce",
+         .syntax = {.usage = "<fx> <fy> <fz> [keyword value ...]", .n_min = 3, .n_max = 3, .keywords = keywords},
+         .summary = "add a force to each atom of a group",
+         .details =
+             "At every step (with `every`, at multiples of N) fx, fy, fz (force units) are added to the force on each "
+             "atom of the group. `v_name` is an equal-style variable, evaluated at every step, or an atom-style one. "
+             "With `region` only atoms that are in the region at the step are concerned.\n\nThe vector `f_ID[1]` ... "
+             "`f_ID[3]` is the sum of the forces on these atoms before. The scalar `f_ID` is the potential energy: the "
+             "sum of -F r with unwrapped places, which is right for constant forces; for forces that depend on the "
+             "place, `energy v_name` gives the energy of each atom. `fix_modify energy yes` adds it to the potential "
+             "energy, `fix_modify virial yes` the virial of the force to the pressure.",
+         .example = "fix drive beads addforce 0.1 0.0 0.0\n"
+                    "variable push atom 0.5*sin(y)\nfix 2 all addforce v_push 0 0 region middle"},
+    .state_size = sizeof(addforce_state),
+    .create = create,
+    .destroy = destroy,
+    .init = init,
+    .post_force = post_force,
+    .keep_state = keep_state,
+    .scalar = scalar,
+    .vector = vector,
+    .n_vector = 3,
+    .is_extensive = true,
+    .is_vector_extensive = true,
+    .has_energy = true,
+    .has_virial = true,
+};

@@ -1,0 +1,87 @@
+#include "style/applied_force.h"
+
+#include <string.h>
+
+#include "base/memory.h"
+
+hs_status hs_applied_force_create(hs_applied_force *force, const hs_args *args, bool may_be_free, hs_error *err)
+{
+    for (int axis = 0; axis < 3; ++axis) {
+        const char *word = args->word[axis];
+        force->is_free[axis] = may_be_free && strcmp(word, "NULL") == 0;
+        if (force->is_free[axis]) continue;
+        if (strncmp(word, "v_", 2) == 0)
+            HS_TRY(hs_memory_strdup(&force->variable[axis], word + 2, err));
+        else
+            HS_TRY(hs_arg_double(args, axis, &force->value[axis], err));
+    }
+    return HS_OK;
+}
+
+static hs_status find_region(hs_applied_force *force, const hs_fix *fix, hs_error *err)
+{
+    if (force->region_id == NULL) return HS_OK;
+    force->region = fix->env->find_region(fix->env, force->region_id);
+    if (force->region != NULL) return HS_OK;
+    return hs_fail(err, HS_ERROR_INPUT, "fix '%s' (%s): there is no region '%s'", fix->id, fix->style->about.name,
+                   force->region_id);
+}
+
+hs_status hs_applied_force_region(hs_applied_force *force, const hs_fix *fix, const hs_args *args, int i, hs_error *err)
+{
+    HS_FREE(force->region_id);
+    HS_TRY(hs_memory_strdup(&force->region_id, args->word[i], err));
+    return find_region(force, fix, err);
+}
+
+hs_status hs_applied_force_init(hs_applied_force *force, const hs_fix *fix, bool may_be_per_atom, hs_error *err)
+{
+    const hs_env *env = fix->env;
+    for (int axis = 0; axis < 3; ++axis) {
+        const char *name = force->variable[axis];
+        if (name == NULL) continue;
+        const int kind = env->variable_kind != NULL ? env->variable_kind(env->deck, name) : 0;
+        if (kind == 0)
+            return hs_fail(err, HS_ERROR_INPUT, "fix '%s' (%s): there is no variable '%s' that has a value", fix->id,
+                           fix->style->about.name, name);
+        if (kind == 2 && !may_be_per_atom)
+            return hs_fail(err, HS_ERROR_INPUT, "fix '%s' (%s): the variable '%s' must be of style equal, not atom",
+                           fix->id, fix->style->about.name, name);
+        if (kind == 1) {
+            HS_FREE(force->of_atom[axis]);
+            force->capacity[axis] = 0;
+        } else if (force->of_atom[axis] == NULL) {
+            force->capacity[axis] = (size_t)env->atoms->n_local + 1;
+            HS_TRY(HS_ALLOC(force->of_atom[axis], force->capacity[axis], err));
+        }
+    }
+    return find_region(force, fix, err);
+}
+
+hs_status hs_applied_force_update(hs_applied_force *force, const hs_fix *fix, hs_error *err)
+{
+    const hs_env *env = fix->env;
+    const size_t n = (size_t)env->atoms->n_local;
+    for (int axis = 0; axis < 3; ++axis) {
+        if (force->variable[axis] == NULL) continue;
+        if (force->of_atom[axis] == NULL) {
+            HS_TRY(env->variable_value(env->deck, force->variable[axis], &force->value[axis], err));
+            continue;
+        }
+        if (n > force->capacity[axis]) {
+            HS_TRY(HS_GROW(force->of_atom[axis], 0, n + n / 8, err));
+            force->capacity[axis] = n + n / 8;
+        }
+        HS_TRY(env->variable_atoms(env->deck, force->variable[axis], force->of_atom[axis], err));
+    }
+    return HS_OK;
+}
+
+void hs_applied_force_fini(hs_applied_force *force)
+{
+    for (int axis = 0; axis < 3; ++axis) {
+        HS_FREE(force->variable[axis]);
+        HS_FREE(force->of_atom[axis]);
+    }
+    HS_FREE(force->region_id);
+}

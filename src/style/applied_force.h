@@ -1,0 +1,46 @@
+/** What the fixes that set or add forces share: a force given by three words (numbers, variables, NULL), and a region. */
+#ifndef HS_STYLE_APPLIED_FORCE_H
+#define HS_STYLE_APPLIED_FORCE_H
+
+#include "style/fix.h"
+#include "style/region.h"
+
+/** Zero-initialised; hs_applied_force_fini frees it. */
+typedef struct hs_applied_force {
+    double value[3];    /**< force; of a variable: at the present step */
+    bool is_free[3];    /**< NULL: this component is left alone */
+    char *variable[3];  /**< owned; NULL: a constant */
+    double *of_atom[3]; /**< owned [capacity]: values of an atom-style variable; NULL: one for all atoms */
+    size_t capacity[3];
+    char *region_id;         /**< owned; NULL: everywhere */
+    const hs_region *region; /**< borrowed; found anew before each run */
+} hs_applied_force;
+
+/** Words 0, 1, 2: a number, v_name, or NULL (with @p may_be_free). Keywords are the caller's. */
+HS_MUST_USE hs_status hs_applied_force_create(hs_applied_force *force, const hs_args *args, bool may_be_free,
+                                              hs_error *err);
+/** The word after the keyword `region` at word i. */
+HS_MUST_USE hs_status hs_applied_force_region(hs_applied_force *force, const hs_fix *fix, const hs_args *args, int i,
+                                              hs_error *err);
+/** Before a run: variables and region must be there; atom-style variables with @p may_be_per_atom only. */
+HS_MUST_USE hs_status hs_applied_force_init(hs_applied_force *force, const hs_fix *fix, bool may_be_per_atom,
+                                            hs_error *err);
+/** Evaluate the variables for the present step (collective). */
+HS_MUST_USE hs_status hs_applied_force_update(hs_applied_force *force, const hs_fix *fix, hs_error *err);
+void hs_applied_force_fini(hs_applied_force *force);
+
+/** Whether it acts on local atom i. */
+static inline bool hs_applied_force_acts(const hs_applied_force *force, const hs_fix *fix, int i)
+{
+    const hs_atoms *atoms = fix->env->atoms;
+    const double x[3] = {atoms->x[0][i], atoms->x[1][i], atoms->x[2][i]};
+    return (atoms->mask[i] & fix->mask) != 0 && (force->region == NULL || hs_region_contains(force->region, x));
+}
+
+/** Component of the force on local atom i. */
+static inline double hs_applied_force_of(const hs_applied_force *force, int axis, int i)
+{
+    return force->of_atom[axis] != NULL ? force->of_atom[axis][i] : force->value[axis];
+}
+
+#endif
