@@ -4,9 +4,8 @@
 /** Momentum is conserved, so dim degrees of freedom are not thermal. */
 static hs_status create(hs_compute *compute, const hs_args *args, hs_error *err)
 {
-    const double dim = compute->env->box->dimension;
     HS_TRY(hs_syntax_check(&compute->style->about.syntax, args, false, err));
-    return hs_temperature_create(compute, dim, dim, err);
+    return hs_temperature_create(compute, HS_ALL_AXES, err);
 }
 
 const hs_compute_style hs_compute_style_temp = {

@@ -9,9 +9,8 @@ typedef struct com_state {
 
 static hs_status create(hs_compute *compute, const hs_args *args, hs_error *err)
 {
-    const double dim = compute->env->box->dimension;
     HS_TRY(hs_syntax_check(&compute->style->about.syntax, args, false, err));
-    return hs_temperature_create(compute, dim, dim, err);
+    return hs_temperature_create(compute, HS_ALL_AXES, err);
 }
 
 static void bias(const hs_compute *compute, int i, double v[3])

@@ -19,7 +19,7 @@ static hs_status create(hs_compute *compute, const hs_args *args, hs_error *err)
     if (compute->env->box->dimension == 2 && state->is_used[2])
         return hs_fail(err, HS_ERROR_INPUT, "%s: in two dimensions nothing moves along z: the third flag must be 0",
                        args->command);
-    return hs_temperature_create(compute, n_axes, n_axes, err);
+    return hs_temperature_create(compute, n_axes, err);
 }
 
 static void bias(const hs_compute *compute, int i, double v[3])

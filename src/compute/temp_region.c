@@ -23,8 +23,7 @@ static hs_status create(hs_compute *compute, const hs_args *args, hs_error *err)
     region_state *state = compute->state;
     HS_TRY(hs_memory_strdup(&state->region_id, args->word[0], err));
     HS_TRY(find_region(compute, err));
-    const double dim = compute->env->box->dimension;
-    HS_TRY(hs_temperature_create(compute, dim, dim, err));
+    HS_TRY(hs_temperature_create(compute, HS_ALL_AXES, err));
     state->temperature.is_dynamic = true;
     return HS_OK;
 }

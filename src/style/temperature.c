@@ -6,11 +6,10 @@
 #include "core/atom_style.h"
 #include "style/atom_sum.h"
 
-hs_status hs_temperature_create(hs_compute *compute, double n_per_atom, double n_fixed, hs_error *err)
+hs_status hs_temperature_create(hs_compute *compute, int n_axes, hs_error *err)
 {
     hs_temperature *state = compute->state;
-    state->n_per_atom = n_per_atom;
-    state->n_fixed = n_fixed;
+    state->n_axes = n_axes;
     compute->n_vector = 6;
     compute->n_dof = -1.0;
     return HS_ALLOC(compute->vector, 6, err);
@@ -41,7 +40,8 @@ hs_status hs_temperature_init(hs_compute *compute, hs_error *err)
     int64_t n = 0;
     for (int i = 0; i < env->atoms->n_local; ++i) n += counts(compute, env->atoms, i);
     hs_parallel_sum_int64(env->parallel, &n, 1);
-    compute->n_dof = state->n_per_atom * (double)n - state->n_fixed;
+    const int n_axes = state->n_axes != HS_ALL_AXES ? state->n_axes : env->box->dimension;
+    compute->n_dof = (double)n_axes * (double)n - (state->has_n_fixed ? state->n_fixed : (double)n_axes);
     if (compute->n_dof >= 0.0 || n == 0 || state->is_dynamic) return HS_OK;
     return hs_fail(err, HS_ERROR_INPUT, "compute '%s' (%s): %lld atoms have fewer than 0 degrees of freedom",
                    compute->id, compute->style->about.name, (long long)n);
@@ -98,6 +98,7 @@ hs_status hs_temperature_modify(hs_compute *compute, const hs_args *args, int *n
     *n_used = 2;
     if (strcmp(args->word[0], "extra") == 0 || strcmp(args->word[0], "extra/dof") == 0) {
         compute->n_dof = -1.0;
+        state->has_n_fixed = true;
         return hs_arg_double(args, 1, &state->n_fixed, err);
     }
     if (strcmp(args->word[0], "dynamic") == 0 || strcmp(args->word[0], "dynamic/dof") == 0)

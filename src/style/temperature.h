@@ -7,14 +7,18 @@
 
 #include "style/compute.h"
 
+enum { HS_ALL_AXES = -1 };
+
 typedef struct hs_temperature {
-    double n_per_atom; /**< degrees of freedom of an atom */
-    double n_fixed;    /**< not thermal, to be taken off: compute_modify extra/dof, at first what the style says */
+    int n_axes;        /**< degrees of freedom of an atom; HS_ALL_AXES: as many as the box has dimensions */
+    double n_fixed;    /**< not thermal, to be taken off: compute_modify extra/dof */
+    bool has_n_fixed;  /**< else they are those of one atom */
     bool is_dynamic;   /**< atoms are counted at each evaluation: compute_modify dynamic/dof */
 } hs_temperature;
 
-/** Room for the tensor, and the degrees of freedom. */
-HS_MUST_USE hs_status hs_temperature_create(hs_compute *compute, double n_per_atom, double n_fixed, hs_error *err);
+/** Room for the tensor. The dimensions of the box are looked up when atoms are counted: the temperature of the thermo output
+ *  exists before the deck says `dimension 2`. */
+HS_MUST_USE hs_status hs_temperature_create(hs_compute *compute, int n_axes, hs_error *err);
 void hs_temperature_destroy(hs_compute *compute);
 /** Count the atoms: compute->n_dof. Before each run (collective). */
 HS_MUST_USE hs_status hs_temperature_init(hs_compute *compute, hs_error *err);
