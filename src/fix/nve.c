@@ -25,27 +25,51 @@ static hs_status init(hs_fix *fix, hs_error *err)
 
 static void destroy(hs_fix *fix) { HS_FREE(((nve_state *)fix->state)->half_kick); }
 
-/** v += (dt/2) f/m, and with @p drift x += dt v. */
-static inline void move(const hs_fix *fix, bool drift)
+/** What moves the atoms of one type alike. */
+typedef struct step_sizes {
+    double dt, magic, half_dt;
+    const double *half_kick; /**< [n_types + 1] */
+    uint32_t mask;
+} step_sizes;
+
+/** One axis of one atom: v += (dt/2) f/m, and with @p drift x += dt v. The bools are constants where it is called, so that the usual
+ *  case, one type and group all, is a loop without look-ups. */
+static inline __attribute__((always_inline)) void move_atoms(const hs_atoms *atoms, int axis, const step_sizes *sizes,
+                                                             const bool drift, const bool is_plain)
+{
+    double *restrict x = atoms->x[axis], *restrict v = atoms->v[axis];
+    const double *restrict f = atoms->f[axis], *restrict rmass = atoms->rmass;
+    const int32_t *restrict type = atoms->type;
+    const uint32_t *restrict group = atoms->mask;
+    const double dt = sizes->dt, magic = sizes->magic, only_kick = sizes->half_kick[1];
+#pragma omp for schedule(static) nowait
+    for (int i = 0; i < atoms->n_local; ++i) {
+        const bool is_moved = is_plain || (group[i] & sizes->mask) != 0;
+        const double kick = is_plain        ? only_kick
+                            : rmass != NULL ? sizes->half_dt / rmass[i]
+                                            : sizes->half_kick[type[i]];
+        const double v_new = v[i] + kick * f[i];
+        v[i] = is_moved ? v_new : v[i];
+        if (drift) x[i] = is_moved ? hs_moved(x[i], dt * v_new, magic) : x[i];
+    }
+}
+
+static inline __attribute__((always_inline)) void move(const hs_fix *fix, const bool drift)
 {
     const nve_state *nve = fix->state;
     const hs_atoms *atoms = fix->env->atoms;
-    const double *half_kick = nve->half_kick, half_dt = nve->half_dt, dt = drift ? fix->env->dt : 0.0,
-                 magic = fix->env->position_magic;
-    const uint32_t mask = fix->mask;
+    const step_sizes sizes = {.dt = fix->env->dt,
+                              .magic = fix->env->position_magic,
+                              .half_dt = nve->half_dt,
+                              .half_kick = nve->half_kick,
+                              .mask = fix->mask};
+    const bool is_plain = atoms->n_types == 1 && atoms->rmass == NULL && fix->group == 0;
 #pragma omp parallel
     for (int axis = 0; axis < 3; ++axis) {
-        double *restrict x = atoms->x[axis], *restrict v = atoms->v[axis];
-        const double *restrict f = atoms->f[axis], *restrict rmass = atoms->rmass;
-        const int32_t *restrict type = atoms->type;
-        const uint32_t *restrict group = atoms->mask;
-#pragma omp for schedule(static) nowait
-        for (int i = 0; i < atoms->n_local; ++i) {
-            const bool is_moved = (group[i] & mask) != 0;
-            const double v_new = v[i] + (rmass != NULL ? half_dt / rmass[i] : half_kick[type[i]]) * f[i];
-            v[i] = is_moved ? v_new : v[i];
-            if (drift) x[i] = is_moved ? hs_moved(x[i], dt * v_new, magic) : x[i];
-        }
+        if (is_plain)
+            move_atoms(atoms, axis, &sizes, drift, true);
+        else
+            move_atoms(atoms, axis, &sizes, drift, false);
     }
 }
 
