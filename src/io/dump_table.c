@@ -90,8 +90,9 @@ static hs_format_kind kind_of(const hs_dump_table *table, int k)
 /** In LAMMPS's order: the column's own format, then that of its kind, then the line's, then the default. */
 static hs_status make_format(hs_dump *dump, int k, const char *line_word, hs_error *err)
 {
-    static const char *const defaults[] = {"%d", "%g", "%s"};
     hs_dump_table *table = dump->state;
+    const char *const float_format = table->layout->float_format;
+    const char *const defaults[] = {"%d", float_format != NULL ? float_format : "%g", "%s"};
     hs_dump_column *column = &table->column[k];
     const hs_format_kind kind = kind_of(table, k);
     const char *of_kind = kind == HS_FORMAT_INT     ? table->format_int
@@ -205,7 +206,9 @@ static hs_status append_type_name(const hs_dump *dump, const hs_dump_column *col
     const int type = dump->env->atoms->type[i];
     char number[16];
     if (table->n_elements > 0) return hs_text_printf(text, err, column->format, table->element[type - 1]);
-    if (!table->layout->is_element_first) return hs_text_printf(text, err, column->format, "C");
+    if (!table->layout->is_element_first)
+        return hs_text_printf(text, err, column->format,
+                              table->layout->unnamed != NULL ? table->layout->unnamed : "C");
     snprintf(number, sizeof number, "%d", type);
     return hs_text_printf(text, err, column->format, number);
 }
@@ -228,14 +231,20 @@ static hs_status append_row(const void *context, int64_t row, hs_text *text, hs_
     return hs_text_append(text, "\n", 1, err);
 }
 
+static hs_status write_header(hs_dump *dump, hs_writer *writer, hs_error *err)
+{
+    const hs_dump_layout *layout = ((const hs_dump_table *)dump->state)->layout;
+    if (layout->write_header != NULL) return layout->write_header(dump, writer, err);
+    return layout->has_atom_header ? write_item_header(dump, writer, err) : write_xyz_header(dump, writer, err);
+}
+
 /** Header and rows into the first rank's file (collective). */
 static hs_status write_snapshot(hs_dump *dump, hs_writer *writer, hs_error *err)
 {
     const hs_dump_table *table = dump->state;
     HS_UNLESS_FAILED(err, hs_dump_select(dump, err));
     if (!table->no_header && writer != NULL)
-        HS_UNLESS_FAILED(err, table->layout->has_atom_header ? write_item_header(dump, writer, err)
-                                                             : write_xyz_header(dump, writer, err));
+        HS_UNLESS_FAILED(err, write_header(dump, writer, err));
     const hs_text_rows rows = {.n = table->n_rows,
                                .is_descending = table->is_descending,
                                .by_rank = table->is_unsorted,

@@ -30,6 +30,10 @@ typedef struct hs_dump_condition {
 /** How a style lays out its rows: what dump_modify may change. */
 typedef struct hs_dump_layout {
     bool has_atom_header;    /**< ITEM: lines; false: the two lines of xyz */
+    /** Not collective: lines above the rows, where those are neither of the two. */
+    HS_MUST_USE hs_status (*write_header)(struct hs_dump *dump, hs_writer *writer, hs_error *err);
+    const char *unnamed;     /**< element of types without one; NULL: C, as LAMMPS has it */
+    const char *float_format; /**< default; NULL: %g */
     bool is_element_first;   /**< xyz: the first column is a type's number or name, always text */
     bool has_column_formats; /**< dump_modify format int, float, N */
     bool has_scale_image;    /**< dump_modify scale, image */

@@ -54,7 +54,7 @@ static void single(const double *params, double r2, double *force_over_r, double
 
 #define HS_KERNELS(isa) HS_PASTE3(hs_kernels_, HS_EVALUATOR, isa)
 extern const hs_kernel_set HS_KERNELS(portable), HS_KERNELS(portable_mixed), HS_KERNELS(portable_fixed);
-#if defined(__x86_64__)
+#if defined(__x86_64__) && !defined(HS_PORTABLE_ONLY)
 extern const hs_kernel_set HS_KERNELS(sse2), HS_KERNELS(sse2_mixed), HS_KERNELS(sse2_fixed);
 extern const hs_kernel_set HS_KERNELS(avx2), HS_KERNELS(avx2_mixed), HS_KERNELS(avx2_fixed);
 extern const hs_kernel_set HS_KERNELS(avx512), HS_KERNELS(avx512_mixed), HS_KERNELS(avx512_fixed);
@@ -66,7 +66,7 @@ const hs_evaluator HS_PASTE2(hs_evaluator_, HS_EVALUATOR) = {
     .set =
         {
             [HS_ISA_PORTABLE] = {&HS_KERNELS(portable), &HS_KERNELS(portable_mixed), &HS_KERNELS(portable_fixed)},
-#if defined(__x86_64__)
+#if defined(__x86_64__) && !defined(HS_PORTABLE_ONLY)
             [HS_ISA_SSE2] = {&HS_KERNELS(sse2), &HS_KERNELS(sse2_mixed), &HS_KERNELS(sse2_fixed)},
             [HS_ISA_AVX2] = {&HS_KERNELS(avx2), &HS_KERNELS(avx2_mixed), &HS_KERNELS(avx2_fixed)},
             [HS_ISA_AVX512] = {&HS_KERNELS(avx512), &HS_KERNELS(avx512_mixed), &HS_KERNELS(avx512_fixed)},

@@ -26,7 +26,7 @@ hs_status hs_precision_get(const char *name, hs_precision *precision, hs_error *
 
 static bool has_isa(hs_isa isa)
 {
-#if defined(__x86_64__)
+#if defined(__x86_64__) && !defined(HS_PORTABLE_ONLY)
     switch (isa) {
     case HS_ISA_AVX512:
         return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("bmi2") &&
@@ -69,7 +69,7 @@ hs_status hs_isa_get(const char *name, hs_isa *isa, hs_error *err)
                    nearest != NULL ? nearest : "auto", nearest != NULL ? "?" : "");
 }
 
-#if defined(__x86_64__)
+#if defined(__x86_64__) && !defined(HS_PORTABLE_ONLY)
 #define FOR_ISA(isa, name)                                                                                             \
     ((isa) == HS_ISA_AVX512 ? name##avx512                                                                             \
      : (isa) == HS_ISA_AVX2 ? name##avx2                                                                               \

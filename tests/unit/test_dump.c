@@ -122,6 +122,29 @@ START_TEST(test_xyz)
 }
 END_TEST
 
+/** The second line says all that ASE and OVITO need; brackets are no part of a property's name. */
+START_TEST(test_extxyz)
+{
+    static const char about[] =
+        "4\nLattice=\"1.679596191382507 0 0 0 1.679596191382507 0 0 0 1.679596191382507\" Origin=\"0 0 0\" "
+        "Properties=species:S:1:pos:R:3:id:I:1:type:I:1 pbc=\"T T F\" ";
+    char expected[2048];
+    enter_directory();
+    run_good("compute s all stress/atom NULL virial\ndump 1 all extxyz 5 x.xyz vx vy vz c_s[1] ix vy\n"
+             "dump 2 all extxyz 5 y.xyz\ndump_modify 2 element Ar Xe format float %.3f\nrun 5\n");
+    snprintf(expected, sizeof expected,
+             "%sStep=0 Time=0\nAr 0.000 0.000 0.000 1 1\nAr 0.840 0.840 0.000 2 1\nXe 0.840 0.000 0.840 3 2\n"
+             "Ar 0.000 0.840 0.840 4 1\n%sStep=5 Time=0.025\nAr 0.013 -0.006 0.000 1 1\nAr 0.852 0.834 0.000 2 1\n"
+             "Xe 0.852 -0.006 0.840 3 2\nAr 0.013 0.834 0.840 4 1\n",
+             about, about);
+    expect_file("y.xyz", expected);
+    char *text = hs_test_read_file("x.xyz");
+    ck_assert_ptr_nonnull(strstr(text, "type:I:1:velo:R:3:c_s_1:R:1:ix:I:1:vy:R:1 pbc"));
+    ck_assert_ptr_nonnull(strstr(text, "\nX 0.8397980957 0.8397980957 0 2 1 0.5 -0.25 0 "));
+    free(text);
+    leave_directory();
+}
+END_TEST
 START_TEST(test_formats_and_headers)
 {
     enter_directory();
@@ -300,5 +323,5 @@ START_TEST(test_writer)
 }
 END_TEST
 
-HS_TEST_MAIN("dump", test_atom, test_custom, test_xyz, test_formats_and_headers, test_sort_and_selection, test_when,
-             test_gzip_and_write_dump, test_refusals, test_writer)
+HS_TEST_MAIN("dump", test_atom, test_custom, test_xyz, test_extxyz, test_formats_and_headers, test_sort_and_selection,
+             test_when, test_gzip_and_write_dump, test_refusals, test_writer)
