@@ -32,10 +32,9 @@ typedef struct energy_context {
 static void share(void *context, const hs_pair_batch *batch, double (*values)[HS_PAIR_BATCH])
 {
     const energy_context *c = context;
-    const int32_t *type = c->scan->atoms.type;
     for (int p = 0; p < batch->n; ++p) {
         double force_over_r, energy;
-        hs_pair_view_eval(&c->view, type[batch->i[p]], type[batch->j[p]], batch->r2[p], &force_over_r, &energy);
+        hs_pair_scan_eval(c->scan, &c->view, batch->i[p], batch->j[p], batch->r2[p], &force_over_r, &energy);
         values[0][p] = 0.5 * energy;
     }
 }

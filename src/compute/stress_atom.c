@@ -70,10 +70,9 @@ static const int axis_a[6] = {0, 1, 2, 0, 0, 1}, axis_b[6] = {0, 1, 2, 1, 2, 2};
 static void share(void *context, const hs_pair_batch *batch, double (*values)[HS_PAIR_BATCH])
 {
     const virial_context *c = context;
-    const int32_t *type = c->scan->atoms.type;
     for (int p = 0; p < batch->n; ++p) {
         double force_over_r, energy;
-        hs_pair_view_eval(&c->view, type[batch->i[p]], type[batch->j[p]], batch->r2[p], &force_over_r, &energy);
+        hs_pair_scan_eval(c->scan, &c->view, batch->i[p], batch->j[p], batch->r2[p], &force_over_r, &energy);
         for (int k = 0; k < 6; ++k)
             values[k][p] = 0.5 * force_over_r * batch->dx[axis_a[k]][p] * batch->dx[axis_b[k]][p];
     }

@@ -39,7 +39,7 @@ hs_status hs_atoms_set_style(hs_atoms *atoms, const hs_atom_style *style, hs_err
     remove_fields(atoms);
     atoms->style = *style;
     if (hs_atom_style_has(style, HS_ATOM_SPHERE)) {
-        HS_TRY(hs_atoms_add_field(atoms, "radius", (void **)&atoms->radius, sizeof(double), false, err));
+        HS_TRY(hs_atoms_add_field(atoms, "radius", (void **)&atoms->radius, sizeof(double), true, err));
         HS_TRY(hs_atoms_add_field(atoms, "rmass", (void **)&atoms->rmass, sizeof(double), false, err));
         for (int axis = 0; axis < 3; ++axis)
             HS_TRY(

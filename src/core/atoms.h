@@ -53,7 +53,7 @@ typedef struct hs_atoms {
     uint32_t *mask;    /**< group bits; local */
     int32_t *image[3]; /**< box lengths to add for the unwrapped position; local */
     hs_atom_style style;
-    double *radius;    /**< distance; local; this and the next are NULL unless the style has spheres */
+    double *radius;    /**< distance; local and halo; this and the next are NULL unless the style has spheres */
     double *rmass;     /**< mass of each atom: takes the place of mass[type] (hs_atom_mass); local */
     double *omega[3];  /**< angular velocity, 1/time; local */
     double *mu[3];     /**< dipole moment; local; this and the next are NULL unless the style has dipoles */

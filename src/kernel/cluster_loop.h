@@ -19,6 +19,7 @@ typedef struct cluster_constants {
     double origin[3], listed_origin[3];        /**< coordinates are relative to these in single precision */
     hs_real x[3][HS_CLUSTER];                  /**< of the i-atoms */
     hs_real x_listed[3][HS_CLUSTER];           /**< when the list was due; only with listed_only */
+    hs_real radius[HS_CLUSTER];                /**< of the i-atoms; only where the evaluator asks for them */
     hs_magic magic_force, magic_energy;
 } cluster_constants;
 
@@ -45,6 +46,8 @@ HS_INLINE void row_pairs(const hs_kernel_input *in, const cluster_constants *con
                  dz = x_j[2] - hs_set1(x_i[2][row]);
     const hs_vec r2 = hs_fma(dz, dz, hs_fma(dy, dy, dx * dx));
     hs_msk mask = hs_mask_and(listed, hs_less(r2, params[HS_TABLE_CUT_R2]));
+    const hs_vec reach = HS_HAS_RADII ? params[HS_TABLE_PARAMS + N_PARAMS] : hs_set1(0.0);
+    if (HS_HAS_RADII) mask = hs_mask_and(mask, hs_less(r2, reach * reach));
     if (listed_only) {
         const double *from = constants->listed_origin;
         const hs_vec lx = hs_load_clusters(in->x_listed[0], from[0], entry, sub) - hs_set1(constants->x_listed[0][row]);
@@ -52,6 +55,10 @@ HS_INLINE void row_pairs(const hs_kernel_input *in, const cluster_constants *con
         const hs_vec lz = hs_load_clusters(in->x_listed[2], from[2], entry, sub) - hs_set1(constants->x_listed[2][row]);
         const hs_vec listed_r2 = lx * lx + ly * ly + lz * lz; /* rounded as in refine.c: the same pairs in both */
         mask = hs_mask_and(mask, hs_less(listed_r2, params[HS_TABLE_LISTED_R2]));
+        if (HS_HAS_RADII && in->listed_by_radius) {
+            const hs_vec listed_reach = reach + hs_set1(in->skin);
+            mask = hs_mask_and(mask, hs_less(listed_r2, listed_reach * listed_reach));
+        }
     }
     hs_vec force_over_r, energy = hs_set1(0.0);
     evaluate(params + HS_TABLE_PARAMS, r2, &force_over_r, &energy, with_energy);
@@ -83,6 +90,7 @@ HS_INLINE cluster_constants make_constants(const hs_kernel_input *in, int first,
     for (int row = 0; row < HS_CLUSTER && by_type; ++row)
         constants.row_table[row] = table->values + (size_t)in->type[first + row] * (size_t)(table->n_types * stride);
     for (int k = 0; k < stride && !by_type; ++k) constants.params[k] = hs_set1(values[k]);
+    for (int row = 0; row < HS_CLUSTER && HS_HAS_RADII; ++row) constants.radius[row] = (hs_real)in->radius[first + row];
     for (int axis = 0; axis < 3; ++axis) {
         constants.origin[axis] = in->x[axis][first];
         if (listed_only) constants.listed_origin[axis] = in->x_listed[axis][first];
@@ -128,12 +136,14 @@ HS_INLINE void vector_rows(const hs_kernel_input *in, hs_kernel_output *out, con
     const hs_vec x_j[3] = {hs_load_clusters(in->x[0], origin[0], entry, sub),
                            hs_load_clusters(in->x[1], origin[1], entry, sub),
                            hs_load_clusters(in->x[2], origin[2], entry, sub)};
+    const hs_vec radius_j = HS_HAS_RADII ? hs_load_clusters(in->radius, 0.0, entry, sub) : hs_set1(0.0);
     const hs_masks masks = hs_masks_of(entry, sub);
     hs_acc reaction[3] = {hs_acc_zero(), hs_acc_zero(), hs_acc_zero()};
 #pragma GCC unroll 4
     for (int row = 0; row < HS_CLUSTER; ++row) {
         if ((rows >> row & 1u) == 0) continue;
-        hs_vec params[HS_TABLE_PARAMS + N_PARAMS];
+        hs_vec params[HS_TABLE_PARAMS + N_PARAMS + HS_HAS_RADII];
+        if (HS_HAS_RADII) params[stride] = radius_j + hs_set1(constants->radius[row]);
         for (int k = 0; k < stride; ++k)
             params[k] =
                 by_type ? hs_lookup(constants->row_table[row] + k, in->type, stride, entry, sub) : constants->params[k];

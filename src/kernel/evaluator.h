@@ -13,6 +13,9 @@
  *      ... descriptor, with .evaluator = &hs_evaluator_name ...
  *      #endif
  *
+ *  A potential of atoms that have radii says `#define HS_EVALUATOR_RADII` before instantiate.h. Its parameter p[N_PARAMS] is
+ *  then the sum of the two atoms' radii, beyond which it must be zero; the cutoff of the type pair is the largest such sum.
+ *
  *  Where r is beyond the cutoff the results are not used, so r2 may be anything; no branches, no libm calls on vectors:
  *  kernel/vector_math.h has exponential, sine and cosine. */
 #ifndef HS_KERNEL_EVALUATOR_H

@@ -212,7 +212,9 @@ static double distance2(const double *const x[3], int i, int j, double d[3])
 static inline bool is_listed(const hs_kernel_input *in, const double *row, int i, int j)
 {
     double d[3];
-    return !in->listed_only || distance2(in->x_listed, i, j, d) < row[HS_TABLE_LISTED_R2];
+    if (!in->listed_only) return true;
+    const double r2 = distance2(in->x_listed, i, j, d);
+    return r2 < row[HS_TABLE_LISTED_R2] && (!in->listed_by_radius || r2 < hs_listed_by_radius_r2(in, i, j));
 }
 
 /** One pair of the double loop. */
@@ -223,9 +225,10 @@ static inline void nsq_pair(hs_force_buffer *buffer, const hs_force_job *job, in
     const double *row = table->values + (size_t)(in->type[i] * table->n_types + in->type[j]) * (size_t)table->stride;
     double d[3];
     const double r2 = distance2(in->x, i, j, d);
-    if (!(r2 < row[HS_TABLE_CUT_R2]) || !is_listed(in, row, i, j)) return;
+    const double sum_of_radii = job->evaluator->has_radii ? in->radius[i] + in->radius[j] : 0.0;
     double force_over_r, energy, f[3];
-    job->evaluator->single(row + HS_TABLE_PARAMS, r2, &force_over_r, &energy);
+    if (!hs_evaluator_pair(job->evaluator, row, sum_of_radii, r2, &force_over_r, &energy)) return;
+    if (!is_listed(in, row, i, j)) return;
     for (int axis = 0; axis < 3; ++axis) {
         f[axis] = force_over_r * d[axis];
         buffer->f[axis][i] += f[axis];

@@ -87,6 +87,7 @@ static inline bool does_count(const hs_kernel_input *in, int n_local, int i, int
         r2 += d * d;
     }
     const size_t row = (size_t)(in->type[i] * in->table->n_types + in->type[j]);
+    if (in->listed_by_radius && !(r2 < hs_listed_by_radius_r2(in, i, j))) return false;
     return r2 < in->table->values[row * (size_t)in->table->stride + HS_TABLE_LISTED_R2];
 }
 

@@ -6,6 +6,12 @@
 #define HS_PASTE2_(a, b)    a##b
 #define HS_PASTE2(a, b)     HS_PASTE2_(a, b)
 
+#ifdef HS_EVALUATOR_RADII
+enum { HS_HAS_RADII = 1 };
+#else
+enum { HS_HAS_RADII = 0 };
+#endif
+
 #ifdef HS_KERNEL_ISA
 
 #include "kernel/cluster_loop.h"
@@ -62,6 +68,7 @@ extern const hs_kernel_set HS_KERNELS(avx512), HS_KERNELS(avx512_mixed), HS_KERN
 extern const hs_evaluator HS_PASTE2(hs_evaluator_, HS_EVALUATOR);
 const hs_evaluator HS_PASTE2(hs_evaluator_, HS_EVALUATOR) = {
     .n_params = N_PARAMS,
+    .has_radii = HS_HAS_RADII,
     .single = single,
     .set =
         {

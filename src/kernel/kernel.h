@@ -53,9 +53,19 @@ typedef struct hs_kernel_input {
     const double *x_listed[3]; /**< positions when LAMMPS would have built its list; NULL unless `listed_only` */
     bool listed_only;          /**< count only pairs that were within their listed distance then */
     const int32_t *type;       /**< kernel types, local and halo */
+    const double *radius;      /**< distance, local and halo; NULL unless an evaluator of the pair style needs it */
+    bool listed_by_radius;     /**< listed pairs are within radius_i + radius_j + skin, too */
+    double skin;               /**< distance; read only when listed_by_radius */
     const hs_pair_table *table;
     double magic_force, magic_energy; /**< fixed point only: see kernel/accumulate.h */
 } hs_kernel_input;
+
+/** (radius_i + radius_j + skin)^2 of a pair, the same number wherever it is computed. */
+static inline double hs_listed_by_radius_r2(const hs_kernel_input *in, int i, int j)
+{
+    const double reach = in->radius[i] + in->radius[j] + in->skin;
+    return reach * reach;
+}
 
 /** What a kernel adds to; private to one thread. */
 typedef struct hs_kernel_output {
@@ -98,10 +108,19 @@ typedef struct hs_kernel_set {
 /** A potential compiled for every instruction set; made by kernel/instantiate.h from the file of a pair style. */
 typedef struct hs_evaluator {
     int n_params; /**< doubles per type pair */
+    /** One more parameter follows those of the type pair: radius_i + radius_j, which is the cutoff of the pair, too. */
+    bool has_radii;
     /** The potential of one pair: force/r and energy from r^2 and the pair's parameters. The oracle of all kernels. */
     void (*single)(const double *params, double r2, double *force_over_r, double *energy);
     const hs_kernel_set *set[HS_N_ISAS][HS_N_PRECISIONS]; /**< NULL where not compiled */
 } hs_evaluator;
+
+/** Parameters that an evaluator may have for a pair of types, without the sum of radii. */
+enum { HS_EVALUATOR_PARAMS_MAX = 63 };
+/** The potential of one pair by a row of the pair table, and by the sum of the two radii where the evaluator has those;
+ *  false, and nothing is written, beyond the cutoff. */
+bool hs_evaluator_pair(const hs_evaluator *evaluator, const double *row, double sum_of_radii, double r2,
+                       double *force_over_r, double *energy);
 
 /** Fill hs_pair_table.is_uniform: whether every pair of the given kernel types (1 ..) has the same row. */
 bool hs_pair_table_is_uniform(const hs_pair_table *table);

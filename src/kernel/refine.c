@@ -19,7 +19,13 @@ static inline void refine_vector(const hs_kernel_input *in, int first, hs_cluste
             const hs_vec limit = table->is_uniform
                                      ? hs_set1(only)
                                      : hs_lookup(row_table + HS_TABLE_LISTED_R2, in->type, table->stride, entry, sub);
-            const uint32_t near = hs_mask_to_bits(hs_less(dx * dx + dy * dy + dz * dz, limit));
+            const hs_vec r2 = dx * dx + dy * dy + dz * dz;
+            uint32_t near = hs_mask_to_bits(hs_less(r2, limit));
+            if (in->listed_by_radius) {
+                const hs_vec reach =
+                    hs_load_clusters(in->radius, 0.0, entry, sub) + hs_set1(in->radius[i]) + hs_set1(in->skin);
+                near &= hs_mask_to_bits(hs_less(r2, reach * reach));
+            }
             for (int k = 0; k < HS_GROUP; ++k)
                 refined[k] |= (near >> HS_CLUSTER * k & 0xfu) << (4 * row + (HS_SUBS > 1 ? HS_LANES * sub : 0));
         }

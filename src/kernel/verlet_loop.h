@@ -16,6 +16,7 @@ typedef struct verlet_atom {
     double x[3];             /**< coordinates are relative to these in single precision */
     hs_vec x_local[3];       /**< its own, as kernels use it, in all lanes */
     const double *row_table; /**< its row of the pair table, by_type */
+    hs_vec radius;           /**< in all lanes; only where the evaluator asks for it */
     hs_magic magic_force, magic_energy;
 } verlet_atom;
 
@@ -33,14 +34,17 @@ HS_INLINE void verlet_vector(const hs_kernel_input *in, hs_kernel_output *out, c
                              const int32_t *j, int n, const hs_vec *only, verlet_sums *sums, const bool is_full,
                              const bool with_energy, const bool by_type)
 {
-    hs_vec params[HS_TABLE_PARAMS + N_PARAMS];
-    for (int k = 0; k < HS_TABLE_PARAMS + N_PARAMS && !by_type; ++k) params[k] = only[k];
+    const int stride = HS_TABLE_PARAMS + N_PARAMS;
+    hs_vec params[HS_TABLE_PARAMS + N_PARAMS + HS_HAS_RADII];
+    for (int k = 0; k < stride && !by_type; ++k) params[k] = only[k];
+    if (HS_HAS_RADII) params[stride] = hs_gather(in->radius, 0.0, j) + atom->radius;
     if (by_type) verlet_params(in, atom, j, params);
     const hs_vec dx = hs_gather(in->x[0], atom->x[0], j) - atom->x_local[0];
     const hs_vec dy = hs_gather(in->x[1], atom->x[1], j) - atom->x_local[1];
     const hs_vec dz = hs_gather(in->x[2], atom->x[2], j) - atom->x_local[2];
     const hs_vec r2 = hs_fma(dz, dz, hs_fma(dy, dy, dx * dx));
-    const hs_msk near = hs_less(r2, params[HS_TABLE_CUT_R2]);
+    hs_msk near = hs_less(r2, params[HS_TABLE_CUT_R2]);
+    if (HS_HAS_RADII) near = hs_mask_and(near, hs_less(r2, params[stride] * params[stride]));
     const hs_msk mask = is_full ? near : hs_mask_and(hs_first_lanes(n), near);
     hs_vec force_over_r, energy = hs_set1(0.0);
     evaluate(params + HS_TABLE_PARAMS, r2, &force_over_r, &energy, with_energy);
@@ -106,6 +110,7 @@ HS_INLINE void verlet_loop(const hs_kernel_input *in, hs_kernel_output *out, int
                             .magic_force = hs_magic_of(in->magic_force),
                             .magic_energy = hs_magic_of(in->magic_energy)};
         for (int axis = 0; axis < 3; ++axis) atom.x_local[axis] = hs_set1(hs_local(atom.x[axis], atom.x[axis]));
+        if (HS_HAS_RADII) atom.radius = hs_set1(in->radius[i]);
         if (by_type) atom.row_table = table->values + (size_t)in->type[i] * (size_t)(table->n_types * stride);
         verlet_sums sums;
         begin_atom(&sums, with_energy);

@@ -29,6 +29,9 @@ hs_force_job hs_sim_make_job(hs_sim *sim, bool with_energy)
     job.input = (hs_kernel_input){.x = {atoms->x[0], atoms->x[1], atoms->x[2]},
                                   .x_listed = {neighbor->x_listed[0], neighbor->x_listed[1], neighbor->x_listed[2]},
                                   .listed_only = neighbor->is_late && !neighbor->settings.exact,
+                                  .radius = hs_pair_has_radii(sim->pair, false) ? atoms->radius : NULL,
+                                  .listed_by_radius = hs_pair_has_radii(sim->pair, true),
+                                  .skin = neighbor->settings.skin,
                                   .type = sim->kernel_type != NULL ? sim->kernel_type : atoms->type,
                                   .table = &sim->pair_table[part]};
     return job;

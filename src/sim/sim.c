@@ -121,7 +121,7 @@ static void view_pairs(hs_env *env, hs_pair_view *view)
     view->table = sim->pair_table;
     int k = 0;
     while (sim->pair->part[k]->style->evaluator == NULL) ++k;
-    view->is_uniform = sim->pair_table[k].is_uniform;
+    view->is_uniform = sim->pair_table[k].is_uniform && !hs_pair_has_radii(sim->pair, true);
     view->clusters = &sim->neighbor.clusters;
     if (hs_sim_method_in_use(sim) == HS_METHOD_CLUSTER && sim->list.generation == sim->atoms.generation)
         view->list = &sim->list;

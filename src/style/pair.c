@@ -86,7 +86,7 @@ static hs_status complete_types(hs_pair *pair, int i, int j, hs_error *err)
 {
     const int ij = hs_pair_index(pair, i, j), ji = hs_pair_index(pair, j, i);
     const bool is_mixed = !pair->is_set[ij];
-    double unused[HS_PAIR_PARAMS_MAX], largest = 0.0;
+    double unused[HS_EVALUATOR_PARAMS_MAX], largest = 0.0;
     if (is_mixed && !can_mix(pair, i, j))
         return hs_fail(err, HS_ERROR_INPUT, "run: no pair_coeff was given for the types %d %d of pair_style %s", i, j,
                        pair->style->about.name);
@@ -109,6 +109,8 @@ hs_status hs_pair_complete(hs_pair *pair, hs_error *err)
 {
     pair->cutoff_max = 0.0;
     if (pair->style->allows_none) return HS_OK;
+    for (int k = 0; k < pair->n_parts; ++k)
+        if (pair->part[k]->style->init != NULL) HS_TRY(pair->part[k]->style->init(pair->part[k], err));
     for (int i = 1; i <= pair->n_types; ++i)
         for (int j = i; j <= pair->n_types; ++j) HS_TRY(complete_types(pair, i, j, err));
     return HS_OK;
@@ -119,4 +121,13 @@ bool hs_pair_has_forces(const hs_pair *pair)
     for (int k = 0; k < pair->n_parts; ++k)
         if (pair->part[k]->style->evaluator != NULL) return true;
     return false;
+}
+
+bool hs_pair_has_radii(const hs_pair *pair, bool all)
+{
+    for (int k = 0; k < pair->n_parts; ++k) {
+        const hs_evaluator *evaluator = pair->part[k]->style->evaluator;
+        if (evaluator != NULL && evaluator->has_radii != all) return !all;
+    }
+    return all && hs_pair_has_forces(pair);
 }

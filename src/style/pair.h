@@ -11,8 +11,6 @@
 
 struct hs_pair;
 
-enum { HS_PAIR_PARAMS_MAX = 64 }; /**< parameters that an evaluator may have for a pair of types */
-
 typedef struct hs_pair_style {
     hs_description about;   /**< words after pair_style */
     hs_syntax coeff_syntax; /**< words of pair_coeff after the two types */
@@ -23,6 +21,8 @@ typedef struct hs_pair_style {
     HS_MUST_USE hs_status (*coeff)(struct hs_pair *pair, int i, int j, const hs_args *args, hs_error *err);
     /** Coefficients of (i, j) from those of (i, i) and (j, j); NULL: all pairs must be given. */
     HS_MUST_USE hs_status (*mix)(struct hs_pair *pair, int i, int j, hs_error *err);
+    /** Before a run, and before mix and params: look at the atoms; collective. NULL: no need. */
+    HS_MUST_USE hs_status (*init)(struct hs_pair *pair, hs_error *err);
     /** Cutoff (0: the pair does not interact) and the evaluator's parameters of a type pair, i <= j. */
     void (*params)(const struct hs_pair *pair, int i, int j, double *cutoff, double *params);
     /** Long-range integrals for one pair of types per unit of n_i n_j / volume: see pair_modify tail. NULL: none. */
@@ -68,6 +68,8 @@ void hs_pair_copy_modified(hs_pair *to, const hs_pair *from);
 HS_MUST_USE hs_status hs_pair_complete(hs_pair *pair, hs_error *err);
 /** Whether any part exerts forces. */
 bool hs_pair_has_forces(const hs_pair *pair);
+/** Whether any part (@p all: every part) that exerts forces needs the atoms' radii. */
+bool hs_pair_has_radii(const hs_pair *pair, bool all);
 
 /** epsilon and sigma by the chosen rule (same formulas as LAMMPS's pair_modify mix). */
 double hs_pair_mix_energy(hs_mix_rule rule, double eps_i, double eps_j, double sigma_i, double sigma_j);

@@ -17,6 +17,8 @@ static hs_status copy_atoms(hs_pair_scan *scan, hs_env *env, hs_error *err)
     HS_TRY(hs_atoms_init(to, err));
     HS_TRY(hs_atoms_add_field(to, "scan_mask", (void **)&scan->mask, sizeof *scan->mask, true, err));
     HS_TRY(hs_atoms_add_field(to, "scan_id", (void **)&scan->id, sizeof *scan->id, true, err));
+    if (from->radius != NULL)
+        HS_TRY(hs_atoms_add_field(to, "scan_radius", (void **)&scan->radius, sizeof *scan->radius, true, err));
     HS_TRY(hs_atoms_set_types(to, from->n_types, err));
     HS_TRY(hs_atoms_reserve(to, from->n_local, 0, err));
     to->n_local = from->n_local;
@@ -25,6 +27,7 @@ static hs_status copy_atoms(hs_pair_scan *scan, hs_env *env, hs_error *err)
     if (n > 0) memcpy(to->type, view.type != NULL ? view.type : from->type, n * sizeof *to->type);
     if (n > 0) memcpy(scan->mask, from->mask, n * sizeof *scan->mask);
     if (n > 0) memcpy(scan->id, from->id, n * sizeof *scan->id);
+    if (n > 0 && scan->radius != NULL) memcpy(scan->radius, from->radius, n * sizeof *scan->radius);
     return HS_OK;
 }
 
@@ -42,7 +45,7 @@ static double find_drift(const hs_env *env)
     return drift;
 }
 
-/** Types, masks and ids of the halo, and where its atoms come from. */
+/** Types, masks, ids and radii of the halo, and where its atoms come from. */
 static hs_status fill_halo(hs_pair_scan *scan, hs_error *err)
 {
     const hs_halo *halo = &scan->halo;
@@ -265,6 +268,7 @@ void hs_pair_scan_end(hs_pair_scan *scan)
     hs_halo_fini(&scan->halo);
     if (scan->mask != NULL) hs_atoms_remove_field(&scan->atoms, (void **)&scan->mask);
     if (scan->id != NULL) hs_atoms_remove_field(&scan->atoms, (void **)&scan->id);
+    if (scan->radius != NULL) hs_atoms_remove_field(&scan->atoms, (void **)&scan->radius);
     hs_atoms_fini(&scan->atoms);
     HS_FREE(scan->start);
     HS_FREE(scan->index);

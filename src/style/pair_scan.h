@@ -15,30 +15,12 @@ enum { HS_PAIR_BATCH = 256, HS_PAIR_VALUES_MAX = 6 };
 typedef struct hs_pair_view {
     const hs_pair *pair;        /**< NULL: atoms do not interact */
     const hs_pair_table *table; /**< [pair->n_parts], of those parts that have an evaluator */
-    bool is_uniform;            /**< all pairs of types are listed up to the same distance */
+    bool is_uniform;            /**< all pairs of atoms are listed up to the same distance */
     const int32_t *type;        /**< kernel types of the local atoms */
     double cutoff_max;          /**< distance; 0 before the first run, or without a pair style */
     const hs_clusters *clusters;
     const struct hs_cluster_list *list; /**< pairs whose forces count, of the last scheduled build; NULL: not kept */
 } hs_pair_view;
-
-/** Force over distance and energy of a pair of atoms of these kernel types, over all parts of the pair style. */
-static inline void hs_pair_view_eval(const hs_pair_view *view, int type_i, int type_j, double r2, double *force_over_r,
-                                     double *energy)
-{
-    *force_over_r = *energy = 0.0;
-    for (int k = 0; k < view->pair->n_parts; ++k) {
-        const hs_evaluator *evaluator = view->pair->part[k]->style->evaluator;
-        const hs_pair_table *table = &view->table[k];
-        if (evaluator == NULL) continue;
-        const double *row = table->values + (size_t)(type_i * table->n_types + type_j) * (size_t)table->stride;
-        double f, e;
-        if (!(r2 < row[HS_TABLE_CUT_R2])) continue;
-        evaluator->single(row + HS_TABLE_PARAMS, r2, &f, &e);
-        *force_over_r += f;
-        *energy += e;
-    }
-}
 
 /** Some pairs: atom i is local, j local or of the scan's halo (j >= n_local). */
 typedef struct hs_pair_batch {
@@ -65,10 +47,30 @@ typedef struct hs_pair_scan {
     double *x[3];       /**< owned [n_all]: their positions in that order */
     uint32_t *mask;     /**< atom field of the copies with room for the halo */
     int64_t *id;        /**< the same */
+    double *radius;     /**< the same; NULL: no radii */
 } hs_pair_scan;
 
 /** Get ready to visit pairs (collective). Zero the scan before; always followed by hs_pair_scan_end, also after an error. */
 HS_MUST_USE hs_status hs_pair_scan_begin(hs_pair_scan *scan, hs_env *env, double range, hs_error *err);
+/** Force over distance and energy of a pair of the scan's atoms, over all parts of the pair style. */
+static inline void hs_pair_scan_eval(const hs_pair_scan *scan, const hs_pair_view *view, int i, int j, double r2,
+                                     double *force_over_r, double *energy)
+{
+    const int type_i = scan->atoms.type[i], type_j = scan->atoms.type[j];
+    const double sum_of_radii = scan->radius != NULL ? scan->radius[i] + scan->radius[j] : 0.0;
+    *force_over_r = *energy = 0.0;
+    for (int k = 0; k < view->pair->n_parts; ++k) {
+        const hs_evaluator *evaluator = view->pair->part[k]->style->evaluator;
+        const hs_pair_table *table = &view->table[k];
+        if (evaluator == NULL) continue;
+        const double *row = table->values + (size_t)(type_i * table->n_types + type_j) * (size_t)table->stride;
+        double f, e;
+        if (!hs_evaluator_pair(evaluator, row, sum_of_radii, r2, &f, &e)) continue;
+        *force_over_r += f;
+        *energy += e;
+    }
+}
+
 /** Type of a local or halo atom. */
 static inline int hs_pair_scan_type(const hs_pair_scan *scan, int i)
 {

@@ -22,6 +22,7 @@ typedef struct system {
     hs_atoms atoms;
     hs_pair_table table;
     double cutoff_max;
+    double *radius; /**< atom field; NULL unless the evaluator needs radii */
 } system_t;
 
 static hs_error err;
@@ -49,6 +50,9 @@ static void begin_box(system_t *s, const hs_evaluator *evaluator, int dimension,
     ck_assert_hs_ok(hs_atoms_init(&s->atoms, &err), err);
     ck_assert_hs_ok(hs_atoms_set_types(&s->atoms, n_types, &err), err);
     s->evaluator = evaluator;
+    if (evaluator->has_radii)
+        ck_assert_hs_ok(hs_atoms_add_field(&s->atoms, "radius", (void **)&s->radius, sizeof *s->radius, true, &err),
+                        err);
     s->table.n_types = n_types + 1;
     s->table.stride = HS_TABLE_PARAMS + evaluator->n_params;
     ck_assert_hs_ok(HS_ALLOC(s->table.values, (size_t)(s->table.n_types * s->table.n_types * s->table.stride), &err),
@@ -69,6 +73,7 @@ static void set_row(system_t *s, int i, int j, double cutoff, const double *p)
 
 static void end_system(system_t *s)
 {
+    if (s->radius != NULL) hs_atoms_remove_field(&s->atoms, (void **)&s->radius);
     hs_atoms_fini(&s->atoms);
     HS_FREE(s->table.values);
 }
@@ -128,8 +133,8 @@ static void add_image_pair(const system_t *s, forces_t *out, int i, int j, const
         d[axis] = s->atoms.x[axis][i] - s->atoms.x[axis][j] - shift[axis];
         r2 += d[axis] * d[axis];
     }
-    if (r2 >= row[HS_TABLE_CUT_R2] || r2 == 0.0) return;
-    s->evaluator->single(row + HS_TABLE_PARAMS, r2, &over_r, &energy);
+    const double sum_of_radii = s->radius != NULL ? s->radius[i] + s->radius[j] : 0.0;
+    if (r2 == 0.0 || !hs_evaluator_pair(s->evaluator, row, sum_of_radii, r2, &over_r, &energy)) return;
     static const int first[6] = {0, 1, 2, 0, 0, 1}, second[6] = {0, 1, 2, 1, 2, 2};
     for (int axis = 0; axis < 3; ++axis) out->f[axis][s->atoms.id[i] - 1] += over_r * d[axis];
     out->largest_pair = fmax(out->largest_pair, fabs(over_r) * sqrt(r2));
@@ -203,16 +208,20 @@ static forces_t evaluate_with(system_t *s, method_t method, hs_isa isa, hs_preci
     if (!is_nsq) {
         ck_assert_hs_ok(hs_clusters_build(&clusters, &cells, atoms, &err), err);
     }
-    hs_force_job job = {
-        .atoms = atoms,
-        .cells = &cells,
-        .clusters = &clusters,
-        .evaluator = s->evaluator,
-        .isa = isa,
-        .precision = precision,
-        .cutoff_max = reach,
-        .with_energy = with_energy,
-        .input = {.x = {atoms->x[0], atoms->x[1], atoms->x[2]}, .type = atoms->type, .table = &s->table}};
+    hs_force_job job = {.atoms = atoms,
+                        .cells = &cells,
+                        .clusters = &clusters,
+                        .evaluator = s->evaluator,
+                        .isa = isa,
+                        .precision = precision,
+                        .cutoff_max = reach,
+                        .with_energy = with_energy,
+                        .input = {.x = {atoms->x[0], atoms->x[1], atoms->x[2]},
+                                  .type = atoms->type,
+                                  .radius = s->radius,
+                                  .listed_by_radius = s->radius != NULL,
+                                  .skin = skin,
+                                  .table = &s->table}};
     if (method == CLUSTER) ck_assert_hs_ok(hs_cluster_list_build(&list, &space, &job, &err), err);
     if (method == VERLET) ck_assert_hs_ok(hs_verlet_list_build(&verlet, &space, &job, &err), err);
     const bool is_fixed = precision == HS_PRECISION_FIXED;

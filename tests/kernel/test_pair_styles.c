@@ -21,11 +21,34 @@ static const struct usage {
     {"lj/smooth", "1.2 2.5", {"1 1", "0.7 0.9 1.3 2.2", "1.3 0.95 1.1 2.7"}, 1, true},
     {"lj/smooth/linear", "2.5", {"1 1", "0.7 0.9 2.2", "1.3 0.95 2.7"}, 2, false},
     {"buck", "2.5", {"200 0.3 1", "150 0.32 0.7 2.2", "100 0.31 0.2"}, 0, true},
+    {"harmonic/sphere", "", {"50", "20", "30"}, 2, false},
     {"born", "2.5", {"3 0.3 1 1 0.4", "2 0.32 0.9 0.7 0.3 2.2", "1 0.31 1.1 0.2 0.1"}, 0, true},
 };
 enum { N_USAGES = (int)(sizeof usages / sizeof usages[0]) };
 
-static hs_env env;
+/* One small and one large sphere, which set the cutoffs of harmonic/sphere. */
+static double radius_of_two[2] = {0.3, 0.9};
+static int32_t type_of_two[2] = {1, 2};
+static hs_atoms two_spheres = {.n_local = 2, .radius = radius_of_two, .type = type_of_two};
+static const hs_parallel one_rank = {.n_ranks = 1};
+static hs_env env = {.atoms = &two_spheres, .parallel = &one_rank};
+
+/** Radii up to those of two_spheres, for the atoms of a system. */
+static void set_radii(system_t *s)
+{
+    for (int i = 0; i < s->atoms.n_local && s->radius != NULL; ++i)
+        s->radius[i] = radius_of_two[s->atoms.type[i] - 1] * (1.0 - 0.07 * (i % 8));
+}
+
+/** The potential at a distance; of harmonic/sphere for the two largest spheres of the types. */
+static void single(const hs_pair *pair, int i, int j, double r, double *over_r, double *energy)
+{
+    const hs_evaluator *evaluator = pair->style->evaluator;
+    double cutoff, p[HS_EVALUATOR_PARAMS_MAX + 1];
+    pair->style->params(pair, i, j, &cutoff, p);
+    if (evaluator->has_radii) p[evaluator->n_params] = radius_of_two[i - 1] + radius_of_two[j - 1];
+    evaluator->single(p, r * r, over_r, energy);
+}
 
 /** Words of a line as arguments; the words live until the next call with the same buffer. */
 static hs_args split(const char *line, char *buffer, size_t size, const char *words[16])
@@ -63,7 +86,7 @@ static void begin_system(system_t *s, hs_pair *pair, int dimension, const double
     begin_box(s, pair->style->evaluator, dimension, length, boundary, pair->n_types);
     for (int i = 1; i <= pair->n_types; ++i)
         for (int j = i; j <= pair->n_types; ++j) {
-            double cutoff, p[HS_PAIR_PARAMS_MAX];
+            double cutoff, p[HS_EVALUATOR_PARAMS_MAX + 1];
             pair->style->params(pair, i, j, &cutoff, p);
             set_row(s, i, j, cutoff, p);
         }
@@ -85,6 +108,7 @@ START_TEST(all_methods)
             begin_system(&s, pair, dimension, (const double[]){7.0, 6.3, dimension == 2 ? 1.0 : 5.9},
                          dimension == 2 ? "pfp" : "ppf");
             add_random(&s, dimension == 2 ? 40 : 190, 0.8, 4711);
+            set_radii(&s);
             forces_t right = sum_all_images(&s);
             for (int kind = -1; kind < 3 * 2 * HS_N_PRECISIONS * ((int)hs_isa_best() + 1); ++kind) {
                 const method_t method = kind < 0 ? NSQ : (method_t)(CELL + kind % 3);
@@ -115,13 +139,13 @@ START_TEST(force_is_minus_slope)
     const double h = 1e-6;
     for (int i = 1; i <= 2; ++i)
         for (int j = i; j <= 2; ++j) {
-            double cutoff, p[HS_PAIR_PARAMS_MAX], over_r, unused, low, high;
+            double cutoff, p[HS_EVALUATOR_PARAMS_MAX + 1], over_r, unused, low, high;
             pair->style->params(pair, i, j, &cutoff, p);
             for (int k = 0; k < 200; ++k) {
-                const double r = 0.8 + (cutoff - 0.8 - 2.0 * h) * k / 199.0;
-                pair->style->evaluator->single(p, r * r, &over_r, &unused);
-                pair->style->evaluator->single(p, (r - h) * (r - h), &unused, &low);
-                pair->style->evaluator->single(p, (r + h) * (r + h), &unused, &high);
+                const double first = fmin(0.8, 0.5 * cutoff), r = first + (cutoff - first - 2.0 * h) * k / 199.0;
+                single(pair, i, j, r, &over_r, &unused);
+                single(pair, i, j, r - h, &unused, &low);
+                single(pair, i, j, r + h, &unused, &high);
                 const double slope = (high - low) / (2.0 * h), scale = 1.0 + fabs(low) + fabs(over_r * r);
                 ck_assert_msg(fabs(over_r * r + slope) < 1e-8 * scale, "%s %d %d at %g: force %.12g, slope %.12g",
                               usage->style, i, j, r, over_r * r, slope);
@@ -139,10 +163,10 @@ START_TEST(at_the_cutoff)
         hs_pair *pair = make_pair(usage, 2, shift);
         for (int i = 1; i <= 2; ++i)
             for (int j = i; j <= 2; ++j) {
-                double cutoff, p[HS_PAIR_PARAMS_MAX], over_r, energy, inner, energy_inner;
+                double cutoff, p[HS_EVALUATOR_PARAMS_MAX + 1], over_r, energy, inner, energy_inner;
                 pair->style->params(pair, i, j, &cutoff, p);
-                pair->style->evaluator->single(p, cutoff * cutoff, &over_r, &energy);
-                pair->style->evaluator->single(p, 0.64, &inner, &energy_inner);
+                single(pair, i, j, cutoff, &over_r, &energy);
+                single(pair, i, j, fmin(0.8, 0.5 * cutoff), &inner, &energy_inner);
                 const double scale = 1e-13 * (fabs(inner) + fabs(energy_inner));
                 const bool has_energy = !shift && usage->can_shift;
                 ck_assert_msg((fabs(energy) < scale) == !has_energy, "%s %d %d: energy %g at the cutoff", usage->style,
@@ -173,9 +197,8 @@ static void check_value(const char *style, double r, double energy, double force
     const struct usage *usage = usages;
     while (strcmp(usage->style, style) != 0) ++usage;
     hs_pair *pair = make_pair(usage, 1, false);
-    double cutoff, p[HS_PAIR_PARAMS_MAX], over_r, u;
-    pair->style->params(pair, 1, 1, &cutoff, p);
-    pair->style->evaluator->single(p, r * r, &over_r, &u);
+    double over_r, u;
+    single(pair, 1, 1, r, &over_r, &u);
     ck_assert_msg(fabs(u - energy) < 1e-13 * (1.0 + fabs(energy)), "%s: energy %.17g, not %.17g", style, u, energy);
     ck_assert_msg(fabs(over_r * r - force) < 1e-13 * (1.0 + fabs(force)), "%s: force %.17g, not %.17g", style,
                   over_r * r, force);
@@ -189,6 +212,7 @@ START_TEST(exact_values)
     check_value("harmonic/cut", 1.0, 50.0 * 0.01, 100.0 * 0.1);
     check_value("harmonic/cut", 0.0, 50.0 * 1.21, 0.0);
     check_value("harmonic/repulsion", 0.55, 50.0 / 8.0, 50.0 / 1.1 * 0.5);
+    check_value("harmonic/sphere", 0.3, 50.0 / 8.0, 50.0 / 0.6 * 0.5); /* diameters 0.6 */
     check_value("yukawa", 1.0, 40.0 * exp(-2.0), 120.0 * exp(-2.0));
     check_value("morse", 1.1, -1.0, 0.0);
     check_value("gauss", 1.0, 30.0 * exp(-2.0), 120.0 * exp(-2.0));

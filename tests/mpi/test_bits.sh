@@ -137,6 +137,25 @@ fix 2 all propel/self dipole 24.0
 fix 3 all enforce2d
 timestep 0.00002
 D
+    system grains 20 'c_u' <<D
+dimension 2
+atom_style sphere
+lattice sq2 1.0
+region box block 0 14 0 11 -0.5 0.5
+create_box 1 box
+create_atoms 1 box
+variable d atom 0.7+0.8*((id*61)%101)/100
+set group all diameter v_d
+set group all mass 1.0
+velocity all create 1.0 99 loop geom
+pair_style harmonic/sphere
+pair_coeff 1 1 100.0
+neighbor 0.3 bin
+neigh_modify every 4 delay 0 check no
+fix 1 all nve
+compute e all pe/atom
+compute u all reduce sum c_e
+D
     system langevin 20 'f_2' <<D
 lattice fcc 0.5
 region box block 0 5 0 5 0 5
@@ -185,7 +204,7 @@ bits() {
 
 bits bits 0 1
 bits more 0 1
-[ "$(cat bits/thermo more/thermo | wc -l)" -eq 36 ] || fail "$(cat bits/thermo more/thermo | wc -l) rows"
+[ "$(cat bits/thermo more/thermo | wc -l)" -eq 39 ] || fail "$(cat bits/thermo more/thermo | wc -l) rows"
 for threads in 1 2; do
     for n in 1 2 3 4 6 8; do bits bits "$n" "$threads"; done
 done

@@ -15,16 +15,25 @@ static const char liquid[] =
     "mass 1 1.0\nvelocity all create 1.44 87287 loop geom\npair_style lj/cut 2.5\npair_coeff 1 1 1 1\n"
     "neigh_modify every 1 delay 0 check yes\nfix 1 all nve\nrun 100\nreset_timestep 0\n";
 
-/** Run the liquid and then more lines, with the check at the end. */
-static void run(const char *lines, void (*check)(hs_deck *deck, void *context))
+/* Spheres of many sizes: whether a pair interacts, and whether it is listed, depends on the two atoms. */
+static const char spheres[] =
+    "units lj\natom_style sphere\nlattice fcc 0.9\nregion b block 0 5 0 5 0 5\ncreate_box 1 b\ncreate_atoms 1 box\n"
+    "variable d atom 0.8+0.8*((id*61)%101)/100\nset group all diameter v_d\nset group all mass 1.0\n"
+    "velocity all create 1.0 87287 loop geom\npair_style harmonic/sphere\npair_coeff 1 1 100.0\n"
+    "neigh_modify every 1 delay 0 check yes\nfix 1 all nve\nrun 100\nreset_timestep 0\n";
+
+/** Run the system and then more lines, with the check at the end. */
+static void run_after(const char *system, const char *lines, void (*check)(hs_deck *deck, void *context))
 {
     hs_error err = {0};
     char deck[8192];
     const hs_options options = {.n_threads = 2};
-    snprintf(deck, sizeof deck, "%s%s", liquid, lines);
+    snprintf(deck, sizeof deck, "%s%s", system, lines);
     free(hs_test_run_deck_with(deck, &options, check, NULL, &err));
     ck_assert_msg(err.status == HS_OK, "%s", err.text);
 }
+
+static void run(const char *lines, void (*check)(hs_deck *deck, void *context)) { run_after(liquid, lines, check); }
 
 /** A vector or column of an array, which the caller frees with free. */
 static double *fetch(hs_deck *deck, const char *word, int *n)
@@ -83,6 +92,7 @@ START_TEST(rdf_from_the_list_is_that_of_the_scan)
 {
     /* with a pair of types named, the list is not used */
     run("compute list all rdf 90\ncompute scan all rdf 90 1 1\nrun 37\n", check_rdfs);
+    run_after(spheres, "compute list all rdf 90\ncompute scan all rdf 90 1 1\nrun 37\n", check_rdfs);
 }
 END_TEST
 
@@ -140,9 +150,10 @@ static void check_sums(hs_deck *deck, void *context)
 
 START_TEST(values_per_atom_add_up)
 {
-    run("compute ua all pe/atom\ncompute sa all stress/atom NULL\ncompute u all reduce sum c_ua\n"
-        "compute p all reduce sum c_sa[*]\nrun 20\n",
-        check_sums);
+    static const char lines[] = "compute ua all pe/atom\ncompute sa all stress/atom NULL\n"
+                                "compute u all reduce sum c_ua\ncompute p all reduce sum c_sa[*]\nrun 20\n";
+    run(lines, check_sums);
+    run_after(spheres, lines, check_sums);
 }
 END_TEST
 

@@ -32,6 +32,18 @@ static const struct system {
      "units lj\nboundary p f p\nregion box block 900 912 -40 40 -1010 -1000 units box\ncreate_box 2 box\n"
      "lattice fcc 0.85\nregion slab block INF INF -8 8 INF INF units box\ncreate_atoms 1 region slab\n" MIXTURE
          CHECKED},
+    /* a few large disks among small ones, so that most pairs of the cells are not listed; lists are late */
+    {"polydisperse disks",
+     "units lj\ndimension 2\natom_style sphere\nlattice sq2 1.0\nregion box block 0 15 0 13 -0.1 0.1\n"
+     "create_box 2 box\ncreate_atoms 1 box\nset type 1 type/ratio 2 0.1 8765\ngroup large type 2\n"
+     "variable d atom 0.7+0.4*((id*61)%101)/100\nset group all diameter v_d\nset group large diameter 1.7\n"
+     "set group all mass 1.0\nvelocity all create 1.0 87287 dist gaussian\n"
+     "pair_style harmonic/sphere\npair_coeff 1 1 100.0\npair_coeff 2 2 50.0\n" LATE},
+    {"polydisperse spheres",
+     "units lj\natom_style sphere\nlattice fcc 0.9\nregion box block 0 6 0 5 0 4\ncreate_box 1 box\n"
+     "create_atoms 1 box\nvariable d atom 0.8+0.6*((id*61)%101)/100\nset group all diameter v_d\n"
+     "set group all mass 1.0\nvelocity all create 1.0 87287 dist gaussian\n"
+     "pair_style harmonic/sphere\npair_coeff 1 1 100.0\n" CHECKED},
     /* one atom fast enough that forces outgrow their grid in mid-run */
     {"collision",
      "units lj\nlattice fcc 0.6\nregion box block 0 5 0 5 0 5\ncreate_box 2 box\ncreate_atoms 1 box\n" MIXTURE CHECKED
