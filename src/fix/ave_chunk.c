@@ -1,0 +1,436 @@
+/* Averages over the atoms of each chunk and over time. */
+#include <string.h>
+
+#include "base/memory.h"
+#include "core/atom_style.h"
+#include "io/average.h"
+#include "style/attribute.h"
+#include "style/chunks.h"
+#include "style/value.h"
+
+typedef enum { NORM_ALL, NORM_SAMPLE, NORM_NONE } ave_norm;
+typedef enum { OF_NUMBER, OF_MASS_DENSITY, OF_MASS, OF_TEMPERATURE, OF_ATTRIBUTE, OF_REFERENCE } ave_kind;
+
+typedef struct ave_column {
+    ave_kind kind;
+    hs_attribute attribute;
+    hs_value value;   /**< OF_REFERENCE */
+    const char *name; /**< borrowed: a word of the list below, or value.word */
+} ave_column;
+
+typedef struct ave_state {
+    hs_schedule schedule;
+    char *chunk_id;     /**< owned */
+    char *bias_id;      /**< owned; temperature compute whose bias is taken off, or NULL */
+    ave_column *column; /**< owned [n] */
+    int n;
+    ave_norm norm;
+    double adof, cdof; /**< degrees of freedom of each atom, of each chunk */
+    bool is_locking;   /**< a window has begun */
+    int64_t n_chunks;
+    double *sum;    /**< owned [n_chunks][1 + n]: counts and values of the present window */
+    double *sample; /**< owned [1 + n][n_chunks] */
+    double *values; /**< owned [capacity]: of each local atom */
+    size_t capacity;
+    hs_fold fold;
+    hs_average_file file;
+} ave_state;
+
+static const char *const words[] = {
+    "density/number", "density/mass", "mass", "temp", "vx", "vy", "vz", "fx", "fy", "fz", NULL};
+
+static const hs_keyword keywords[] = {
+    HS_AVERAGE_KEYWORDS,
+    {"norm", 1, "all|sample|none",
+     "divide by the atoms of all samples, by those of each sample, or not (default: all)"},
+    {"bias", 1, "<compute>", "take the bias of this temperature compute off the velocities for temp"},
+    {"adof", 1, "<number>", "degrees of freedom of each atom (default: dimensions of the box)"},
+    {"cdof", 1, "<number>", "degrees of freedom to be added for each chunk (default: 0)"},
+    {NULL, 0, NULL, NULL},
+};
+
+static hs_status add_columns(hs_fix *fix, const hs_args *args, int i, hs_error *err)
+{
+    ave_state *state = fix->state;
+    hs_value *values = NULL;
+    int n = 1, which = -1;
+    if (hs_value_is_reference(args->word[i])) {
+        HS_TRY(hs_values_create(&values, &n, fix->env, args, i, 1, HS_VALUE_ATOMS, err));
+    } else if (hs_arg_choice(args, i, words, &which, err) != HS_OK) {
+        hs_error_clear(err);
+        return hs_arg_refuse(args, i,
+                             "vx, vy, vz, fx, fy, fz, mass, temp, density/number, density/mass or a value per atom",
+                             words, err);
+    }
+    const hs_status status = HS_GROW(state->column, (size_t)state->n, (size_t)(state->n + n), err);
+    if (status != HS_OK) {
+        hs_values_destroy(&values, n);
+        return status;
+    }
+    for (int k = 0; k < n; ++k) {
+        ave_column *c = &state->column[state->n++];
+        *c = (ave_column){.kind = values != NULL         ? OF_REFERENCE
+                                  : which < OF_ATTRIBUTE ? (ave_kind)which
+                                                         : OF_ATTRIBUTE};
+        if (c->kind == OF_ATTRIBUTE) c->attribute = (hs_attribute)hs_attribute_find(words[which]);
+        if (values != NULL) c->value = values[k];
+        c->name = values != NULL ? c->value.word : words[which];
+    }
+    HS_FREE(values);
+    return HS_OK;
+}
+
+static hs_status find_bias(const hs_fix *fix, hs_compute **bias, hs_error *err)
+{
+    const ave_state *state = fix->state;
+    *bias = state->bias_id != NULL ? fix->env->find_compute(fix->env, state->bias_id) : NULL;
+    if (state->bias_id == NULL || (*bias != NULL && (*bias)->style->is_temperature)) return HS_OK;
+    return hs_fail(err, HS_ERROR_INPUT, "fix '%s' (ave/chunk): there is no temperature compute '%s'", fix->id,
+                   state->bias_id);
+}
+
+static hs_status read_keywords(hs_fix *fix, const hs_args *args, int first, hs_error *err)
+{
+    static const char *const norms[] = {"all", "sample", "none", NULL};
+    ave_state *state = fix->state;
+    hs_compute *bias;
+    for (int i = first, n_used; i < args->n; i += n_used) {
+        int norm;
+        HS_TRY(hs_average_keyword(&state->schedule, &state->fold, &state->file, args, i, &n_used, err));
+        if (n_used > 0) continue;
+        n_used = 2;
+        if (strcmp(args->word[i], "norm") == 0) {
+            HS_TRY(hs_arg_choice(args, i + 1, norms, &norm, err));
+            state->norm = (ave_norm)norm;
+        } else if (strcmp(args->word[i], "adof") == 0) {
+            HS_TRY(hs_arg_double(args, i + 1, &state->adof, err));
+        } else if (strcmp(args->word[i], "cdof") == 0) {
+            HS_TRY(hs_arg_double(args, i + 1, &state->cdof, err));
+        } else {
+            HS_FREE(state->bias_id);
+            HS_TRY(hs_memory_strdup(&state->bias_id, args->word[i + 1], err));
+            HS_TRY(find_bias(fix, &bias, err));
+        }
+    }
+    return HS_OK;
+}
+
+static int n_heads(const hs_chunks *chunks) { return chunks->n_axes + (chunks->is_compressed); }
+
+/** Room for as many chunks as there are now. Means of several windows need the same chunks in each. */
+static hs_status reserve(hs_fix *fix, const hs_compute *compute, hs_error *err)
+{
+    ave_state *state = fix->state;
+    const hs_chunks *chunks = hs_chunks_of(compute);
+    const size_t width = (size_t)state->n + 1, n = (size_t)chunks->n;
+    if (state->fold.mode != HS_FOLD_ONE && state->fold.n_added > 0 && chunks->n != state->n_chunks)
+        return hs_fail(
+            err, HS_ERROR_RUN,
+            "fix '%s' (ave/chunk): there were %lld chunks and are %lld now; 'ave one', or compute chunk/atom "
+            "with 'nchunk once', goes on",
+            fix->id, (long long)state->n_chunks, (long long)chunks->n);
+    if (state->sum == NULL || chunks->n != state->n_chunks) {
+        if (n * width > INT32_MAX)
+            return hs_fail(err, HS_ERROR_INPUT, "fix '%s' (ave/chunk): %lld chunks are too many", fix->id,
+                           (long long)chunks->n);
+        HS_TRY(HS_GROW(state->sum, 0, n * width + 1, err));
+        HS_TRY(HS_GROW(state->sample, 0, n * width + 1, err));
+        HS_TRY(hs_fold_reserve(&state->fold, (int)(n * width), err));
+    }
+    state->n_chunks = chunks->n;
+    fix->n_rows = (int)chunks->n;
+    fix->n_columns = n_heads(chunks) + 1 + state->n;
+    return HS_OK;
+}
+
+static hs_status create(hs_fix *fix, const hs_args *args, hs_error *err)
+{
+    ave_state *state = fix->state;
+    const int first = hs_syntax_first_keyword(&fix->style->about.syntax, args);
+    hs_compute *compute;
+    state->adof = fix->env->box->dimension;
+    HS_TRY(hs_schedule_init(&state->schedule, args, 0, err));
+    HS_TRY(hs_chunks_find(fix->env, args->word[3], args->command, &compute, err));
+    HS_TRY(hs_memory_strdup(&state->chunk_id, args->word[3], err));
+    for (int i = 4; i < first; ++i) HS_TRY(add_columns(fix, args, i, err));
+    HS_TRY(read_keywords(fix, args, first, err));
+    HS_TRY(reserve(fix, compute, err));
+    hs_schedule_begin(&state->schedule, fix->env->step);
+    return HS_OK;
+}
+
+static void lock_chunks(hs_fix *fix, bool is_locking)
+{
+    ave_state *state = fix->state;
+    hs_compute *compute = state->chunk_id != NULL ? fix->env->find_compute(fix->env, state->chunk_id) : NULL;
+    if (compute != NULL && state->is_locking != is_locking) hs_chunks_of(compute)->n_locks += is_locking ? 1 : -1;
+    state->is_locking = is_locking;
+}
+
+static void destroy(hs_fix *fix)
+{
+    ave_state *state = fix->state;
+    for (int k = 0; k < state->n; ++k) hs_value_fini(&state->column[k].value);
+    HS_FREE(state->column);
+    HS_FREE(state->chunk_id);
+    HS_FREE(state->bias_id);
+    HS_FREE(state->sum);
+    HS_FREE(state->sample);
+    HS_FREE(state->values);
+    hs_fold_fini(&state->fold);
+    hs_average_file_fini(&state->file);
+}
+
+static hs_status make_head(hs_text *head, const hs_fix *fix, const hs_chunks *chunks, hs_error *err)
+{
+    const ave_state *state = fix->state;
+    HS_TRY(hs_text_printf(head, err, "# Chunk"));
+    if (chunks->is_compressed) HS_TRY(hs_text_printf(head, err, " OrigID"));
+    for (int k = 0; k < chunks->n_axes; ++k) HS_TRY(hs_text_printf(head, err, " Coord%d", k + 1));
+    HS_TRY(hs_text_printf(head, err, " Ncount"));
+    for (int k = 0; k < state->n; ++k) HS_TRY(hs_text_printf(head, err, " %s", state->column[k].name));
+    return HS_OK;
+}
+
+static hs_status init(hs_fix *fix, hs_error *err)
+{
+    ave_state *state = fix->state;
+    char command[128], title[256];
+    hs_compute *compute, *bias;
+    hs_text head = {0};
+    snprintf(command, sizeof command, "fix '%.80s' (ave/chunk)", fix->id);
+    HS_TRY(hs_chunks_find(fix->env, state->chunk_id, command, &compute, err));
+    HS_TRY(find_bias(fix, &bias, err));
+    for (int k = 0; k < state->n; ++k)
+        if (state->column[k].kind == OF_REFERENCE)
+            HS_TRY(hs_value_check(fix->env, &state->column[k].value, HS_VALUE_ATOMS, command, err));
+    snprintf(title, sizeof title, "# Chunk-averaged data for fix %.80s and group %.80s", fix->id,
+             fix->env->groups->name[fix->group]);
+    hs_status status = make_head(&head, fix, hs_chunks_of(compute), err);
+    const char *const heads[3] = {title, "# Timestep Number-of-chunks Total-count", hs_text_get(&head)};
+    if (status == HS_OK) status = hs_average_file_open(&state->file, fix->env, heads, err);
+    hs_text_fini(&head);
+    return status;
+}
+
+static bool needs_energy(const hs_fix *fix, int64_t step)
+{
+    const ave_state *state = fix->state;
+    bool is_needed = false;
+    if (!hs_schedule_is_due(&state->schedule, step)) return false;
+    for (int k = 0; k < state->n; ++k)
+        is_needed |= state->column[k].kind == OF_REFERENCE && hs_value_needs_energy(fix->env, &state->column[k].value);
+    return is_needed;
+}
+
+/** state->values: what column k adds up for each local atom; column -1 is the count. */
+static hs_status fill_values(hs_fix *fix, int k, const hs_compute *bias, hs_error *err)
+{
+    const ave_state *state = fix->state;
+    const hs_env *env = fix->env;
+    const hs_atoms *atoms = env->atoms;
+    const ave_kind kind = k < 0 ? OF_NUMBER : state->column[k].kind;
+    double *values = state->values;
+    if (kind == OF_REFERENCE) return hs_value_atoms(fix->env, &state->column[k].value, values, err);
+#pragma omp parallel for schedule(static)
+    for (int i = 0; i < atoms->n_local; ++i) {
+        double b[3] = {0.0}, v2 = 0.0;
+        values[i] = 1.0;
+        if (kind == OF_MASS || kind == OF_MASS_DENSITY) values[i] = hs_atom_mass(atoms, i);
+        if (kind == OF_ATTRIBUTE) values[i] = hs_attribute_value(env, state->column[k].attribute, false, i);
+        if (kind != OF_TEMPERATURE) continue;
+        if (bias != NULL && bias->style->bias != NULL) bias->style->bias(bias, i, b);
+        for (int axis = 0; axis < 3; ++axis) v2 += (atoms->v[axis][i] - b[axis]) * (atoms->v[axis][i] - b[axis]);
+        values[i] = hs_atom_mass(atoms, i) * v2;
+    }
+    return HS_OK;
+}
+
+/** Density of one mass unit in one distance^3: 1, and in real and metal units (masses are gram/mole) in gram/cm^3. */
+static double density_unit(const hs_units *units) { return strcmp(units->name, "lj") == 0 ? 1.0 : 1.0 / 0.602214129; }
+
+/** A sum over `count` atoms in `n_samples` samples as the mean that the column stands for. */
+static double mean_of(const hs_fix *fix, const hs_chunks *chunks, int k, double sum, double count, double n_samples)
+{
+    const ave_state *state = fix->state;
+    const hs_units *units = fix->env->units;
+    const ave_kind kind = state->column[k].kind;
+    const double n_dof = n_samples * state->cdof + state->adof * count;
+    if (count == 0.0) return 0.0;
+    if (kind == OF_NUMBER) return sum / chunks->volume / n_samples;
+    if (kind == OF_MASS_DENSITY) return sum / chunks->volume / n_samples * density_unit(units);
+    if (kind == OF_TEMPERATURE) return n_dof > 0.0 ? sum * units->mvv2e / (n_dof * units->boltz) : 0.0;
+    return state->norm == NORM_NONE ? sum / n_samples : sum / count;
+}
+
+static hs_status take_sample(hs_fix *fix, hs_compute *compute, hs_error *err)
+{
+    ave_state *state = fix->state;
+    const hs_chunks *chunks = hs_chunks_of(compute);
+    const size_t n_local = (size_t)fix->env->atoms->n_local, width = (size_t)state->n + 1;
+    hs_compute *bias;
+    double ignored;
+    HS_TRY(find_bias(fix, &bias, err));
+    if (bias != NULL) HS_TRY(hs_compute_scalar(bias, &ignored, err));
+    if (n_local >= state->capacity) {
+        HS_TRY(HS_GROW(state->values, 0, n_local + n_local / 8 + 1, err));
+        state->capacity = n_local + n_local / 8 + 1;
+    }
+    for (int k = -1; k < state->n; ++k) {
+        HS_TRY(fill_values(fix, k, bias, err));
+        HS_TRY(
+            hs_chunks_sum(compute, fix->mask, state->values, state->sample + (size_t)(k + 1) * (size_t)chunks->n, err));
+    }
+    for (int64_t c = 0; c < chunks->n; ++c)
+        for (int k = -1; k < state->n; ++k) {
+            double value = state->sample[(k + 1) * chunks->n + c];
+            if (k >= 0 && state->norm != NORM_ALL) value = mean_of(fix, chunks, k, value, state->sample[c], 1.0);
+            state->sum[(size_t)c * width + (size_t)(k + 1)] += value;
+        }
+    return HS_OK;
+}
+
+static double result(const ave_state *state, int64_t c, int k)
+{
+    const double count = hs_fold_count(&state->fold);
+    return count == 0.0 ? 0.0 : state->fold.sum[c * (state->n + 1) + k] / count;
+}
+
+static hs_status write_window(hs_fix *fix, const hs_chunks *chunks, hs_error *err)
+{
+    ave_state *state = fix->state;
+    hs_average_file *file = &state->file;
+    double total = 0.0; /* over all windows that count, as LAMMPS prints it */
+    for (int64_t c = 0; c < chunks->n; ++c) total += result(state, c, 0) * hs_fold_count(&state->fold);
+    if (hs_average_file_is_open(file)) {
+        HS_TRY(
+            hs_text_printf(&file->text, err, "%lld %lld %g\n", (long long)fix->env->step, (long long)chunks->n, total));
+        for (int64_t c = 0; c < chunks->n; ++c) {
+            HS_TRY(hs_text_printf(&file->text, err, "  %lld", (long long)c + 1));
+            if (chunks->is_compressed)
+                HS_TRY(hs_text_printf(&file->text, err, " %lld", (long long)chunks->original[c]));
+            for (int k = 0; k < chunks->n_axes; ++k)
+                HS_TRY(hs_text_printf(&file->text, err, " %g", chunks->place[c * chunks->n_axes + k]));
+            HS_TRY(hs_text_printf(&file->text, err, " %g", result(state, c, 0)));
+            for (int k = 1; k <= state->n; ++k) HS_TRY(hs_average_file_number(file, result(state, c, k), err));
+            HS_TRY(hs_text_append(&file->text, "\n", 1, err));
+        }
+    }
+    return hs_average_file_commit(file, fix->env, err);
+}
+
+static hs_status end_of_step(hs_fix *fix, hs_error *err)
+{
+    ave_state *state = fix->state;
+    hs_compute *compute;
+    if (!hs_schedule_is_due(&state->schedule, fix->env->step)) return HS_OK;
+    HS_TRY(hs_chunks_find(fix->env, state->chunk_id, "fix ave/chunk", &compute, err));
+    hs_chunks *chunks = hs_chunks_of(compute);
+    const int width = state->n + 1;
+    const double repeat = (double)state->schedule.repeat;
+    const bool is_first = state->schedule.n_taken == 0;
+    if (is_first && chunks->is_by_window && chunks->n_locks == 0) {
+        chunks->is_stale = true;
+        hs_compute_invalidate(compute);
+    }
+    HS_TRY(hs_compute_eval_atoms(compute, err));
+    if (is_first) {
+        HS_TRY(reserve(fix, compute, err));
+        memset(state->sum, 0, (size_t)chunks->n * (size_t)width * sizeof *state->sum);
+        lock_chunks(fix, true);
+    }
+    HS_TRY(take_sample(fix, compute, err));
+    if (!hs_schedule_advance(&state->schedule, fix->env->step)) return HS_OK;
+    for (int64_t c = 0; c < chunks->n; ++c) {
+        double *row = state->sum + c * width;
+        for (int k = 0; k < state->n; ++k)
+            row[k + 1] =
+                state->norm == NORM_ALL ? mean_of(fix, chunks, k, row[k + 1], row[0], repeat) : row[k + 1] / repeat;
+        row[0] /= repeat;
+    }
+    hs_fold_add(&state->fold, state->sum);
+    lock_chunks(fix, false);
+    return write_window(fix, chunks, err);
+}
+
+static hs_status setup(hs_fix *fix, hs_error *err)
+{
+    hs_compute *compute;
+    HS_TRY(hs_chunks_find(fix->env, ((ave_state *)fix->state)->chunk_id, "fix ave/chunk", &compute, err));
+    if (hs_chunks_of(compute)->is_once) HS_TRY(hs_compute_eval_atoms(compute, err));
+    return end_of_step(fix, err);
+}
+
+static hs_status array(hs_fix *fix, int i, int j, double *value, hs_error *err)
+{
+    ave_state *state = fix->state;
+    hs_compute *compute;
+    HS_TRY(hs_chunks_find(fix->env, state->chunk_id, "fix ave/chunk", &compute, err));
+    const hs_chunks *chunks = hs_chunks_of(compute);
+    const int n_before = n_heads(chunks);
+    *value = 0.0;
+    if (i >= state->n_chunks || hs_fold_count(&state->fold) == 0.0) return HS_OK;
+    if (j >= n_before)
+        *value = result(state, i, j - n_before);
+    else if (chunks->is_compressed && j == 0)
+        *value = (double)chunks->original[i];
+    else if (chunks->place != NULL)
+        *value = chunks->place[i * chunks->n_axes + j - (chunks->is_compressed)];
+    return HS_OK;
+}
+
+static hs_status keep_state(hs_fix *fix, hs_state *kept, hs_error *err)
+{
+    ave_state *state = fix->state;
+    hs_fold *fold = &state->fold;
+    int64_t n_sum = state->n_chunks * (state->n + 1), n_fold = n_sum, n_ring = n_sum * fold->n_window;
+    HS_TRY(hs_state_int64(kept, "next", &state->schedule.next, 1, err));
+    HS_TRY(hs_state_int64(kept, "n_taken", &state->schedule.n_taken, 1, err));
+    HS_TRY(hs_state_int64(kept, "n_chunks", &state->n_chunks, 1, err));
+    HS_TRY(hs_state_int64(kept, "n_folded", &fold->n_added, 1, err));
+    HS_TRY(hs_state_bool(kept, "is_locking", &state->is_locking, err));
+    HS_TRY(hs_state_doubles(kept, "sum", &state->sum, &n_sum, err));
+    HS_TRY(hs_state_doubles(kept, "folded", &fold->sum, &n_fold, err));
+    if (fold->mode == HS_FOLD_WINDOW) HS_TRY(hs_state_doubles(kept, "ring", &fold->ring, &n_ring, err));
+    if (!kept->is_reading) return HS_OK;
+    fold->n = (int)n_sum;
+    fix->n_rows = (int)state->n_chunks;
+    return HS_GROW(state->sample, 0, (size_t)n_sum + 1, err);
+}
+
+const hs_fix_style hs_fix_style_ave_chunk = {
+    .about =
+        {.name = "ave/chunk",
+         .syntax = {.usage = "<Nevery> <Nrepeat> <Nfreq> <chunk-ID> <value> ... [keyword value ...]",
+                    .n_min = 5,
+                    .n_max = -1,
+                    .keywords = keywords},
+         .summary = "average over the atoms of each chunk and over time",
+         .details =
+             "Samples are taken and make windows as in fix ave/time. Of each chunk of compute chunk/atom (its atoms "
+             "that "
+             "are in the fix's group) the mean is given of: velocities `vx vy vz`, forces `fx fy fz`, `mass`, values "
+             "per atom (`c_ID`, `c_ID[i]`, `f_ID`, `f_ID[i]`, `v_name`); and the number or mass of atoms per volume, "
+             "`density/number` and `density/mass`, and the temperature, `temp`, from all of the velocity with adof "
+             "degrees of freedom of each atom and cdof of each chunk (profiles of a flow: take off its velocity with "
+             "`bias`). The volume is that of a bin, or of the box for other chunks.\n\n"
+             "`norm all` divides the sum over all atoms of all samples by their number; `sample` takes the mean of "
+             "each "
+             "sample, and of these the mean; `none` gives sums over atoms, not means. Chunks without atoms have 0.\n\n"
+             "`f_ID[i][j]` is an array with a row for each chunk: coordinates of its center (bins), the number of "
+             "atoms "
+             "in the mean sample, then the values; with `compress yes` its original number comes first. The file holds "
+             "the same.",
+         .example = "compute layers all chunk/atom bin/1d z lower 0.1 units reduced\n"
+                    "fix 1 all ave/chunk 10 100 1000 layers density/number vx temp file profile.txt"},
+    .state_size = sizeof(ave_state),
+    .create = create,
+    .destroy = destroy,
+    .init = init,
+    .setup = setup,
+    .end_of_step = end_of_step,
+    .array = array,
+    .keep_state = keep_state,
+    .needs_energy = needs_energy,
+    .is_time_dependent = true,
+};
