@@ -236,7 +236,12 @@ static hs_status get_simulation(hs_checkpoint *checkpoint, hs_deck *deck, char *
     HS_TRY(get_run(checkpoint, sim, err));
     HS_TRY(get_dumps(checkpoint, sim, err));
     const bool is_set_up = sim->is_initialized;
-    if (is_set_up) HS_TRY(hs_sim_init_resumed(sim, err));
+    if (is_set_up) {
+        sim->env.is_resuming = true; /* files are there */
+        const hs_status status = hs_sim_init_resumed(sim, err);
+        sim->env.is_resuming = false;
+        HS_TRY(status);
+    }
     HS_TRY(get_styles(checkpoint, sim, err));
     if (is_set_up) HS_TRY(hs_sim_setup_resumed(sim, err));
     return get_run(checkpoint, sim, err); /* what set-up has changed */

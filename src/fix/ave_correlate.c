@@ -273,7 +273,8 @@ static hs_status keep_state(hs_fix *fix, hs_state *kept, hs_error *err)
     HS_TRY(hs_state_double(kept, "sum", state->sum, n * n_pairs, err));
     HS_TRY(hs_state_double(kept, "count", state->count, n, err));
     HS_TRY(hs_state_double(kept, "result", state->result, n * n_pairs, err));
-    return hs_state_double(kept, "result_count", state->result_count, n, err);
+    HS_TRY(hs_state_double(kept, "result_count", state->result_count, n, err));
+    return hs_average_file_keep(&state->file, fix->env, kept, err);
 }
 
 const hs_fix_style hs_fix_style_ave_correlate = {

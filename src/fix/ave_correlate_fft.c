@@ -228,7 +228,8 @@ static hs_status keep_state(hs_fix *fix, hs_state *kept, hs_error *err)
     HS_TRY(hs_state_int64(kept, "n_result", &state->n_result, 1, err));
     HS_TRY(hs_state_double(kept, "sample", state->sample, 2 * n_lags * state->n_values, err));
     HS_TRY(hs_state_double(kept, "sum", state->sum, n_lags * state->n_pairs, err));
-    return hs_state_double(kept, "result", state->result, n_lags * state->n_pairs, err);
+    HS_TRY(hs_state_double(kept, "result", state->result, n_lags * state->n_pairs, err));
+    return hs_average_file_keep(&state->file, fix->env, kept, err);
 }
 
 const hs_fix_style hs_fix_style_ave_correlate_fft = {

@@ -229,6 +229,15 @@ static hs_status array(hs_fix *fix, int i, int j, double *value, hs_error *err)
     return HS_OK;
 }
 
+static hs_status keep_state(hs_fix *fix, hs_state *kept, hs_error *err)
+{
+    ave_state *state = fix->state;
+    HS_TRY(hs_schedule_keep(&state->schedule, kept, err));
+    HS_TRY(hs_state_double(kept, "sum", state->sum, (int64_t)state->n_rows * state->n_values, err));
+    HS_TRY(hs_fold_keep(&state->fold, kept, err));
+    return hs_average_file_keep(&state->file, fix->env, kept, err);
+}
+
 const hs_fix_style hs_fix_style_ave_time = {
     .about =
         {.name = "ave/time",
@@ -260,5 +269,6 @@ const hs_fix_style hs_fix_style_ave_time = {
     .vector = vector,
     .array = array,
     .needs_energy = needs_energy,
+    .keep_state = keep_state,
     .is_time_dependent = true,
 };

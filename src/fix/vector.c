@@ -57,7 +57,7 @@ static hs_status end_of_step(hs_fix *fix, hs_error *err)
     if (n_rows == INT32_MAX)
         return hs_fail(err, HS_ERROR_RUN, "fix '%s' (vector): more rows than %d cannot be counted", fix->id, INT32_MAX);
     if (n_rows == state->capacity) {
-        const int64_t capacity = state->capacity == 0 ? 1024 : 2 * state->capacity;
+        const int64_t capacity = state->capacity < 512 ? 1024 : 2 * state->capacity;
         HS_TRY(HS_GROW(state->row, (size_t)(n_rows * state->n), (size_t)(capacity * state->n), err));
         state->capacity = capacity;
     }
@@ -84,6 +84,19 @@ static hs_status array(hs_fix *fix, int i, int j, double *value, hs_error *err)
     return HS_OK;
 }
 
+static hs_status keep_state(hs_fix *fix, hs_state *kept, hs_error *err)
+{
+    vector_state *state = fix->state;
+    int *const n_rows = fix->has_array ? &fix->n_rows : &fix->n_vector;
+    int64_t n_numbers = (int64_t)*n_rows * state->n;
+    HS_TRY(hs_state_int64(kept, "next", &state->next, 1, err));
+    HS_TRY(hs_state_doubles(kept, "rows", &state->row, &n_numbers, err));
+    if (!kept->is_reading) return HS_OK;
+    *n_rows = (int)(n_numbers / state->n);
+    state->capacity = *n_rows;
+    return HS_OK;
+}
+
 const hs_fix_style hs_fix_style_vector = {
     .about =
         {.name = "vector",
@@ -106,5 +119,6 @@ const hs_fix_style hs_fix_style_vector = {
     .vector = vector,
     .array = array,
     .needs_energy = needs_energy,
+    .keep_state = keep_state,
     .is_time_dependent = true,
 };

@@ -46,6 +46,12 @@ bool hs_schedule_advance(hs_schedule *schedule, int64_t step)
     return true;
 }
 
+hs_status hs_schedule_keep(hs_schedule *schedule, hs_state *state, hs_error *err)
+{
+    HS_TRY(hs_state_int64(state, "next sample", &schedule->next, 1, err));
+    return hs_state_int64(state, "samples of the window", &schedule->n_taken, 1, err);
+}
+
 hs_status hs_fold_reserve(hs_fold *fold, int n, hs_error *err)
 {
     if (fold->sum != NULL && fold->n == n) return HS_OK;
@@ -75,6 +81,14 @@ void hs_fold_add(hs_fold *fold, const double *values)
             for (size_t k = 0; k < n; ++k) fold->sum[k] += fold->ring[(size_t)w * n + k];
         break;
     }
+}
+
+hs_status hs_fold_keep(hs_fold *fold, hs_state *state, hs_error *err)
+{
+    HS_TRY(hs_state_int64(state, "windows", &fold->n_added, 1, err));
+    HS_TRY(hs_state_double(state, "sum of windows", fold->sum, fold->n, err));
+    if (fold->mode != HS_FOLD_WINDOW) return HS_OK;
+    return hs_state_double(state, "last windows", fold->ring, fold->n * fold->n_window, err);
 }
 
 double hs_fold_count(const hs_fold *fold)
@@ -152,13 +166,15 @@ static hs_status put_heads(hs_average_file *file, const char *const head[3], hs_
 hs_status hs_average_file_open(hs_average_file *file, const hs_env *env, const char *const head[3], hs_error *err)
 {
     if (file->name == NULL || file->is_begun || env->dry_run) return HS_OK;
+    const hs_write_mode fresh = file->overwrite ? HS_WRITE_REPLACE : file->mode;
+    const hs_write_mode mode = env->is_resuming ? HS_WRITE_APPEND : fresh;
     file->is_begun = true;
     hs_status status = HS_OK;
     if (env->parallel->rank == 0) {
-        if (file->overwrite) file->mode = HS_WRITE_REPLACE;
-        status = hs_writer_open(&file->writer, file->name, file->mode, err);
+        status = hs_writer_open(&file->writer, file->name, mode, err);
         if (status == HS_OK) status = put_heads(file, head, err);
-        if (status == HS_OK) status = hs_writer_bytes(file->writer, hs_text_get(&file->text), file->text.length, err);
+        if (status == HS_OK && !env->is_resuming)
+            status = hs_writer_bytes(file->writer, hs_text_get(&file->text), file->text.length, err);
         if (status == HS_OK) status = hs_writer_commit(file->writer, err);
         /* with overwrite the heads come before each window */
         file->head_length = file->overwrite ? file->text.length : 0;
@@ -202,6 +218,23 @@ hs_status hs_average_file_commit(hs_average_file *file, const hs_env *env, hs_er
         }
     }
     if (hs_parallel_agree(env->parallel, err) != HS_OK) return status != HS_OK ? status : err->status;
+    return HS_OK;
+}
+
+hs_status hs_average_file_keep(hs_average_file *file, const hs_env *env, hs_state *state, hs_error *err)
+{
+    int64_t size = file->writer != NULL && !file->overwrite ? hs_writer_committed(file->writer) : -1;
+    if (file->name == NULL) return HS_OK;
+    hs_parallel_broadcast(env->parallel, 0, &size, sizeof size);
+    HS_TRY(hs_state_bool(state, "file is begun", &file->is_begun, err));
+    HS_TRY(hs_state_int64(state, "file size", &size, 1, err));
+    if (!state->is_reading || file->writer == NULL) return HS_OK;
+    if (!file->is_begun) {
+        hs_writer_abandon(&file->writer); /* the run that was interrupted had not come to it */
+        hs_text_clear(&file->text);
+    } else if (!file->overwrite) {
+        return hs_writer_cut(file->writer, size, err);
+    }
     return HS_OK;
 }
 

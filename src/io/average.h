@@ -6,6 +6,7 @@
 #include "io/writer.h"
 #include "style/args.h"
 #include "style/env.h"
+#include "style/state.h"
 
 /** Samples every `every` steps; `repeat` of them make a window that ends at each multiple of `freq`. */
 typedef struct hs_schedule {
@@ -19,6 +20,8 @@ typedef struct hs_schedule {
 HS_MUST_USE hs_status hs_schedule_init(hs_schedule *schedule, const hs_args *args, int first, hs_error *err);
 /** Set the first sample at or after a step. */
 void hs_schedule_begin(hs_schedule *schedule, int64_t step);
+/** For keep_state of a fix. */
+HS_MUST_USE hs_status hs_schedule_keep(hs_schedule *schedule, hs_state *state, hs_error *err);
 /** Whether a sample is due on that step. */
 static inline bool hs_schedule_is_due(const hs_schedule *schedule, int64_t step) { return step == schedule->next; }
 /** A sample was taken now: sets the next; true when the window is complete. */
@@ -41,6 +44,8 @@ HS_MUST_USE hs_status hs_fold_reserve(hs_fold *fold, int n, hs_error *err);
 /** Add a window; sum[] then holds the sums over the windows that count, hs_fold_count how many these are. */
 void hs_fold_add(hs_fold *fold, const double *values);
 double hs_fold_count(const hs_fold *fold);
+/** For keep_state of a fix; room must have been made. */
+HS_MUST_USE hs_status hs_fold_keep(hs_fold *fold, hs_state *state, hs_error *err);
 void hs_fold_fini(hs_fold *fold);
 
 /** The output file of an averaging fix and its settings. */
@@ -74,7 +79,7 @@ HS_MUST_USE hs_status hs_average_keyword(hs_schedule *schedule, hs_fold *fold, h
     }
 
 /** Open the file and write its heads (title or, when none was given, head; NULL: no such line). Once; nothing in a dry run
- *  or on other ranks than the first. */
+ *  or on other ranks than the first. A resumed run finds the file with its heads and adds to it. */
 HS_MUST_USE hs_status hs_average_file_open(hs_average_file *file, const hs_env *env, const char *const head[3],
                                            hs_error *err);
 /** Whether this rank writes. */
@@ -83,6 +88,8 @@ static inline bool hs_average_file_is_open(const hs_average_file *file) { return
 HS_MUST_USE hs_status hs_average_file_number(hs_average_file *file, double value, hs_error *err);
 /** The piece is complete: write it. Collective: a failure stops all ranks. */
 HS_MUST_USE hs_status hs_average_file_commit(hs_average_file *file, const hs_env *env, hs_error *err);
+/** For keep_state of a fix: a resumed run cuts off what was written after the checkpoint. Collective. */
+HS_MUST_USE hs_status hs_average_file_keep(hs_average_file *file, const hs_env *env, hs_state *state, hs_error *err);
 void hs_average_file_fini(hs_average_file *file);
 
 #endif
