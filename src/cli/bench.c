@@ -70,6 +70,8 @@ static hs_status parse(const hs_cli *cli, bench *plan, hs_error *err)
         if (value == NULL) return hs_fail(err, HS_ERROR_INPUT, "%s needs %s after it", cli->word[i], option->values);
         if (strcmp(option->name, "-only") == 0 || strcmp(option->name, "-out") == 0)
             return hs_fail(err, HS_ERROR_INPUT, "%s is for 'halfshell bench neighbors'", option->name);
+        if (strcmp(option->name, "-ranks") == 0)
+            return hs_fail(err, HS_ERROR_INPUT, "-ranks is for 'halfshell bench scaling'");
         if (strcmp(option->name, "-size") == 0) HS_TRY(parse_count("-size", value, 1000, &plan->size, err));
         if (strcmp(option->name, "-steps") == 0) HS_TRY(parse_count("-steps", value, 1000000000, &plan->steps, err));
         if (strcmp(option->name, "-repeat") == 0) HS_TRY(parse_count("-repeat", value, 1000, &plan->repeat, err));
@@ -153,6 +155,7 @@ static hs_status measure(const hs_cli *cli, const bench *plan, int n_threads, co
 hs_status hs_cli_bench(const hs_cli *cli, hs_error *err)
 {
     if (cli->n > 0 && strcmp(cli->word[0], "neighbors") == 0) return hs_cli_bench_neighbors(cli, err);
+    if (cli->n > 0 && strcmp(cli->word[0], "scaling") == 0) return hs_cli_bench_scaling(cli, err);
     bench plan;
     HS_TRY(parse(cli, &plan, err));
     const double n_atoms = (double)ATOMS_A_CELL * (double)plan.size * (double)plan.size * (double)plan.size;

@@ -96,6 +96,8 @@ HS_MUST_USE hs_status hs_cli_check(const hs_cli *cli, hs_error *err);
 HS_MUST_USE hs_status hs_cli_bench(const hs_cli *cli, hs_error *err);
 /** `bench neighbors`; called by hs_cli_bench. */
 HS_MUST_USE hs_status hs_cli_bench_neighbors(const hs_cli *cli, hs_error *err);
+/** `bench scaling`; called by hs_cli_bench. */
+HS_MUST_USE hs_status hs_cli_bench_scaling(const hs_cli *cli, hs_error *err);
 HS_MUST_USE hs_status hs_cli_plot(const hs_cli *cli, hs_error *err);
 HS_MUST_USE hs_status hs_cli_report(const hs_cli *cli, hs_error *err);
 HS_MUST_USE hs_status hs_cli_help(const hs_cli *cli, hs_error *err);

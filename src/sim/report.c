@@ -131,6 +131,19 @@ static void say_tuning(hs_sim *sim)
     hs_text_fini(&text);
 }
 
+/** What a rank sends in a step without new lists, the mean of all (collective). */
+static void say_traffic(const hs_sim *sim)
+{
+    if (sim->parallel.n_ranks <= 1) return;
+    const hs_halo *halo = &sim->halo;
+    const double bytes_an_atom = sizeof(double) * HS_HALO_WORDS;
+    const spread forward = spread_of(&sim->parallel, bytes_an_atom * (halo->out.n - halo->out.n_self_atoms));
+    const spread back = spread_of(&sim->parallel, bytes_an_atom * (halo->in.n - halo->in.n_self_atoms));
+    const spread messages = spread_of(&sim->parallel, 0.5 * halo->forward.n); /* sent and received */
+    hs_say(sim->env.out, "Halo traffic = %.6g bytes forward, %.6g back, %.4g messages each way (a rank and step)\n",
+           forward.mean, back.mean, messages.mean);
+}
+
 void hs_report_finish(hs_sim *sim, int64_t n_steps, double loop_s, double cpu_s)
 {
     hs_sink *out = sim->env.out;
@@ -159,6 +172,7 @@ void hs_report_finish(hs_sim *sim, int64_t n_steps, double loop_s, double cpu_s)
         hs_say(out, "\n");
     }
     say_imbalance(sim);
+    say_traffic(sim);
     hs_say(out, "Neighbor list builds = %lld\n", (long long)counters->n_builds);
     if (sim->neighbor.settings.check)
         hs_say(out, "Dangerous builds = %lld\n", (long long)counters->n_dangerous);
