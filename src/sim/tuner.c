@@ -79,7 +79,7 @@ hs_status hs_tuner_describe(const hs_sim *sim, hs_text *text, hs_error *err)
     HS_TRY(
         hs_text_printf(text, err, "Neighbor method auto: %s (per atom and step:", hs_neighbor_methods[tuner->method]));
     for (int k = 0; k < HS_TUNER_CANDIDATES; ++k)
-        HS_TRY(hs_text_printf(text, err, "%s %s %.3g ns", k == 0 ? "" : ",", hs_neighbor_methods[candidates[k]],
+        HS_TRY(hs_text_printf(text, err, "%s %s %.1f ns", k == 0 ? "" : ",", hs_neighbor_methods[candidates[k]],
                               1e9 * tuner->best_s[k] / fmax(tuner->n_atoms, 1.0)));
     return hs_text_printf(text, err, ")\n");
 }
