@@ -99,6 +99,8 @@ START_TEST(test_same_bits)
         "-neigh incremental",        "-neigh hash -threads 3",
     };
     const size_t n = sizeof options / sizeof options[0];
+    /* the plain kernels, which a test of the whole suite may ask for, round products and sums one by one */
+    const bool has_wide = hs_isa_best() >= HS_ISA_AVX2 && getenv("HALFSHELL_ISA") == NULL;
     char folder[] = "/tmp/halfshell-bits-XXXXXX";
     ck_assert_ptr_nonnull(mkdtemp(folder));
     ck_assert_int_eq(chdir(folder), 0);
@@ -107,7 +109,7 @@ START_TEST(test_same_bits)
     fprintf(deck, "%s%s", systems[_i].text, tail);
     ck_assert_int_eq(fclose(deck), 0);
     char *first = run_with(options[0]);
-    for (size_t k = 1; k < n && (strstr(options[k], "avx2") == NULL || hs_isa_best() >= HS_ISA_AVX2); ++k) {
+    for (size_t k = 1; k < n && (strstr(options[k], "avx2") == NULL || has_wide); ++k) {
         char *other = run_with(options[k]);
         ck_assert_msg(strcmp(first, other) == 0, "%s: '%s' and '%s' differ", systems[_i].name, options[0], options[k]);
         free(other);
