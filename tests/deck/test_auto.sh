@@ -26,8 +26,8 @@ for method in auto cluster verlet; do rows "$method" >"$method.rows"; done
 cmp auto.rows cluster.rows
 cmp auto.rows verlet.rows
 grep -Eq '^Neighbor method auto: (cluster|verlet) \(per atom and step: cluster [0-9.]+ ns, verlet [0-9.]+ ns\)$' auto.log
-! grep -q 'Neighbor method auto' cluster.log
+if grep -q "Neighbor method auto" cluster.log; then exit 1; fi
 # too short to try
 sed -i 's/^run .*/run 100/' in.deck
 rows auto >short.rows
-! grep -q '^Neighbor method auto: .*per atom' auto.log
+if grep -q "^Neighbor method auto: .*per atom" auto.log; then exit 1; fi
