@@ -44,8 +44,10 @@ hs_status hs_text_printf(hs_text *text, hs_error *err, const char *fmt, ...)
         status = hs_fail(err, HS_ERROR_RUN, "text could not be formatted with '%s'", fmt);
     } else if ((size_t)n >= room) {
         status = hs_text_reserve(text, (size_t)n, err);
-        if (status == HS_OK) vsnprintf(text->data + text->length, (size_t)n + 1, fmt, again);
-        else text->data[text->length] = '\0';
+        if (status == HS_OK)
+            vsnprintf(text->data + text->length, (size_t)n + 1, fmt, again);
+        else
+            text->data[text->length] = '\0';
     }
     if (status == HS_OK) text->length += (size_t)n;
     va_end(again);

@@ -96,8 +96,10 @@ const hs_command hs_commands_thermo[] = {
               "Formats are those of printf with one conversion: `%d` for whole numbers, `%e`, `%f` or `%g` for others. "
               "A column's own format (`format N`) wins over `format int` and `format float`, these over `format "
               "line`, which has one word for each column. `temp` and `press` name computes; the pressure then uses "
-              "that temperature. `means yes` prints after each run, below what log readers look at, the mean of each column over the "
-              "rows of the run (without the first, which is the last of the run before), its standard error and statistical "
+              "that temperature. `means yes` prints after each run, below what log readers look at, the mean of each "
+              "column over the "
+              "rows of the run (without the first, which is the last of the run before), its standard error and "
+              "statistical "
               "inefficiency from blocks of rows, and the drift of the total energy per atom and time.",
           .example = "thermo_modify norm no flush yes\nthermo_modify format float %15.8g format 1 %10d"},
      .run = run_thermo_modify},

@@ -117,8 +117,9 @@ static hs_status modify(hs_dump *dump, const hs_args *args, int *n_used, hs_erro
     if (strcmp(keyword, "flush") == 0 || strcmp(keyword, "buffer") == 0) return hs_arg_bool(args, 1, &ignored, err);
     if (strcmp(keyword, "sort") == 0) {
         static const char *const words[] = {"id", NULL};
-        return strcmp(args->word[1], "id") == 0 ? HS_OK
-                                                : hs_arg_refuse(args, 1, "id, the only order of rows in this style", words, err);
+        return strcmp(args->word[1], "id") == 0
+                   ? HS_OK
+                   : hs_arg_refuse(args, 1, "id, the only order of rows in this style", words, err);
     }
     const bool is_append = strcmp(keyword, "append") == 0, is_compress = strcmp(keyword, "compress") == 0;
     if ((is_append || is_compress) && self->is_open)

@@ -7,10 +7,10 @@
 #include "io/checkpoint.h"
 
 struct hs_checkpoint {
-    char *path; /**< owned */
-    char *part; /**< owned; rank 0's file until it takes its name; NULL when reading, and after that */
+    char *path;           /**< owned */
+    char *part;           /**< owned; rank 0's file until it takes its name; NULL when reading, and after that */
     hs_parallel parallel; /**< a copy: the simulation may be made anew meanwhile */
-    hid_t file; /**< -1 on other ranks than 0 */
+    hid_t file;           /**< -1 on other ranks than 0 */
 };
 
 hs_status hs_checkpoint_fail(const hs_checkpoint *checkpoint, const char *what, hs_error *err);

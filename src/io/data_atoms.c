@@ -116,8 +116,8 @@ static bool is_watched(const hs_data_reader *reader, int64_t id)
 /** Remember an atom that is this rank's, or was before, or is watched by it. */
 static hs_status remember(hs_data_reader *reader, int64_t id, int32_t index, long line, hs_error *err)
 {
-    const bool was_here = reader->n_before > 0 && bsearch(&id, reader->before, (size_t)reader->n_before, sizeof id,
-                                                          ascending) != NULL;
+    const bool was_here =
+        reader->n_before > 0 && bsearch(&id, reader->before, (size_t)reader->n_before, sizeof id, ascending) != NULL;
     if (index < 0 && !was_here && !is_watched(reader, id)) return HS_OK;
     if (reader->n_ids == reader->capacity_ids) {
         const int64_t capacity = reader->capacity_ids * 2 + 1024;
@@ -160,8 +160,7 @@ static hs_status read_atom(hs_data_reader *reader, hs_error *err)
     HS_TRY(settle(reader->env->box, x, image, err));
     forget_images(reader, image);
     const int i = atoms->n_local;
-    if (!hs_domain_owns(reader->env->domain, reader->env->box, x))
-        return remember(reader, id, -1, lines->number, err);
+    if (!hs_domain_owns(reader->env->domain, reader->env->box, x)) return remember(reader, id, -1, lines->number, err);
     HS_TRY(remember(reader, id, i, lines->number, err));
     HS_TRY(hs_atoms_add(atoms, id, (int)type, x, err));
     for (int axis = 0; axis < 3; ++axis) atoms->image[axis][i] = image[axis];

@@ -9,7 +9,7 @@
  *  given twice: each id is watched by one rank, so that no rank knows all. */
 typedef struct hs_data_id {
     int64_t id;
-    long line; /**< of the file, 0 for atoms that were there before */
+    long line;     /**< of the file, 0 for atoms that were there before */
     int32_t index; /**< local index, -1: the atom is another rank's */
     bool has_velocity;
 } hs_data_id;
@@ -29,8 +29,8 @@ typedef struct hs_data_reader {
     int64_t id_offset;
     hs_data_id *id; /**< owned [n_ids], sorted once the section Atoms is read */
     int64_t n_ids, capacity_ids;
-    int64_t *before; /**< owned [n_before], sorted: ids of the local atoms there were */
-    hs_error late;   /**< an error that only this rank has met; agreed at the end of the section */
+    int64_t *before;     /**< owned [n_before], sorted: ids of the local atoms there were */
+    hs_error late;       /**< an error that only this rank has met; agreed at the end of the section */
     bool image_reset[3]; /**< image flags along an axis that is not periodic were met */
     bool has_atoms, has_velocities, has_masses;
 } hs_data_reader;

@@ -207,8 +207,7 @@ static hs_status append_type_name(const hs_dump *dump, const hs_dump_column *col
     char number[16];
     if (table->n_elements > 0) return hs_text_printf(text, err, column->format, table->element[type - 1]);
     if (!table->layout->is_element_first)
-        return hs_text_printf(text, err, column->format,
-                              table->layout->unnamed != NULL ? table->layout->unnamed : "C");
+        return hs_text_printf(text, err, column->format, table->layout->unnamed != NULL ? table->layout->unnamed : "C");
     snprintf(number, sizeof number, "%d", type);
     return hs_text_printf(text, err, column->format, number);
 }
@@ -243,8 +242,7 @@ static hs_status write_snapshot(hs_dump *dump, hs_writer *writer, hs_error *err)
 {
     const hs_dump_table *table = dump->state;
     HS_UNLESS_FAILED(err, hs_dump_select(dump, err));
-    if (!table->no_header && writer != NULL)
-        HS_UNLESS_FAILED(err, write_header(dump, writer, err));
+    if (!table->no_header && writer != NULL) HS_UNLESS_FAILED(err, write_header(dump, writer, err));
     const hs_text_rows rows = {.n = table->n_rows,
                                .is_descending = table->is_descending,
                                .by_rank = table->is_unsorted,

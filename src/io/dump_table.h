@@ -29,14 +29,14 @@ typedef struct hs_dump_condition {
 
 /** How a style lays out its rows: what dump_modify may change. */
 typedef struct hs_dump_layout {
-    bool has_atom_header;    /**< ITEM: lines; false: the two lines of xyz */
+    bool has_atom_header; /**< ITEM: lines; false: the two lines of xyz */
     /** Not collective: lines above the rows, where those are neither of the two. */
     HS_MUST_USE hs_status (*write_header)(struct hs_dump *dump, hs_writer *writer, hs_error *err);
-    const char *unnamed;     /**< element of types without one; NULL: C, as LAMMPS has it */
+    const char *unnamed;      /**< element of types without one; NULL: C, as LAMMPS has it */
     const char *float_format; /**< default; NULL: %g */
-    bool is_element_first;   /**< xyz: the first column is a type's number or name, always text */
-    bool has_column_formats; /**< dump_modify format int, float, N */
-    bool has_scale_image;    /**< dump_modify scale, image */
+    bool is_element_first;    /**< xyz: the first column is a type's number or name, always text */
+    bool has_column_formats;  /**< dump_modify format int, float, N */
+    bool has_scale_image;     /**< dump_modify scale, image */
 } hs_dump_layout;
 
 typedef struct hs_dump_table {
@@ -61,9 +61,9 @@ typedef struct hs_dump_table {
     int sort_column;           /**< 1 .. n_columns; 0: by id */
     bool is_scaled, has_image; /**< of style atom */
 
-    hs_writer *writer; /**< owned; of a growing file, open from init on; on the first rank only */
-    bool is_open;      /**< the first rank has it open; the same on all ranks */
-    int32_t *order;    /**< owned; atoms of the snapshot being written */
+    hs_writer *writer;          /**< owned; of a growing file, open from init on; on the first rank only */
+    bool is_open;               /**< the first rank has it open; the same on all ranks */
+    int32_t *order;             /**< owned; atoms of the snapshot being written */
     int n_rows, capacity_order; /**< n_rows: of this rank */
     int64_t n_rows_all;         /**< of all ranks */
 } hs_dump_table;

@@ -9,10 +9,10 @@ enum { HS_LINE_WORDS_MAX = 64, HS_LINE_BYTES_MAX = 65536 };
 
 /** A file being read line by line: the first rank reads, and all ranks get the lines. Zero it before hs_lines_open. */
 typedef struct hs_lines {
-    const char *path; /**< borrowed */
+    const char *path;            /**< borrowed */
     const hs_parallel *parallel; /**< borrowed */
-    void *file;       /**< owned; NULL on other ranks */
-    char *chunk;      /**< owned: bytes read and not yet given out */
+    void *file;                  /**< owned; NULL on other ranks */
+    char *chunk;                 /**< owned: bytes read and not yet given out */
     size_t n_chunk, chunk_at;
     bool is_drained;  /**< there are no bytes after the chunk */
     long number;      /**< of the present line, from 1 */

@@ -26,7 +26,7 @@
 
 /** A squared distance that counts as none, in float too: potentials that are finite at r = 0 divide by at least its root,
  *  so that the force of atoms at one place is zero, not undefined. */
-#define HS_TINY_R2 1e-30
+#define HS_TINY_R2       1e-30
 
 #define HS_EVALUATE(...) static inline __attribute__((always_inline)) void evaluate(__VA_ARGS__)
 

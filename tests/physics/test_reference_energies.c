@@ -40,7 +40,8 @@ static void open_pair(experiment *e, int type_a, int type_b)
 {
     open_experiment(e, 1);
     deck(e,
-         "units lj\nreproducible off\nboundary f f f\nregion box block -30 30 -30 30 -30 30 units box\ncreate_box 2 box\n"
+         "units lj\nreproducible off\nboundary f f f\nregion box block -30 30 -30 30 -30 30 units box\ncreate_box 2 "
+         "box\n"
          "create_atoms %d single 0 0 0 units box\ncreate_atoms %d single 1 1 1 units box\nmass * 1.0\nfix 1 all nve\n"
          "thermo_modify norm no\n",
          type_a, type_b);

@@ -237,7 +237,8 @@ START_TEST(test_refusals)
     expect_error("dump 1 all custom 5 x id foo\n", "unknown attribute 'foo'");
     expect_error("dump 1 all custom 5 x id vxx\n", "did you mean 'vx'?");
     expect_error("dump 1 all custom 5 x id mol\n", "'mol' needs an atom style with molecules");
-    expect_error("dump 1 all custom 5 x id c_p\n", "dump custom: there is no compute 'p' for c_p: the command 'compute' makes one");
+    expect_error("dump 1 all custom 5 x id c_p\n",
+                 "dump custom: there is no compute 'p' for c_p: the command 'compute' makes one");
     expect_error("dump 1 all custom 5 x\n", "too few words");
     expect_error("dump 1 all atom 5 x id\n", "unexpected word 'id'");
     expect_error("dump 1 none atom 5 x\n", "there is no group 'none'");

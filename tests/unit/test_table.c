@@ -43,9 +43,9 @@ static void expect_error(const char *text, long line, const char *part)
 
 START_TEST(logs)
 {
-    hs_table_file file = read_good("units lj\nStep Temp in a comment\n" MEMORY "Step Temp Press \n 0 1.5 -2\n"
-                                   "WARNING: something\n 10 1.25 inf\nLoop time of 1\n0 1 2\n" MEMORY
-                                   "Step Temp\n 10 1.25\n 20 1\n 3");
+    hs_table_file file =
+        read_good("units lj\nStep Temp in a comment\n" MEMORY "Step Temp Press \n 0 1.5 -2\n"
+                  "WARNING: something\n 10 1.25 inf\nLoop time of 1\n0 1 2\n" MEMORY "Step Temp\n 10 1.25\n 20 1\n 3");
     ck_assert_int_eq(file.kind, HS_TABLE_LOG);
     ck_assert_int_eq(file.n_tables, 2);
     ck_assert_int_eq(file.table[0].n_rows, 2); /* neither the warning nor what follows the run */
@@ -59,13 +59,13 @@ END_TEST
 
 START_TEST(logs_of_style_multi)
 {
-    hs_table_file file = read_good(MEMORY
-                                   "---------------- Step      100 ----- CPU =      0.0000 (sec) ----------------\n"
-                                   "TotEng   =        -4.6246 KinEng   =         1.1268 Temp     =         0.7521 \n"
-                                   "Press    =         0.5\n"
-                                   "---------------- Step      110 ----- CPU =      0.0044 (sec) ----------------\n"
-                                   "TotEng   =        -4.6248 KinEng   =         1.1484 Temp     =         0.7665 \n"
-                                   "Press    =         0.25\nLoop time of 1\n");
+    hs_table_file file =
+        read_good(MEMORY "---------------- Step      100 ----- CPU =      0.0000 (sec) ----------------\n"
+                         "TotEng   =        -4.6246 KinEng   =         1.1268 Temp     =         0.7521 \n"
+                         "Press    =         0.5\n"
+                         "---------------- Step      110 ----- CPU =      0.0044 (sec) ----------------\n"
+                         "TotEng   =        -4.6248 KinEng   =         1.1484 Temp     =         0.7665 \n"
+                         "Press    =         0.25\nLoop time of 1\n");
     ck_assert_int_eq(file.n_tables, 1);
     ck_assert_int_eq(file.table[0].n_rows, 2);
     ck_assert_int_eq(hs_table_find(&file.table[0], "Step"), 0);
