@@ -9,6 +9,7 @@
 #include "deck/saved.h"
 #include "deck/source.h"
 #include "io/checkpoint.h"
+#include "io/part_file.h"
 #include "sim/saving.h"
 
 /** Words of a joined text: cut in place. The caller frees words->word (the array). */
@@ -349,6 +350,7 @@ hs_status hs_deck_resume(hs_deck *deck, const char *path, hs_error *err)
     places where = {0};
     char *commands = NULL;
     HS_TRY(hs_checkpoint_open(&where.checkpoint, path, &deck->sim->parallel, err));
+    if (deck->sim->parallel.rank == 0) hs_part_file_sweep(path); /* of the run that was killed */
     hs_status status = get_settings(where.checkpoint, deck, &commands, &where.n, err);
     if (status == HS_OK) status = hs_deck_clear(deck, err); /* with the settings */
     if (status == HS_OK) status = get_variables(where.checkpoint, deck, err);

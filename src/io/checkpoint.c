@@ -58,7 +58,7 @@ static hs_status write_head(const hs_checkpoint *self, hs_error *err)
     uint32_t crc;
     char head[HEAD_SIZE];
     memset(head, ' ', sizeof head);
-    const int fd = open(self->part, O_RDWR);
+    const int fd = open(self->part.path, O_RDWR);
     bool is_fine = fd >= 0 && fstat(fd, &info) == 0 && digest(fd, &crc);
     if (is_fine) {
         const int n =
@@ -106,16 +106,12 @@ static hs_status check_head(const hs_checkpoint *self, int fd, hs_error *err)
 
 static hs_status create_file(hs_checkpoint *self, hs_error *err)
 {
-    hs_text part = {0};
-    hs_status status = hs_text_printf(&part, err, "%s.part-%ld", self->path, (long)getpid());
-    if (status == HS_OK) status = hs_memory_strdup(&self->part, hs_text_get(&part), err);
-    hs_text_fini(&part);
-    HS_TRY(status);
+    HS_TRY(hs_part_file_make(&self->part, self->path, err));
     const hid_t list = hs_h5_driver_list(), create = H5Pcreate(H5P_FILE_CREATE);
     H5Pset_userblock(create, HEAD_SIZE);
     hs_h5_quiet quiet = hs_h5_be_quiet();
     errno = 0;
-    self->file = H5Fcreate(self->part, H5F_ACC_TRUNC, create, list);
+    self->file = H5Fcreate(self->part.path, H5F_ACC_TRUNC, create, list);
     const int error = errno;
     hs_h5_end_quiet(&quiet);
     H5Pclose(create);
@@ -142,19 +138,6 @@ hs_status hs_checkpoint_create(hs_checkpoint **checkpoint, const char *path, con
     return status;
 }
 
-/** The folder's entry must be on the disk, too. */
-static void sync_folder(const char *path)
-{
-    const char *slash = strrchr(path, '/');
-    char folder[4096] = ".";
-    if (slash != NULL && (size_t)(slash - path) + 2 < sizeof folder)
-        snprintf(folder, sizeof folder, "%.*s", (int)(slash - path) + 1, path);
-    const int fd = open(folder, O_RDONLY | O_DIRECTORY);
-    if (fd < 0) return;
-    (void)!fsync(fd);
-    close(fd);
-}
-
 static hs_status commit(hs_checkpoint *self, hs_error *err)
 {
     hs_h5_quiet quiet = hs_h5_be_quiet();
@@ -164,13 +147,7 @@ static hs_status commit(hs_checkpoint *self, hs_error *err)
     self->file = -1;
     hs_h5_end_quiet(&quiet);
     if (status == HS_OK) status = write_head(self, err);
-    if (status == HS_OK && rename(self->part, self->path) != 0)
-        status = hs_fail(err, HS_ERROR_IO, "the checkpoint '%s' could not be renamed into place: %s", self->path,
-                         strerror(errno));
-    if (status != HS_OK) return status;
-    HS_FREE(self->part);
-    sync_folder(self->path);
-    return HS_OK;
+    return status == HS_OK ? hs_part_file_finish(&self->part, err) : status;
 }
 
 hs_status hs_checkpoint_commit(hs_checkpoint **checkpoint, hs_error *err)
@@ -211,8 +188,7 @@ void hs_checkpoint_destroy(hs_checkpoint **checkpoint)
     hs_h5_quiet quiet = hs_h5_be_quiet();
     if (self->file >= 0) H5Fclose(self->file);
     hs_h5_end_quiet(&quiet);
-    if (self->part != NULL) unlink(self->part);
-    HS_FREE(self->part);
+    hs_part_file_abandon(&self->part);
     HS_FREE(self->path);
     HS_FREE(*checkpoint);
 }

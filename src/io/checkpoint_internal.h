@@ -5,10 +5,11 @@
 #include <hdf5.h>
 
 #include "io/checkpoint.h"
+#include "io/part_file.h"
 
 struct hs_checkpoint {
     char *path;           /**< owned */
-    char *part;           /**< owned; rank 0's file until it takes its name; NULL when reading, and after that */
+    hs_part_file part;    /**< rank 0's file until it takes its name; none when reading, and after that */
     hs_parallel parallel; /**< a copy: the simulation may be made anew meanwhile */
     hid_t file;           /**< -1 on other ranks than 0 */
 };

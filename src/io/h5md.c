@@ -272,12 +272,11 @@ hs_status hs_h5md_close(hs_h5md **file, hs_error *err)
         if (H5Fflush(self->file, H5F_SCOPE_LOCAL) < 0) status = hs_h5md_fail(self, "written", err);
         H5Fclose(self->file);
     }
-    if (self->part != NULL && self->file >= 0 && !self->is_failed) {
+    if (self->part.path != NULL && self->file >= 0 && !self->is_failed) {
         const hs_status named = hs_h5md_take_name(self, err);
         if (status == HS_OK) status = named;
     }
-    if (self->part != NULL) unlink(self->part);
-    HS_FREE(self->part);
+    hs_part_file_abandon(&self->part);
     hs_h5_end_quiet(&quiet);
     HS_FREE(self->path);
     HS_FREE(self->value);

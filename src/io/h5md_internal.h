@@ -5,10 +5,11 @@
 #include <hdf5.h>
 
 #include "io/h5md.h"
+#include "io/part_file.h"
 
 struct hs_h5md {
     char *path;     /**< owned */
-    char *part;     /**< owned; its name while it is not whole, beside path; NULL once it has its own */
+    hs_part_file part; /**< the file while it is not whole; none once it has its name */
     bool is_single; /**< takes its own name only when it is closed */
     bool is_failed;
     hid_t file;

@@ -170,29 +170,16 @@ static bool make_metadata(const hs_h5md *self, const hs_h5md_plan *plan)
 
 hs_status hs_h5md_take_name(hs_h5md *self, hs_error *err)
 {
-    if (self->part == NULL) return HS_OK;
-    if (rename(self->part, self->path) != 0)
-        return hs_fail(err, HS_ERROR_IO, "'%s' could not be renamed into place: %s", self->path, strerror(errno));
-    HS_FREE(self->part);
-    return HS_OK;
-}
-
-static hs_status choose_part(hs_h5md *self, hs_error *err)
-{
-    hs_text text = {0};
-    hs_status status = hs_text_printf(&text, err, "%s.part-%ld", self->path, (long)getpid());
-    if (status == HS_OK) status = hs_memory_strdup(&self->part, hs_text_get(&text), err);
-    hs_text_fini(&text);
-    return status;
+    return self->part.path != NULL ? hs_part_file_finish(&self->part, err) : HS_OK;
 }
 
 hs_status hs_h5md_make(hs_h5md *self, const hs_h5md_plan *plan, hs_error *err)
 {
-    HS_TRY(choose_part(self, err));
+    HS_TRY(hs_part_file_make(&self->part, self->path, err));
     const hid_t list = hs_h5_driver_list(), create = H5Pcreate(H5P_FILE_CREATE);
     H5Pset_istore_k(create, 128); /* an index node for 256 chunks: few levels in long files */
     errno = 0;
-    self->file = H5Fcreate(self->part, H5F_ACC_TRUNC, create, list);
+    self->file = H5Fcreate(self->part.path, H5F_ACC_TRUNC, create, list);
     const int error = errno;
     H5Pclose(create);
     H5Pclose(list);

@@ -2,7 +2,6 @@
 
 #include <errno.h>
 #include <fcntl.h>
-#include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -12,13 +11,13 @@
 
 #include "base/memory.h"
 #include "base/text.h"
+#include "io/part_file.h"
 
 enum { BUFFER_SIZE = 1 << 18 };
 
 struct hs_writer {
     char *path;   /**< as given; owned */
-    char *target; /**< the file a whole one replaces, symbolic links followed; owned; NULL in place */
-    char *part;   /**< its name until then; owned; NULL in place */
+    hs_part_file part; /**< a whole file until it is complete; none in place */
     int fd;
     bool is_regular;   /**< can be cut back */
     int64_t committed; /**< bytes of the file up to the last commit */
@@ -98,24 +97,9 @@ static void destroy(hs_writer **writer)
     if (self->in_member) deflateEnd(&self->stream);
     if (self->fd >= 0) close(self->fd);
     HS_FREE(self->path);
-    HS_FREE(self->target);
-    HS_FREE(self->part);
     HS_FREE(self->buffer);
     HS_FREE(self->packed);
     HS_FREE(*writer);
-}
-
-/** Where a whole file is written until it is complete: beside the target, so that a rename suffices. */
-static hs_status choose_part(hs_writer *writer, hs_error *err)
-{
-    char resolved[PATH_MAX];
-    hs_text part = {0};
-    const char *target = realpath(writer->path, resolved) != NULL ? resolved : writer->path;
-    HS_TRY(hs_memory_strdup(&writer->target, target, err));
-    hs_status status = hs_text_printf(&part, err, "%s.part-%ld", target, (long)getpid());
-    if (status == HS_OK) status = hs_memory_strdup(&writer->part, hs_text_get(&part), err);
-    hs_text_fini(&part);
-    return status;
 }
 
 static hs_status open_file(hs_writer *writer, hs_write_mode mode, hs_error *err)
@@ -126,8 +110,8 @@ static hs_status open_file(hs_writer *writer, hs_write_mode mode, hs_error *err)
     if (!writer->is_regular) {
         writer->fd = open(writer->path, O_WRONLY);
     } else if (mode == HS_WRITE_WHOLE) {
-        HS_TRY(choose_part(writer, err));
-        writer->fd = open(writer->part, O_WRONLY | O_CREAT | O_TRUNC, exists ? info.st_mode & 0777 : 0666);
+        HS_TRY(hs_part_file_make(&writer->part, writer->path, err));
+        writer->fd = open(writer->part.path, O_WRONLY);
     } else {
         writer->fd = open(writer->path, O_WRONLY | O_CREAT | (mode == HS_WRITE_REPLACE ? O_TRUNC : 0), 0666);
         if (writer->fd >= 0 && mode == HS_WRITE_APPEND) writer->committed = lseek(writer->fd, 0, SEEK_END);
@@ -224,9 +208,8 @@ hs_status hs_writer_close(hs_writer **writer, hs_error *err)
     if (status == HS_OK && self->is_regular && fsync(self->fd) != 0) status = fail_io(self, "flushed to disk", err);
     if (close(self->fd) != 0 && status == HS_OK) status = fail_io(self, "closed", err);
     self->fd = -1;
-    if (status == HS_OK && self->part != NULL && rename(self->part, self->target) != 0)
-        status = fail_io(self, "renamed into place", err);
-    if (status != HS_OK && self->part != NULL) unlink(self->part);
+    if (status == HS_OK && self->part.path != NULL) status = hs_part_file_finish(&self->part, err);
+    hs_part_file_abandon(&self->part);
     destroy(writer);
     return status;
 }
@@ -235,7 +218,7 @@ void hs_writer_abandon(hs_writer **writer)
 {
     if (*writer == NULL) return;
     roll_back(*writer);
-    if ((*writer)->part != NULL) unlink((*writer)->part);
+    hs_part_file_abandon(&(*writer)->part);
     destroy(writer);
 }
 

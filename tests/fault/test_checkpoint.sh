@@ -53,6 +53,25 @@ for round in 1 2 3 4 5; do
     same "round $round ($last)"
 done
 
+# What a killed run leaves of an unfinished file goes when the file, or one of its series, is written again; what a living run is
+# writing, and what is not ours, stays.
+rm -f checkpoint.*
+mine='checkpoint.77.h5.halfshell-part-1 end.data.halfshell-part-99999'
+others='checkpoint.5.h5.part-03 checkpoint.h5.halfshell-part-1 checkpoint.40.h5.halfshell-part-x end.data.1.halfshell-part-3'
+living=checkpoint.9.h5.halfshell-part-2
+# shellcheck disable=SC2086
+touch $mine $others $living
+exec 9<"$living"
+flock -s 9
+run run.in || fail "run beside parts of files: $(cat err)"
+for file in $mine; do [ ! -e "$file" ] || fail "$file of a dead process was left"; done
+for file in $others $living; do [ -e "$file" ] || fail "$file was removed"; done
+exec 9<&-
+run resume "$(ls checkpoint.*.h5 | tail -1)" || fail "resume beside parts: $(cat err)"
+[ ! -e "$living" ] || fail "resume left $living"
+# shellcheck disable=SC2086
+rm -f $others
+
 # SIGINT and SIGTERM: exit code 3, and a checkpoint that says how to go on.
 sed 's/run 115 every 40/run 100000 every 40/' run.in >long.in
 for signal in INT TERM; do
@@ -104,7 +123,7 @@ sed 's/checkpoint every 40 steps/& file kept.h5/' run.in >limit.in
 (trap '' XFSZ && ulimit -f 64 && "$HALFSHELL" limit.in -log none >out 2>err) || code=$?
 [ "$code" = 2 ] || fail "a file-size limit gave exit code $code"
 cmp "$good" kept.h5 || fail "the checkpoint before was damaged"
-[ -z "$(ls ./*.part-* 2>/dev/null)" ] || fail "parts of files were left"
+[ -z "$(ls ./*halfshell-part-* 2>/dev/null)" ] || fail "parts of files were left"
 code=0
 sed 's/keep 3/file nowhere\/a.*.h5/' run.in >nowhere.in
 run nowhere.in || code=$?

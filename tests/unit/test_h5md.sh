@@ -37,7 +37,7 @@ run 10
 write_data last.data
 END
 "$HALFSHELL" run.in -log none >/dev/null
-[ -z "$(find . -name '*.part-*')" ] || { echo "parts of files were left" >&2; exit 1; }
+[ -z "$(find . -name '*.halfshell-part-*')" ] || { echo "parts of files were left" >&2; exit 1; }
 
 cat >add.in <<END
 units lj
