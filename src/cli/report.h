@@ -15,18 +15,6 @@ typedef struct hs_log_summary {
 HS_MUST_USE hs_status hs_log_summary_read(hs_log_summary *summary, const char *log, hs_error *err);
 void hs_log_summary_fini(hs_log_summary *summary);
 
-/** Mean of a series whose neighboring values are correlated. */
-typedef struct hs_mean {
-    double mean, error; /**< standard error of the mean; NaN when the series is too short to tell */
-    double minimum, maximum;
-    double inefficiency; /**< values that count as one */
-    double drift;        /**< change along the series of its straight-line fit */
-} hs_mean;
-
-/** Blocking: neighbors are averaged until the error no longer grows.  H. Flyvbjerg, H. G. Petersen 1989,
- *  doi:10.1063/1.457480, eq. 26-28. Values that are no numbers are left out. */
-HS_MUST_USE hs_status hs_mean_of(hs_mean *result, const double *value, int64_t n, hs_error *err);
-
 /* Pieces of HTML at the end of @p page */
 /** Text with everything quoted that HTML gives a meaning. */
 HS_MUST_USE hs_status hs_html_text(hs_text *page, const char *text, hs_error *err);

@@ -1,65 +1,28 @@
 /* Means of thermo columns with their standard errors. */
 #include <math.h>
 #include <stdio.h>
-#include <string.h>
 
-#include "base/memory.h"
 #include "cli/report.h"
+#include "core/statistics.h"
 
-enum { BLOCKS_MIN = 16 };
+/** What a table says of a column. */
+typedef struct column_facts {
+    hs_series series;
+    hs_line line; /**< of the values against their number: the drift */
+    double minimum, maximum;
+} column_facts;
 
-static double mean_of(const double *value, int64_t n)
+static column_facts facts_of(const double *value, int64_t n)
 {
-    double sum = 0.0;
-    for (int64_t i = 0; i < n; ++i) sum += value[i] - value[0]; /* small numbers lose no digits */
-    return value[0] + sum / (double)n;
-}
-
-static double error_of(const double *value, int64_t n, double mean)
-{
-    double sum = 0.0;
-    for (int64_t i = 0; i < n; ++i) sum += (value[i] - mean) * (value[i] - mean);
-    return sqrt(sum / ((double)n * (double)(n - 1)));
-}
-
-/** Straight line through the values: its change from the first to the last. */
-static double drift_of(const double *value, int64_t n, double mean)
-{
-    const double middle = 0.5 * (double)(n - 1);
-    double up = 0.0, down = 0.0;
+    column_facts facts = {.minimum = INFINITY, .maximum = -INFINITY};
     for (int64_t i = 0; i < n; ++i) {
-        up += ((double)i - middle) * (value[i] - mean);
-        down += ((double)i - middle) * ((double)i - middle);
+        if (!isfinite(value[i])) continue;
+        hs_series_add(&facts.series, value[i]);
+        hs_line_add(&facts.line, (double)i, value[i]);
+        facts.minimum = fmin(facts.minimum, value[i]);
+        facts.maximum = fmax(facts.maximum, value[i]);
     }
-    return down > 0.0 ? up / down * (double)(n - 1) : 0.0;
-}
-
-hs_status hs_mean_of(hs_mean *result, const double *value, int64_t n, hs_error *err)
-{
-    double *block;
-    int64_t n_blocks = 0;
-    *result = (hs_mean){.mean = NAN, .error = NAN, .minimum = NAN, .maximum = NAN, .inefficiency = NAN, .drift = NAN};
-    HS_TRY(HS_ALLOC(block, (size_t)n + 1, err));
-    for (int64_t i = 0; i < n; ++i)
-        if (isfinite(value[i])) block[n_blocks++] = value[i];
-    if (n_blocks > 0) {
-        result->mean = mean_of(block, n_blocks);
-        result->minimum = result->maximum = block[0];
-        for (int64_t i = 0; i < n_blocks; ++i) {
-            result->minimum = fmin(result->minimum, block[i]);
-            result->maximum = fmax(result->maximum, block[i]);
-        }
-        result->drift = drift_of(block, n_blocks, result->mean);
-    }
-    const double plain = n_blocks >= BLOCKS_MIN ? error_of(block, n_blocks, result->mean) : NAN;
-    for (; n_blocks >= BLOCKS_MIN; n_blocks /= 2) {
-        const double error = error_of(block, n_blocks, mean_of(block, n_blocks));
-        if (!(result->error >= error)) result->error = error;
-        for (int64_t i = 0; i < n_blocks / 2; ++i) block[i] = 0.5 * (block[2 * i] + block[2 * i + 1]);
-    }
-    if (plain > 0.0) result->inefficiency = (result->error / plain) * (result->error / plain);
-    HS_FREE(block);
-    return HS_OK;
+    return facts;
 }
 
 static hs_status put_cell(hs_text *page, double value, const char *fmt, hs_error *err)
@@ -69,11 +32,15 @@ static hs_status put_cell(hs_text *page, double value, const char *fmt, hs_error
     return hs_text_printf(page, err, "<td>%s</td>", isfinite(value) ? text : "–");
 }
 
-static hs_status put_row(hs_text *page, const hs_table *table, int k, const hs_deck_facts *facts, hs_error *err)
+static hs_status put_row(hs_text *page, const hs_table *table, int k, const hs_deck_facts *facts, bool *has_lower_bound,
+                         hs_error *err)
 {
-    hs_mean m;
+    const column_facts found = facts_of(table->column[k].value, table->n_rows);
+    const hs_estimate e = hs_series_estimate(&found.series);
+    double slope, ignored;
     hs_text label = {0};
-    HS_TRY(hs_mean_of(&m, table->column[k].value, table->n_rows, err));
+    hs_line_slope(&found.line, &slope, &ignored);
+    *has_lower_bound |= e.n > 1 && !e.is_converged;
     hs_status status = hs_quantity_label(&label, table->column[k].name, facts, err);
     if (status == HS_OK) status = hs_text_printf(page, err, "<tr><th scope=\"row\">");
     if (status == HS_OK) status = hs_html_text(page, table->column[k].name, err);
@@ -82,16 +49,17 @@ static hs_status put_row(hs_text *page, const hs_table *table, int k, const hs_d
     hs_text_fini(&label);
     HS_TRY(status);
     HS_TRY(hs_text_printf(page, err, "</td>"));
-    HS_TRY(put_cell(page, m.mean, "%.8g", err));
-    HS_TRY(put_cell(page, m.error, "± %.2g", err));
-    HS_TRY(put_cell(page, m.inefficiency, "%.1f", err));
-    HS_TRY(put_cell(page, m.minimum, "%.8g", err));
-    HS_TRY(put_cell(page, m.maximum, "%.8g", err));
-    HS_TRY(put_cell(page, m.drift, "%.3g", err));
+    HS_TRY(put_cell(page, e.n > 0 ? e.mean : NAN, "%.8g", err));
+    HS_TRY(put_cell(page, e.n > 1 ? e.error : NAN, e.is_converged ? "± %.2g" : "± %.2g *", err));
+    HS_TRY(put_cell(page, e.n > 1 ? e.inefficiency : NAN, "%.1f", err));
+    HS_TRY(put_cell(page, found.minimum, "%.8g", err));
+    HS_TRY(put_cell(page, found.maximum, "%.8g", err));
+    HS_TRY(put_cell(page, e.n > 2 ? slope * (double)(e.n - 1) : NAN, "%.3g", err));
     return hs_text_printf(page, err, "</tr>\n");
 }
 
-static hs_status put_run(hs_text *page, const hs_table *table, const hs_deck_facts *facts, hs_error *err)
+static hs_status put_run(hs_text *page, const hs_table *table, const hs_deck_facts *facts, bool *has_lower_bound,
+                         hs_error *err)
 {
     const int step = hs_table_find(table, "Step");
     HS_TRY(hs_text_printf(page, err, "<h3>Run %lld", (long long)table->step));
@@ -105,19 +73,19 @@ static hs_status put_run(hs_text *page, const hs_table *table, const hs_deck_fac
                        "</tr></thead>\n<tbody>\n",
                        (long long)table->n_rows));
     for (int k = 0; k < table->n_columns; ++k)
-        if (k != step && table->column[k].word == NULL) HS_TRY(put_row(page, table, k, facts, err));
+        if (k != step && table->column[k].word == NULL) HS_TRY(put_row(page, table, k, facts, has_lower_bound, err));
     return hs_text_printf(page, err, "</tbody></table></div>\n");
 }
 
 hs_status hs_html_means(hs_text *page, const hs_table_file *log, const hs_deck_facts *facts, hs_error *err)
 {
+    bool has_lower_bound = false;
     for (int t = 0; t < log->n_tables; ++t)
-        if (log->table[t].n_rows > 1) HS_TRY(put_run(page, &log->table[t], facts, err));
+        if (log->table[t].n_rows > 1) HS_TRY(put_run(page, &log->table[t], facts, &has_lower_bound, err));
     return hs_text_printf(
         page, err,
         "<p class=\"note\">Means over all rows of a run, its beginning too. Errors are standard errors by "
-        "blocking (Flyvbjerg and Petersen 1989); the inefficiency is the number of neighboring rows "
-        "that count as one. Fewer than %d rows give no error. Drift: change from the first to the "
-        "last row of a straight-line fit.</p>\n",
-        BLOCKS_MIN);
+        "blocking (Flyvbjerg and Petersen 1989, Lee and others 2011); the inefficiency is the number of neighboring "
+        "rows that count as one. %sDrift: change from the first to the last row of a straight-line fit.</p>\n",
+        has_lower_bound ? "* Rows are correlated over too much of the run to tell: the error is a lower bound. " : "");
 }

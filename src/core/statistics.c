@@ -1,53 +1,121 @@
 #include "core/statistics.h"
 
 #include <math.h>
+#include <string.h>
 
-static void add_to_level(hs_block_level *level, double value)
+#include "base/memory.h"
+
+/** Fewer blocks show an error that is itself hardly known: with two, 50 % of means would be within it instead of 68 %. */
+enum { BLOCKS_MIN = 4 };
+
+static void add_to_level(hs_block_level *level, double value, double weight)
 {
-    const double before = value - level->mean;
+    const double before = value - level->mean, weight_before = weight - level->weight;
     ++level->n;
     level->mean += before / (double)level->n;
     level->m2 += before * (value - level->mean);
+    level->weight += weight_before / (double)level->n;
+    level->weight2 += weight_before * (weight - level->weight);
+    level->cross += before * (weight - level->weight);
 }
 
-void hs_series_add(hs_series *series, double value)
+/** Add a value to the level of single values and, where that completes blocks, to those above; level k is at level[k * stride].
+ *  Returns how many levels were reached. */
+static int add_value(hs_block_level *level, size_t stride, int n_levels, double value, double weight)
 {
-    ++series->n;
-    for (int k = 0; k < HS_BLOCK_LEVELS; ++k) {
-        hs_block_level *level = &series->level[k];
-        add_to_level(level, value);
+    for (int k = 0; k < n_levels; ++k, level += stride) {
+        add_to_level(level, value, weight);
         level->has_half = !level->has_half;
         if (level->has_half) {
             level->half = value;
-            return;
+            level->half_weight = weight;
+            return k + 1;
         }
         value = 0.5 * (level->half + value);
+        weight = 0.5 * (level->half_weight + weight);
     }
+    return n_levels;
 }
 
-/** Square of the standard error that the blocks of a level show. */
-static double error2_of(const hs_block_level *level) { return level->m2 / ((double)level->n * (double)(level->n - 1)); }
-
-hs_estimate hs_series_estimate(const hs_series *series)
+/** Square of the standard error of the ratio that the blocks of a level show; all weights 1: of the mean. */
+static double error2_of(const hs_block_level *level, double ratio)
 {
-    hs_estimate estimate = {.n = series->n, .mean = series->level[0].mean, .inefficiency = 1.0, .block = 1};
-    if (series->n < 2) return estimate;
-    const double single2 = error2_of(&series->level[0]), n = (double)series->n;
-    estimate.variance = series->level[0].m2 / (n - 1.0);
+    const double m2 = level->m2 - 2.0 * ratio * level->cross + ratio * ratio * level->weight2;
+    const double n = (double)level->n, w = level->weight;
+    return fmax(m2, 0.0) / (n * (n - 1.0) * w * w);
+}
+
+static hs_estimate estimate_of(const hs_block_level *level, size_t stride, int n_levels)
+{
+    hs_estimate estimate = {.inefficiency = 1.0, .block = 1};
+    if (n_levels == 0 || level->n == 0) return estimate;
+    estimate.n = level->n;
+    const double ratio = level->weight != 0.0 ? level->mean / level->weight : 0.0, n = (double)estimate.n;
+    estimate.mean = ratio;
+    if (estimate.n < 2) return estimate;
+    const double single2 = error2_of(level, ratio);
+    estimate.variance = single2 * n;
     estimate.error = sqrt(single2);
     if (!(single2 > 0.0)) {
         estimate.is_converged = true;
         return estimate;
     }
-    for (int k = 0; k < HS_BLOCK_LEVELS && series->level[k].n >= 2; ++k) {
-        const double length = ldexp(1.0, k), inefficiency = error2_of(&series->level[k]) / single2;
-        estimate.error = sqrt(error2_of(&series->level[k]));
+    for (int k = 0; k < n_levels && (k == 0 || level->n >= BLOCKS_MIN); ++k, level += stride) {
+        const double length = ldexp(1.0, k), error2 = error2_of(level, ratio), inefficiency = error2 / single2;
+        estimate.error = sqrt(error2);
         estimate.inefficiency = inefficiency;
         estimate.block = (int64_t)length;
         estimate.is_converged = length * length * length > 2.0 * n * inefficiency * inefficiency;
         if (estimate.is_converged) break;
     }
     return estimate;
+}
+
+void hs_series_add(hs_series *series, double value)
+{
+    ++series->n;
+    add_value(series->level, 1, HS_BLOCK_LEVELS, value, 1.0);
+}
+
+hs_estimate hs_series_estimate(const hs_series *series) { return estimate_of(series->level, 1, HS_BLOCK_LEVELS); }
+
+hs_status hs_series_set_reserve(hs_series_set *set, int n_levels, hs_error *err)
+{
+    const size_t n = (size_t)set->n_series;
+    if (n_levels <= set->capacity) return HS_OK;
+    HS_TRY(HS_GROW(set->level, n * (size_t)set->capacity, n * (size_t)n_levels, err));
+    set->capacity = n_levels;
+    return HS_OK;
+}
+
+hs_status hs_series_set_add(hs_series_set *set, const double *values, const double *weights, hs_error *err)
+{
+    const size_t n = (size_t)set->n_series;
+    int n_reached = 0;
+    if (n == 0) return HS_OK;
+    /* a value can complete blocks of one level more than there were */
+    HS_TRY(hs_series_set_reserve(set, set->n_levels + 1, err));
+    for (size_t i = 0; i < n; ++i)
+        n_reached = add_value(set->level + i, n, set->capacity, values[i], weights != NULL ? weights[i] : 1.0);
+    if (n_reached > set->n_levels) set->n_levels = n_reached;
+    return HS_OK;
+}
+
+hs_estimate hs_series_set_estimate(const hs_series_set *set, int k)
+{
+    return estimate_of(set->level + k, (size_t)set->n_series, set->n_levels);
+}
+
+void hs_series_set_clear(hs_series_set *set)
+{
+    set->n_levels = 0;
+    if (set->level != NULL) memset(set->level, 0, (size_t)set->n_series * (size_t)set->capacity * sizeof *set->level);
+}
+
+void hs_series_set_fini(hs_series_set *set)
+{
+    HS_FREE(set->level);
+    set->n_levels = set->capacity = 0;
 }
 
 void hs_line_add(hs_line *line, double x, double y)

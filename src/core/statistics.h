@@ -11,13 +11,16 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "base/error.h"
+
 enum { HS_BLOCK_LEVELS = 48 }; /**< 2^48 values are more than a run can give */
 
 /** Blocks of one length: Welford's sums of their means. */
 typedef struct hs_block_level {
     int64_t n;
-    double mean, m2; /**< mean of the blocks, and sum of their squared deviations from it */
-    double half;     /**< the first of two blocks of the length below */
+    double mean, m2;               /**< mean of the blocks, and sum of their squared deviations from it */
+    double weight, weight2, cross; /**< the same of their weights, and sum of the products of both deviations */
+    double half, half_weight;      /**< the first of two blocks of the length below */
     bool has_half;
 } hs_block_level;
 
@@ -27,12 +30,12 @@ typedef struct hs_series {
     hs_block_level level[HS_BLOCK_LEVELS];
 } hs_series;
 
-/** What is known of the mean. */
+/** What is known of the mean: of the sum of all values over the sum of all weights. */
 typedef struct hs_estimate {
     int64_t n;
     double mean;
     double variance;     /**< of single values */
-    double error;        /**< standard error of the mean; 0 for fewer than two values */
+    double error;        /**< standard error of the mean; 0 for fewer than two values, which show none */
     double inefficiency; /**< values per independent one, at least about 1 */
     int64_t block;       /**< length of the blocks that the error is taken from */
     bool is_converged;   /**< blocks were long enough; else the error is too small, a lower bound */
@@ -40,6 +43,24 @@ typedef struct hs_estimate {
 
 void hs_series_add(hs_series *series, double value);
 hs_estimate hs_series_estimate(const hs_series *series);
+
+/** Many series that grow together. Zero-initialised but for n_series it is empty. */
+typedef struct hs_series_set {
+    int n_series;
+    int n_levels, capacity; /**< levels in use, and those there is room for */
+    hs_block_level *level;  /**< owned [capacity][n_series] */
+} hs_series_set;
+
+/** Add one value to each series. With weights (NULL: all are 1) values are sums over something that varies in number, the
+ *  weight: the mean is the ratio of both sums, and its error that of the ratio, to first order: W. G. Cochran, Sampling
+ *  Techniques, 3rd ed. (1977), section 6.3. */
+HS_MUST_USE hs_status hs_series_set_add(hs_series_set *set, const double *values, const double *weights, hs_error *err);
+hs_estimate hs_series_set_estimate(const hs_series_set *set, int k);
+/** Forget all values. */
+void hs_series_set_clear(hs_series_set *set);
+/** Room for at least that many levels; new ones are empty. */
+HS_MUST_USE hs_status hs_series_set_reserve(hs_series_set *set, int n_levels, hs_error *err);
+void hs_series_set_fini(hs_series_set *set);
 
 /** Slope of a straight line fitted to points (x, y), and its sums. Zero-initialised it is empty. */
 typedef struct hs_line {

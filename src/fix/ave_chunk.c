@@ -30,6 +30,7 @@ typedef struct ave_state {
     int64_t n_chunks;
     double *sum;    /**< owned [n_chunks][1 + n]: counts and values of the present window */
     double *sample; /**< owned [1 + n][n_chunks] */
+    double *each;   /**< owned [2][n_chunks][1 + n]: values of a sample and their weights, for errors */
     double *values; /**< owned [capacity]: of each local atom */
     size_t capacity;
     hs_fold fold;
@@ -135,11 +136,12 @@ static hs_status reserve(hs_fix *fix, const hs_compute *compute, hs_error *err)
                            (long long)chunks->n);
         HS_TRY(HS_GROW(state->sum, 0, n * width + 1, err));
         HS_TRY(HS_GROW(state->sample, 0, n * width + 1, err));
+        if (state->fold.has_errors) HS_TRY(HS_GROW(state->each, 0, 2 * n * width + 1, err));
         HS_TRY(hs_fold_reserve(&state->fold, (int)(n * width), err));
     }
     state->n_chunks = chunks->n;
     fix->n_rows = (int)chunks->n;
-    fix->n_columns = n_heads(chunks) + 1 + state->n;
+    fix->n_columns = n_heads(chunks) + 1 + state->n * (state->fold.has_errors ? 3 : 1);
     return HS_OK;
 }
 
@@ -154,6 +156,7 @@ static hs_status create(hs_fix *fix, const hs_args *args, hs_error *err)
     HS_TRY(hs_memory_strdup(&state->chunk_id, args->word[3], err));
     for (int i = 4; i < first; ++i) HS_TRY(add_columns(fix, args, i, err));
     HS_TRY(read_keywords(fix, args, first, err));
+    HS_TRY(hs_fold_check_errors(&state->fold, &state->schedule, args->command, err));
     HS_TRY(reserve(fix, compute, err));
     hs_schedule_begin(&state->schedule, fix->env->step);
     return HS_OK;
@@ -176,10 +179,13 @@ static void destroy(hs_fix *fix)
     HS_FREE(state->bias_id);
     HS_FREE(state->sum);
     HS_FREE(state->sample);
+    HS_FREE(state->each);
     HS_FREE(state->values);
     hs_fold_fini(&state->fold);
     hs_average_file_fini(&state->file);
 }
+
+static const char *name_of(const void *context, int k) { return ((const ave_state *)context)->column[k].name; }
 
 static hs_status make_head(hs_text *head, const hs_fix *fix, const hs_chunks *chunks, hs_error *err)
 {
@@ -189,7 +195,7 @@ static hs_status make_head(hs_text *head, const hs_fix *fix, const hs_chunks *ch
     for (int k = 0; k < chunks->n_axes; ++k) HS_TRY(hs_text_printf(head, err, " Coord%d", k + 1));
     HS_TRY(hs_text_printf(head, err, " Ncount"));
     for (int k = 0; k < state->n; ++k) HS_TRY(hs_text_printf(head, err, " %s", state->column[k].name));
-    return HS_OK;
+    return state->fold.has_errors ? hs_average_error_head(head, state->n, name_of, state, err) : HS_OK;
 }
 
 static hs_status init(hs_fix *fix, hs_error *err)
@@ -263,6 +269,35 @@ static double mean_of(const hs_fix *fix, const hs_chunks *chunks, int k, double 
     return state->norm == NORM_NONE ? sum / n_samples : sum / count;
 }
 
+/** For errors: what one sample of a chunk gives to column k, and the weight that it has in the mean. */
+static void value_and_weight(const hs_fix *fix, const hs_chunks *chunks, int k, double sum, double count, double *value,
+                             double *weight)
+{
+    const ave_state *state = fix->state;
+    const hs_units *units = fix->env->units;
+    const ave_kind kind = k < 0 ? OF_NUMBER : state->column[k].kind;
+    const bool is_density = kind == OF_NUMBER || kind == OF_MASS_DENSITY;
+    *weight = 1.0;
+    *value = k < 0 ? count : mean_of(fix, chunks, k, sum, count, 1.0);
+    if (is_density || state->norm != NORM_ALL) return;
+    *weight = kind == OF_TEMPERATURE ? state->cdof + state->adof * count : count;
+    *value = kind == OF_TEMPERATURE ? sum * units->mvv2e / units->boltz : sum;
+}
+
+/** The sample just taken, for the errors of the means. */
+static hs_status add_to_errors(hs_fix *fix, const hs_chunks *chunks, hs_error *err)
+{
+    ave_state *state = fix->state;
+    const size_t width = (size_t)state->n + 1, n = (size_t)chunks->n * width;
+    for (int64_t c = 0; c < chunks->n && state->fold.has_errors; ++c)
+        for (int k = -1; k < state->n; ++k) {
+            const size_t at = (size_t)c * width + (size_t)(k + 1);
+            value_and_weight(fix, chunks, k, state->sample[(k + 1) * chunks->n + c], state->sample[c], &state->each[at],
+                             &state->each[n + at]);
+        }
+    return hs_fold_add_sample(&state->fold, state->each, state->each + n, err);
+}
+
 static hs_status take_sample(hs_fix *fix, hs_compute *compute, hs_error *err)
 {
     ave_state *state = fix->state;
@@ -287,13 +322,18 @@ static hs_status take_sample(hs_fix *fix, hs_compute *compute, hs_error *err)
             if (k >= 0 && state->norm != NORM_ALL) value = mean_of(fix, chunks, k, value, state->sample[c], 1.0);
             state->sum[(size_t)c * width + (size_t)(k + 1)] += value;
         }
-    return HS_OK;
+    return add_to_errors(fix, chunks, err);
 }
 
+/** Column k: 0 the count, then the means of the n values, their errors, their inefficiencies. */
 static double result(const ave_state *state, int64_t c, int k)
 {
-    const double count = hs_fold_count(&state->fold);
-    return count == 0.0 ? 0.0 : state->fold.sum[c * (state->n + 1) + k] / count;
+    const hs_fold *fold = &state->fold;
+    const int64_t row = c * (state->n + 1);
+    const double count = hs_fold_count(fold);
+    if (k > 2 * state->n) return fold->inefficiency[row + k - 2 * state->n];
+    if (k > state->n) return fold->error[row + k - state->n];
+    return count == 0.0 ? 0.0 : fold->sum[row + k] / count;
 }
 
 static hs_status write_window(hs_fix *fix, const hs_chunks *chunks, hs_error *err)
@@ -312,7 +352,8 @@ static hs_status write_window(hs_fix *fix, const hs_chunks *chunks, hs_error *er
             for (int k = 0; k < chunks->n_axes; ++k)
                 HS_TRY(hs_text_printf(&file->text, err, " %g", chunks->place[c * chunks->n_axes + k]));
             HS_TRY(hs_text_printf(&file->text, err, " %g", result(state, c, 0)));
-            for (int k = 1; k <= state->n; ++k) HS_TRY(hs_average_file_number(file, result(state, c, k), err));
+            for (int k = 1; k <= state->n * (state->fold.has_errors ? 3 : 1); ++k)
+                HS_TRY(hs_average_file_number(file, result(state, c, k), err));
             HS_TRY(hs_text_append(&file->text, "\n", 1, err));
         }
     }
@@ -349,6 +390,7 @@ static hs_status end_of_step(hs_fix *fix, hs_error *err)
         row[0] /= repeat;
     }
     hs_fold_add(&state->fold, state->sum);
+    hs_fold_find_errors(&state->fold);
     lock_chunks(fix, false);
     return write_window(fix, chunks, err);
 }
@@ -392,10 +434,17 @@ static hs_status keep_state(hs_fix *fix, hs_state *kept, hs_error *err)
     HS_TRY(hs_state_doubles(kept, "sum", &state->sum, &n_sum, err));
     HS_TRY(hs_state_doubles(kept, "folded", &fold->sum, &n_fold, err));
     if (fold->mode == HS_FOLD_WINDOW) HS_TRY(hs_state_doubles(kept, "ring", &fold->ring, &n_ring, err));
-    if (!kept->is_reading) return HS_OK;
-    fold->n = (int)n_sum;
-    fix->n_rows = (int)state->n_chunks;
-    return HS_GROW(state->sample, 0, (size_t)n_sum + 1, err);
+    if (kept->is_reading) {
+        fix->n_rows = (int)state->n_chunks;
+        HS_TRY(HS_GROW(state->sample, 0, (size_t)n_sum + 1, err));
+        if (fold->has_errors) {
+            HS_TRY(HS_GROW(state->each, 0, 2 * (size_t)n_sum + 1, err));
+            HS_TRY(hs_fold_reserve_errors(fold, (int)n_sum, err));
+        }
+        fold->n = (int)n_sum;
+    }
+    HS_TRY(hs_fold_keep_errors(fold, kept, err));
+    return hs_average_file_keep(&state->file, fix->env, kept, err);
 }
 
 const hs_fix_style hs_fix_style_ave_chunk = {
@@ -420,7 +469,11 @@ const hs_fix_style hs_fix_style_ave_chunk = {
              "`f_ID[i][j]` is an array with a row for each chunk: coordinates of its center (bins), the number of "
              "atoms "
              "in the mean sample, then the values; with `compress yes` its original number comes first. The file holds "
-             "the same.",
+             "the same.\n\n"
+             "With `error yes` columns of standard errors (`X_err`) and statistical inefficiencies (`X_ineff`, samples "
+             "that count as one) of all values follow, as in fix ave/time. Under `norm all` a mean is a ratio, of sums "
+             "over atoms to numbers of atoms; its error is that of the ratio.",
+         .reference = "W. G. Cochran, Sampling Techniques, 3rd ed. (1977), section 6.3 (errors of ratios)",
          .example = "compute layers all chunk/atom bin/1d z lower 0.1 units reduced\n"
                     "fix 1 all ave/chunk 10 100 1000 layers density/number vx temp file profile.txt"},
     .state_size = sizeof(ave_state),

@@ -1,4 +1,5 @@
 /* Averages over time of numbers or vectors. */
+#include <stdio.h>
 #include <string.h>
 
 #include "base/memory.h"
@@ -9,11 +10,13 @@ typedef struct ave_state {
     hs_schedule schedule;
     hs_value *values; /**< owned [n_values] */
     int n_values;
-    bool is_vector; /**< mode vector: each value is a vector of n_rows elements */
-    int n_rows;     /**< 1 in mode scalar */
-    bool *is_off;   /**< owned [n_values]: keyword off: the last sample counts, not the mean */
-    double *sum;    /**< owned [n_rows][n_values]: of the present window */
-    double *sample; /**< owned [n_rows] */
+    bool is_vector;    /**< mode vector: each value is a vector of n_rows elements */
+    int n_rows;        /**< 1 in mode scalar */
+    bool *is_off;      /**< owned [n_values]: keyword off: the last sample counts, not the mean */
+    double *sum;       /**< owned [n_rows][n_values]: of the present window */
+    double *sample;    /**< owned [n_rows] */
+    double *all;       /**< owned [n_rows][n_values]: the present sample, for errors */
+    hs_series_set run; /**< of the numbers of mode scalar with error yes: all samples since the fix began */
     hs_fold fold;
     hs_average_file file;
     char *head; /**< owned; the names of the columns */
@@ -67,15 +70,21 @@ static hs_status find_length(hs_fix *fix, const char *command, hs_error *err)
     const size_t n = (size_t)state->n_rows * (size_t)state->n_values;
     HS_TRY(HS_GROW(state->sum, 0, n, err));
     HS_TRY(HS_GROW(state->sample, 0, (size_t)state->n_rows, err));
+    HS_TRY(HS_GROW(state->all, 0, n, err));
     HS_TRY(hs_fold_reserve(&state->fold, (int)n, err));
+    const bool has_errors = state->fold.has_errors;
+    const int n_columns = state->n_values * (has_errors ? 3 : 1); /* means, errors, inefficiencies */
+    state->run.n_series = has_errors && !state->is_vector ? state->n_values : 0;
     fix->has_scalar = !state->is_vector && state->n_values == 1;
-    fix->has_vector = state->is_vector ? state->n_values == 1 : state->n_values > 1;
-    fix->has_array = state->is_vector && state->n_values > 1;
-    fix->n_vector = state->is_vector ? state->n_rows : state->n_values;
+    fix->has_vector = state->is_vector ? state->n_values == 1 : n_columns > 1;
+    fix->has_array = state->is_vector && n_columns > 1;
+    fix->n_vector = state->is_vector ? state->n_rows : n_columns;
     fix->n_rows = state->n_rows;
-    fix->n_columns = fix->has_array ? state->n_values : 0;
+    fix->n_columns = fix->has_array ? n_columns : 0;
     return HS_OK;
 }
+
+static const char *name_of(const void *context, int k) { return ((const ave_state *)context)->values[k].word; }
 
 static hs_status make_head(ave_state *state, hs_error *err)
 {
@@ -83,6 +92,8 @@ static hs_status make_head(ave_state *state, hs_error *err)
     hs_status status = hs_text_printf(&head, err, state->is_vector ? "# Row" : "# TimeStep");
     for (int k = 0; k < state->n_values && status == HS_OK; ++k)
         status = hs_text_printf(&head, err, " %s", state->values[k].word);
+    if (status == HS_OK && state->fold.has_errors)
+        status = hs_average_error_head(&head, state->n_values, name_of, state, err);
     if (status == HS_OK) status = hs_memory_strdup(&state->head, hs_text_get(&head), err);
     hs_text_fini(&head);
     return status;
@@ -107,6 +118,7 @@ static hs_status create(hs_fix *fix, const hs_args *args, hs_error *err)
                             state->is_vector ? HS_VALUE_VECTOR : HS_VALUE_NUMBER, err));
     HS_TRY(HS_ALLOC(state->is_off, (size_t)state->n_values, err));
     HS_TRY(read_keywords(state, args, first, err));
+    HS_TRY(hs_fold_check_errors(&state->fold, &state->schedule, args->command, err));
     HS_TRY(find_length(fix, args->command, err));
     fix->is_extensive = fix->is_vector_extensive = fix->is_array_extensive = is_extensive(fix);
     hs_schedule_begin(&state->schedule, fix->env->step);
@@ -120,7 +132,9 @@ static void destroy(hs_fix *fix)
     HS_FREE(state->is_off);
     HS_FREE(state->sum);
     HS_FREE(state->sample);
+    HS_FREE(state->all);
     HS_FREE(state->head);
+    hs_series_set_fini(&state->run);
     hs_fold_fini(&state->fold);
     hs_average_file_fini(&state->file);
 }
@@ -162,28 +176,34 @@ static hs_status take_sample(hs_fix *fix, hs_error *err)
         for (int i = 0; i < state->n_rows; ++i) {
             double *sum = &state->sum[i * n + k];
             *sum = state->is_off[k] ? state->sample[i] : *sum + state->sample[i];
+            state->all[i * n + k] = state->sample[i];
         }
     }
-    return HS_OK;
+    HS_TRY(hs_series_set_add(&state->run, state->all, NULL, err));
+    return hs_fold_add_sample(&state->fold, state->all, NULL, err);
 }
 
+/** Column k: the means, then their errors, then their inefficiencies. */
 static double result(const ave_state *state, int i, int k)
 {
-    const double count = hs_fold_count(&state->fold);
+    const hs_fold *fold = &state->fold;
+    const double count = hs_fold_count(fold);
+    const int n = state->n_values, at = i * n + k % n;
     if (count == 0.0) return 0.0;
-    return state->fold.sum[i * state->n_values + k] / count;
+    return k < n ? fold->sum[at] / count : k < 2 * n ? fold->error[at] : fold->inefficiency[at];
 }
 
 static hs_status write_window(hs_fix *fix, hs_error *err)
 {
     ave_state *state = fix->state;
     hs_average_file *file = &state->file;
+    const int n_columns = state->n_values * (state->fold.has_errors ? 3 : 1);
     if (hs_average_file_is_open(file)) {
         HS_TRY(hs_text_printf(&file->text, err, "%lld", (long long)fix->env->step));
         if (state->is_vector) HS_TRY(hs_text_printf(&file->text, err, " %d\n", state->n_rows));
         for (int i = 0; i < state->n_rows; ++i) {
             if (state->is_vector) HS_TRY(hs_text_printf(&file->text, err, "%d", i + 1));
-            for (int k = 0; k < state->n_values; ++k) HS_TRY(hs_average_file_number(file, result(state, i, k), err));
+            for (int k = 0; k < n_columns; ++k) HS_TRY(hs_average_file_number(file, result(state, i, k), err));
             HS_TRY(hs_text_append(&file->text, "\n", 1, err));
         }
     }
@@ -204,7 +224,27 @@ static hs_status end_of_step(hs_fix *fix, hs_error *err)
     /* what is not averaged over samples is not averaged over windows either */
     for (int i = 0; i < n; ++i)
         if (state->is_off[i % state->n_values]) state->fold.sum[i] = state->sum[i] * hs_fold_count(&state->fold);
+    hs_fold_find_errors(&state->fold);
     return write_window(fix, err);
+}
+
+/** The means over all samples, whatever the windows. */
+static void say_results(const hs_fix *fix)
+{
+    const ave_state *state = fix->state;
+    char title[160];
+    bool has_lower_bound = false;
+    if (state->run.n_series == 0 || state->run.n_levels == 0) return;
+    hs_estimate e = hs_series_set_estimate(&state->run, 0);
+    if (e.n < 2) return;
+    snprintf(title, sizeof title, "Means of %lld samples of fix %.100s", (long long)e.n, fix->id);
+    hs_average_say_head(fix->env->out, title);
+    for (int k = 0; k < state->n_values; ++k) {
+        e = hs_series_set_estimate(&state->run, k);
+        hs_average_say_row(fix->env->out, state->values[k].word, &e);
+        has_lower_bound |= !e.is_converged;
+    }
+    hs_average_say_foot(fix->env->out, has_lower_bound);
 }
 
 static hs_status scalar(hs_fix *fix, double *value, hs_error *err)
@@ -235,6 +275,8 @@ static hs_status keep_state(hs_fix *fix, hs_state *kept, hs_error *err)
     HS_TRY(hs_schedule_keep(&state->schedule, kept, err));
     HS_TRY(hs_state_double(kept, "sum", state->sum, (int64_t)state->n_rows * state->n_values, err));
     HS_TRY(hs_fold_keep(&state->fold, kept, err));
+    HS_TRY(hs_fold_keep_errors(&state->fold, kept, err));
+    HS_TRY(hs_series_set_keep(&state->run, kept, "samples of the run", err));
     return hs_average_file_keep(&state->file, fix->env, kept, err);
 }
 
@@ -256,15 +298,26 @@ const hs_fix_style hs_fix_style_ave_time = {
              "`c_ID[*]` stands for all elements or columns.\n\n"
              "`f_ID` is the mean in mode scalar with one value, with several `f_ID[i]`; in mode vector `f_ID` is the "
              "mean vector, with several values `f_ID[i][j]` an array whose columns they are. Before the first window "
-             "is complete they are 0. The group has no meaning.",
+             "is complete they are 0. The group has no meaning.\n\n"
+             "With `error yes` columns `X_err` and `X_ineff` follow: the standard error of the mean by blocking, and "
+             "the statistical inefficiency, the number of samples that count as one. They belong to the mean beside "
+             "them: of the samples of the window (`ave one`), of all samples (`running`), of the last M windows "
+             "(`window M`); `nan` where there is one alone. `f_ID` has them too: n means, then n errors, then n "
+             "inefficiencies, as elements of the vector in mode scalar and as columns of the array in mode vector. In "
+             "mode scalar a table of the means over all samples is printed after each run; a star marks an error that "
+             "is only a lower bound, because the samples are correlated over too much of the run.",
+         .reference = "H. Flyvbjerg, H. G. Petersen, J. Chem. Phys. 91, 461 (1989), doi:10.1063/1.457480; R. M. Lee et "
+                      "al., Phys. Rev. E 83, 066706 (2011), doi:10.1103/PhysRevE.83.066706",
          .example = "fix 1 all ave/time 100 5 1000 c_myTemp c_thermo_temp file temp.profile\n"
-                    "fix 2 all ave/time 100 10 1000 c_myRDF[*] file tmp.rdf mode vector"},
+                    "fix 2 all ave/time 100 10 1000 c_myRDF[*] file tmp.rdf mode vector\n"
+                    "fix 3 all ave/time 10 1 10 c_thermo_press ave running error yes"},
     .state_size = sizeof(ave_state),
     .create = create,
     .destroy = destroy,
     .init = init,
     .setup = end_of_step,
     .end_of_step = end_of_step,
+    .say_results = say_results,
     .scalar = scalar,
     .vector = vector,
     .array = array,

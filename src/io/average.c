@@ -57,6 +57,7 @@ hs_status hs_fold_reserve(hs_fold *fold, int n, hs_error *err)
     if (fold->sum != NULL && fold->n == n) return HS_OK;
     HS_TRY(HS_GROW(fold->sum, 0, (size_t)n, err));
     if (fold->mode == HS_FOLD_WINDOW) HS_TRY(HS_GROW(fold->ring, 0, (size_t)n * (size_t)fold->n_window, err));
+    if (fold->has_errors) HS_TRY(hs_fold_reserve_errors(fold, n, err));
     fold->n = n;
     fold->n_added = 0;
     return HS_OK;
@@ -102,6 +103,9 @@ void hs_fold_fini(hs_fold *fold)
 {
     HS_FREE(fold->sum);
     HS_FREE(fold->ring);
+    HS_FREE(fold->error);
+    HS_FREE(fold->inefficiency);
+    hs_series_set_fini(&fold->samples);
 }
 
 static hs_status set_text(char **text, const hs_args *args, int i, hs_error *err)
@@ -136,6 +140,10 @@ hs_status hs_average_keyword(hs_schedule *schedule, hs_fold *fold, hs_average_fi
     const char *word = args->word[i];
     *n_used = 0;
     if (fold != NULL && strcmp(word, "ave") == 0) return keyword_ave(fold, args, i, n_used, err);
+    if (fold != NULL && strcmp(word, "error") == 0) {
+        *n_used = 2;
+        return hs_arg_bool(args, i + 1, &fold->has_errors, err);
+    }
     if (file != NULL && strcmp(word, "overwrite") == 0) {
         file->overwrite = true;
         *n_used = 1;

@@ -3,6 +3,7 @@
 #define HS_IO_AVERAGE_H
 
 #include "base/text.h"
+#include "core/statistics.h"
 #include "io/writer.h"
 #include "style/args.h"
 #include "style/env.h"
@@ -37,6 +38,11 @@ typedef struct hs_fold {
     int n;            /**< values of a window */
     double *sum;      /**< owned [n] */
     double *ring;     /**< owned [n_window][n] */
+
+    bool has_errors;       /**< keyword error: what follows is in use */
+    hs_series_set samples; /**< of the present window, or of all (ave running) */
+    double *error; /**< owned [n]: standard errors of the means after the last window; NaN: one sample shows none */
+    double *inefficiency; /**< owned [n]: samples (ave window: windows) that count as one */
 } hs_fold;
 
 /** Make room for windows of n values; forgets what was there when n changes. */
@@ -44,6 +50,19 @@ HS_MUST_USE hs_status hs_fold_reserve(hs_fold *fold, int n, hs_error *err);
 /** Add a window; sum[] then holds the sums over the windows that count, hs_fold_count how many these are. */
 void hs_fold_add(hs_fold *fold, const double *values);
 double hs_fold_count(const hs_fold *fold);
+/** Refuse `error yes` where a mean is made of one sample. */
+HS_MUST_USE hs_status hs_fold_check_errors(const hs_fold *fold, const hs_schedule *schedule, const char *command,
+                                           hs_error *err);
+/** Room for the errors of n values; forgets what was there. hs_fold_reserve does it. */
+HS_MUST_USE hs_status hs_fold_reserve_errors(hs_fold *fold, int n, hs_error *err);
+/** One sample of all n values, as hs_series_set_add takes it; nothing without `error yes`. Before hs_fold_add. */
+HS_MUST_USE hs_status hs_fold_add_sample(hs_fold *fold, const double *values, const double *weights, hs_error *err);
+/** The errors of what hs_fold_add has made; ave one: the next window begins. */
+void hs_fold_find_errors(hs_fold *fold);
+/** For keep_state of a fix, beside hs_fold_keep. */
+HS_MUST_USE hs_status hs_fold_keep_errors(hs_fold *fold, hs_state *state, hs_error *err);
+/** A set of series in a checkpoint, as the value of that name. */
+HS_MUST_USE hs_status hs_series_set_keep(hs_series_set *set, hs_state *state, const char *name, hs_error *err);
 /** For keep_state of a fix; room must have been made. */
 HS_MUST_USE hs_status hs_fold_keep(hs_fold *fold, hs_state *state, hs_error *err);
 void hs_fold_fini(hs_fold *fold);
@@ -61,13 +80,14 @@ typedef struct hs_average_file {
     size_t head_length; /**< with overwrite: of the heads, which every piece begins with */
 } hs_average_file;
 
-/** Common keywords: ave, start, file, append, overwrite, format, title1, title2, title3. *n_used = words taken, 0 when the
+/** Common keywords: ave, error, start, file, append, overwrite, format, title1, title2, title3. *n_used = words taken, 0 when the
  *  keyword is another. Pieces may be NULL when the fix has none. */
 HS_MUST_USE hs_status hs_average_keyword(hs_schedule *schedule, hs_fold *fold, hs_average_file *file,
                                          const hs_args *args, int i, int *n_used, hs_error *err);
 /** These keywords, and after them the style's own, for its syntax. */
 #define HS_AVERAGE_KEYWORDS                                                                                            \
     {"ave", -1, "one|running|window <M>", "average each window alone, all so far, or the last M (default: one)"},      \
+        {"error", 1, "yes|no", "standard errors and inefficiencies of the means, too (default: no)"},                  \
         {"start", 1, "<step>", "no window ends before this step (default: 0)"},                                        \
         {"file", 1, "<name>", "write windows to this file"},                                                           \
         {"append", 1, "<name>", "the same, added to what is there"},                                                   \
@@ -84,6 +104,14 @@ HS_MUST_USE hs_status hs_average_file_open(hs_average_file *file, const hs_env *
                                            hs_error *err);
 /** Whether this rank writes. */
 static inline bool hs_average_file_is_open(const hs_average_file *file) { return file->writer != NULL; }
+/** Names of columns for the errors and inefficiencies of n means: `NAME_err`..., then `NAME_ineff`.... */
+typedef const char *(*hs_name_of)(const void *context, int k);
+HS_MUST_USE hs_status hs_average_error_head(hs_text *head, int n, hs_name_of name, const void *context, hs_error *err);
+/** A table of means for people: its head, a row for each, its foot. */
+void hs_average_say_head(hs_sink *out, const char *title);
+void hs_average_say_row(hs_sink *out, const char *name, const hs_estimate *estimate);
+/** What the star at some rows means; nothing unless a row had one. */
+void hs_average_say_foot(hs_sink *out, bool has_lower_bound);
 /** Append to the present piece. */
 HS_MUST_USE hs_status hs_average_file_number(hs_average_file *file, double value, hs_error *err);
 /** The piece is complete: write it. Collective: a failure stops all ranks. */

@@ -84,6 +84,16 @@ static bool is_error_column(const hs_table *table, int column)
     return false;
 }
 
+/** Columns that nobody wants to see unless asked for. */
+static bool is_aside(const hs_table *table, int column)
+{
+    static const char suffix[] = "_ineff"; /* statistical inefficiencies, beside errors */
+    const char *name = table->column[column].name;
+    const size_t n = strlen(name);
+    return is_listed(bookkeeping, name) || is_error_column(table, column) ||
+           (n >= sizeof suffix && strcmp(name + n - strlen(suffix), suffix) == 0);
+}
+
 /** The column that a file's rows go along when nobody says: known names; in an ave/time table a growing second column
  *  (the distance in a pair correlation); else the first column of numbers. */
 static int default_x(const hs_table_file *file, const hs_table *table)
@@ -176,8 +186,8 @@ static void choose_default_y(const hs_table_file *file, const hs_table *table, i
 {
     for (int k = 0; k < table->n_columns; ++k) {
         const char *name = table->column[k].name;
-        if (k != x && table->column[k].word == NULL && !is_listed(bookkeeping, name) &&
-            !(strcmp(name, "Count") == 0 && hs_table_find(table, "Count/Total") >= 0) && !is_error_column(table, k) &&
+        if (k != x && table->column[k].word == NULL && !is_aside(table, k) &&
+            !(strcmp(name, "Count") == 0 && hs_table_find(table, "Count/Total") >= 0) &&
             !(file->kind == HS_TABLE_LOG && is_constant(file, name)))
             add_once(list, k);
     }

@@ -203,6 +203,8 @@ hs_status hs_sim_run(hs_sim *sim, const hs_run_plan *plan, hs_error *err)
     if (status != HS_OK) return tell_last_checkpoint(sim, status, err);
     if (plan->post) hs_report_finish(sim, plan->n_steps, hs_time_now_s() - start_s, hs_time_cpu_s() - start_cpu_s);
     hs_thermo_say_means(sim->thermo);
+    for (int k = 0; k < sim->n_fixes; ++k)
+        if (sim->fix[k]->style->say_results != NULL) sim->fix[k]->style->say_results(sim->fix[k]);
     warn_of_late_lists(sim);
     return HS_OK;
 }

@@ -1,7 +1,9 @@
 /* Means of thermo columns with their errors, and the drift of the energy: thermo_modify means. */
+#include <stdio.h>
 #include <string.h>
 
 #include "base/memory.h"
+#include "io/average.h"
 #include "sim/thermo_internal.h"
 
 hs_status hs_thermo_means_begin(hs_thermo *thermo, hs_error *err)
@@ -54,17 +56,16 @@ void hs_thermo_say_means(hs_thermo *thermo)
         return;
     }
     bool is_lower_bound = false;
-    hs_say(out, "\nMeans of %lld rows\n%-16s %15s %12s %14s\n", (long long)thermo->means[0].n, "Column", "Mean",
-           "Error", "Inefficiency");
+    char title[64];
+    snprintf(title, sizeof title, "Means of %lld rows", (long long)thermo->means[0].n);
+    hs_average_say_head(out, title);
     for (int k = 0; k < thermo->n_means; ++k) {
         const hs_thermo_column *column = &thermo->column[k];
         const hs_estimate e = hs_series_estimate(&thermo->means[k]);
         if (column->entry != NULL && strcmp(column->entry->name, "step") == 0) continue;
-        hs_say(out, "%-16s %15.8g %12.3g %14.3g%s\n", column->header, e.mean, e.error, e.inefficiency,
-               e.is_converged ? "" : " *");
+        hs_average_say_row(out, column->header, &e);
         is_lower_bound |= !e.is_converged;
     }
-    if (is_lower_bound)
-        hs_say(out, "* rows are correlated over too much of the run to tell: the error is a lower bound\n");
+    hs_average_say_foot(out, is_lower_bound);
     say_drift(thermo);
 }

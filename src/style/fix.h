@@ -34,6 +34,8 @@ typedef struct hs_fix_style {
     /** Global values that decide the future, moved into a checkpoint or back (collective). Reading comes after create and
      *  init; setup is not called then, for the run goes on in its midst. NULL: the words of the fix say everything. */
     HS_MUST_USE hs_status (*keep_state)(struct hs_fix *fix, hs_state *state, hs_error *err);
+    /** After a run: tell people what was found. NULL: nothing is told. */
+    void (*say_results)(const struct hs_fix *fix);
     /** f_ID and f_ID[i] in formulas and thermo output; NULL when the style has no such value. */
     HS_MUST_USE hs_status (*scalar)(struct hs_fix *fix, double *value, hs_error *err);
     HS_MUST_USE hs_status (*vector)(struct hs_fix *fix, int i, double *value, hs_error *err); /**< i from 0 */

@@ -25,7 +25,9 @@ neigh_modify every 9 delay 0 check no
 fix 1 all nve
 fix 2 all langevin 1.2 1.0 0.7 4711
 fix 3 all wall/lj93 zlo EDGE 1.0 1.0 2.5 zhi EDGE 1.0 1.0 2.5
-fix 4 all ave/time 2 3 10 c_thermo_temp c_thermo_press file average.txt
+fix 4 all ave/time 2 3 10 c_thermo_temp c_thermo_press ave running error yes file average.txt
+compute chunk all chunk/atom bin/1d x lower 0.25 units reduced
+fix p all ave/chunk 2 4 20 chunk temp vx error yes file profile.txt
 fix w all ave/time 1 4 20 c_thermo_pe ave window 3 file window.txt overwrite
 fix c all ave/correlate 5 4 40 c_thermo_temp type auto ave running file correlate.txt
 fix v all vector 15 c_thermo_temp
@@ -74,7 +76,7 @@ resumed() {
     [ -n "$last" ] || fail "$folder: no checkpoint"
     (cd "$copy" && ranks "$n" resume "$last" "$@" >>said 2>&1) || { cat "$copy/said" >&2; fail "$copy: resume $last"; }
     rows "$copy/log" >"$copy/thermo"
-    for file in end.data s.dump thermo average.txt window.txt correlate.txt; do
+    for file in end.data s.dump thermo average.txt profile.txt window.txt correlate.txt; do
         cmp "whole/$file" "$copy/$file" >&2 || fail "$copy: $file after resume of $last"
     done
 }

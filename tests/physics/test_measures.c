@@ -6,6 +6,7 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "core/statistics.h"
 #include "style/value.h"
 #include "support/harness.h"
 #include "support/run_deck.h"
@@ -78,6 +79,56 @@ START_TEST(correlations_by_transform_are_those_of_the_direct_sum)
         "fix df all ave/correlate 1 7 50 v_a v_b ave running type full\n"
         "fix ff all ave/correlate/fft 1 7 50 v_a v_b type full\nrun 250\n",
         check_correlations);
+}
+END_TEST
+
+/** An element of a fix's vector or array equals @p expected. */
+static void check_number(hs_deck *deck, const char *word, double expected, double tolerance)
+{
+    hs_error err = {0};
+    hs_value value = {0};
+    double number;
+    const hs_args args = {.command = "test", .n = 1, .word = &word};
+    ck_assert_hs_ok(hs_value_init(&value, &deck->sim->env, &args, 0, HS_VALUE_NUMBER, &err), err);
+    ck_assert_hs_ok(hs_value_number(&deck->sim->env, &value, &number, &err), err);
+    ck_assert_msg(fabs(number - expected) <= tolerance, "%s is %.15g, expected %.15g", word, number, expected);
+    hs_value_fini(&value);
+}
+
+static hs_estimate estimate_of(const double *values, int begin, int end)
+{
+    hs_series series = {0};
+    for (int i = begin; i < end; ++i) hs_series_add(&series, values[i]);
+    return hs_series_estimate(&series);
+}
+
+static void check_errors(hs_deck *deck, void *context)
+{
+    int n;
+    double *t = fetch(deck, "f_t", &n); /* steps 0, 2, ..., 400 */
+    (void)context;
+    ck_assert_int_eq(n, 201);
+    const hs_estimate all = estimate_of(t, 1, n), last = estimate_of(t, 101, n), windows = estimate_of(t, n - 20, n);
+    check_number(deck, "f_r", all.mean, 1e-14);
+    check_number(deck, "f_r[2]", all.error, 0.0);
+    check_number(deck, "f_r[3]", all.inefficiency, 0.0);
+    check_number(deck, "f_o[1]", last.mean, 1e-14);
+    check_number(deck, "f_o[3]", last.error, 0.0);
+    check_number(deck, "f_o[5]", last.inefficiency, 0.0);
+    check_number(deck, "f_m[2]", windows.error, 0.0);
+    check_number(deck, "f_c[1][3]", last.error, 1e-14);
+    free(t);
+}
+
+START_TEST(errors_of_averages_are_those_of_their_samples)
+{
+    run("fix t all vector 2 c_thermo_temp\n"
+        "fix r all ave/time 2 10 20 c_thermo_temp ave running error yes\n"
+        "fix o all ave/time 2 100 200 c_thermo_temp c_thermo_press error yes\n"
+        "fix m all ave/time 2 1 2 c_thermo_temp ave window 20 error yes\n"
+        /* all atoms in one chunk; three degrees of freedom less, as in compute temp */
+        "compute all all chunk/atom type\nfix c all ave/chunk 2 100 200 all temp cdof -3 error yes\nrun 400\n",
+        check_errors);
 }
 END_TEST
 
@@ -157,5 +208,6 @@ START_TEST(values_per_atom_add_up)
 }
 END_TEST
 
-HS_TEST_MAIN("measures", correlations_by_transform_are_those_of_the_direct_sum, rdf_from_the_list_is_that_of_the_scan,
+HS_TEST_MAIN("measures", correlations_by_transform_are_those_of_the_direct_sum,
+             errors_of_averages_are_those_of_their_samples, rdf_from_the_list_is_that_of_the_scan,
              structure_factor_is_the_transform_of_g, values_per_atom_add_up)

@@ -57,17 +57,18 @@ START_TEST(constant_series_has_no_error)
 END_TEST
 
 /* The true mean must lie within one standard error in about 68 % of the series, less what the scatter of the error itself
- * costs: with some tens of blocks 66 % or 67 %. One standard deviation of the fraction of 2000 is 1 %. */
+ * costs: with some tens of blocks 66 % or 67 %. One standard deviation of the fraction of 600 is 2 %. */
 static void check_coverage(double phi, int n)
 {
+    enum { SEEDS = 600 };
     int n_within = 0;
     double inefficiency = 0.0;
-    for (int seed = 0; seed < 2000; ++seed) {
+    for (int seed = 0; seed < SEEDS; ++seed) {
         const hs_estimate e = autoregressive((uint64_t)seed, phi, n);
         n_within += fabs(e.mean) <= e.error;
-        inefficiency += e.inefficiency / 2000.0;
+        inefficiency += e.inefficiency / SEEDS;
     }
-    ck_assert_msg(n_within >= 2000 * 0.63 && n_within <= 2000 * 0.71, "phi %g: %d of 2000", phi, n_within);
+    ck_assert_msg(n_within >= SEEDS * 0.61 && n_within <= SEEDS * 0.73, "phi %g: %d of %d", phi, n_within, SEEDS);
     const double expected = (1.0 + phi) / (1.0 - phi);
     ck_assert_msg(fabs(inefficiency / expected - 1.0) < 0.1, "phi %g: inefficiency %g, expected %g", phi, inefficiency,
                   expected);
@@ -89,6 +90,58 @@ START_TEST(short_series_say_so)
 }
 END_TEST
 
+/** Means of groups that vary in size: sums over 0 to 8 correlated values each, with the number as the weight. The errors of
+ *  the ratio of both sums must be honest too; series 1 of the set has no weights and is the plain mean. */
+START_TEST(errors_of_ratios_are_honest)
+{
+    enum { N = 2000, SEEDS = 600 };
+    int n_within = 0, n_within_plain = 0;
+    for (int seed = 0; seed < SEEDS; ++seed) {
+        hs_error err = {0};
+        hs_series_set set = {.n_series = 2};
+        uint64_t state = (uint64_t)seed * UINT64_C(104729) + 3;
+        double x = normal(&state), size = normal(&state);
+        for (int k = 0; k < N; ++k) {
+            x = 0.8 * x + 0.6 * normal(&state);
+            size = 0.9 * size + sqrt(1.0 - 0.81) * normal(&state);
+            const double weight = fmin(fmax(rint(4.0 + 2.0 * size), 0.0), 8.0);
+            const double values[] = {weight * (5.0 + x), x}, weights[] = {weight, 1.0};
+            ck_assert_hs_ok(hs_series_set_add(&set, values, weights, &err), err);
+        }
+        const hs_estimate ratio = hs_series_set_estimate(&set, 0), plain = hs_series_set_estimate(&set, 1);
+        n_within += fabs(ratio.mean - 5.0) <= ratio.error;
+        n_within_plain += fabs(plain.mean) <= plain.error;
+        hs_series_set_fini(&set);
+    }
+    /* one standard deviation of the fraction of 600 is 2 % */
+    ck_assert_msg(n_within >= SEEDS * 0.61 && n_within <= SEEDS * 0.73, "ratio: %d of %d", n_within, SEEDS);
+    ck_assert_msg(n_within_plain >= SEEDS * 0.61 && n_within_plain <= SEEDS * 0.73, "mean: %d of %d", n_within_plain,
+                  SEEDS);
+}
+END_TEST
+
+START_TEST(a_set_is_its_series)
+{
+    enum { N = 1000 };
+    hs_error err = {0};
+    hs_series_set set = {.n_series = 2};
+    hs_series series[2] = {{0}};
+    uint64_t state = 11;
+    for (int k = 0; k < N; ++k) {
+        const double values[] = {normal(&state), 100.0 + uniform(&state)};
+        ck_assert_hs_ok(hs_series_set_add(&set, values, NULL, &err), err);
+        for (int i = 0; i < 2; ++i) hs_series_add(&series[i], values[i]);
+    }
+    for (int i = 0; i < 2; ++i) {
+        const hs_estimate a = hs_series_set_estimate(&set, i), b = hs_series_estimate(&series[i]);
+        ck_assert(a.n == N && a.mean == b.mean && a.error == b.error && a.inefficiency == b.inefficiency);
+    }
+    hs_series_set_clear(&set);
+    ck_assert(hs_series_set_estimate(&set, 0).n == 0);
+    hs_series_set_fini(&set);
+}
+END_TEST
+
 START_TEST(slope_of_a_line)
 {
     hs_line line = {0};
@@ -103,4 +156,4 @@ START_TEST(slope_of_a_line)
 END_TEST
 
 HS_TEST_MAIN("statistics", mean_and_variance_of_few_values, constant_series_has_no_error, errors_are_honest,
-             short_series_say_so, slope_of_a_line)
+             errors_of_ratios_are_honest, a_set_is_its_series, short_series_say_so, slope_of_a_line)
