@@ -187,3 +187,27 @@ void hs_halo_reverse(const hs_halo *halo, hs_atoms *atoms, bool is_fixed)
 {
     hs_halo_reverse_arrays(halo, atoms, atoms->f, is_fixed);
 }
+
+/** Bytes [at, at + length) of each value. */
+static void collect_piece(const hs_halo *halo, int n_local, const char *values, size_t size, size_t at, size_t length,
+                          char *collected)
+{
+#pragma omp parallel for schedule(static)
+    for (int k = halo->in.n_self_atoms; k < halo->n; ++k)
+        copy_bytes((char *)words_of(&halo->in, k), values + size * (size_t)(n_local + halo->slot[k]) + at, length);
+    hs_messages_start(&halo->reverse);
+#pragma omp parallel for schedule(static)
+    for (int k = 0; k < halo->out.n_self_atoms; ++k)
+        copy_bytes(collected + size * (size_t)k + at, values + size * (size_t)(n_local + halo->slot[k]) + at, length);
+    hs_messages_wait(&halo->reverse);
+#pragma omp parallel for schedule(static)
+    for (int k = halo->out.n_self_atoms; k < halo->out.n; ++k)
+        copy_bytes(collected + size * (size_t)k + at, (const char *)words_of(&halo->out, k), length);
+}
+
+void hs_halo_collect(const hs_halo *halo, const hs_atoms *atoms, const void *values, size_t size, void *collected)
+{
+    for (size_t at = 0; at < size; at += WORDS_BYTES)
+        collect_piece(halo, atoms->n_local, values, size, at, size - at < WORDS_BYTES ? size - at : WORDS_BYTES,
+                      collected);
+}

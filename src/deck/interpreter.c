@@ -30,6 +30,11 @@ static int variable_kind(void *deck, const char *name)
     return variable == NULL ? 0 : variable->style == HS_VARIABLE_ATOM ? 2 : 1;
 }
 
+static hs_status substitute(void *deck, hs_text *text, hs_error *err)
+{
+    return hs_substitute(deck, text, false, err);
+}
+
 static const char *deck_text(void *deck)
 {
     const hs_source *source = ((hs_deck *)deck)->source;
@@ -43,6 +48,7 @@ static void connect(hs_deck *deck)
     deck->sim->env.variable_value = variable_value;
     deck->sim->env.variable_atoms = variable_atoms;
     deck->sim->env.variable_kind = variable_kind;
+    deck->sim->env.substitute = substitute;
     deck->sim->env.deck_text = deck_text;
     deck->sim->saving->write = hs_deck_save;
 }

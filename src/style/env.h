@@ -3,6 +3,7 @@
 #define HS_STYLE_ENV_H
 
 #include "base/message.h"
+#include "base/text.h"
 #include "base/timer.h"
 #include "core/atoms.h"
 #include "core/box.h"
@@ -76,6 +77,8 @@ typedef struct hs_env {
     hs_status (*variable_atoms)(void *deck, const char *name, double *values, hs_error *err);
     /** 0: there is no variable of that name, 1: it has one value, 2: one for each atom. */
     int (*variable_kind)(void *deck, const char *name);
+    /** Replace $x, ${name} and $(formula) in a text, as in a line of the deck (collective). */
+    hs_status (*substitute)(void *deck, hs_text *text, hs_error *err);
     /** Text of the deck's first file, for files that tell what made them; NULL without one. Borrowed. */
     const char *(*deck_text)(void *deck);
     void *deck;

@@ -184,6 +184,30 @@ compute c all com
 compute v all gyration
 D
 } >in.more
+{
+    system gas 20 'c_s f_h[1] f_h[3] f_h[4] f_w[3][2] f_w[5][2]' 'c_c c_q[1] c_q[2] c_p[1]' <<D
+dimension 2
+lattice sq2 0.5
+region box block 0 14 0 11 -0.5 0.5
+create_box 2 box
+create_atoms 1 box
+set type 1 type/fraction 2 0.3 77
+mass * 1.0
+velocity all create 3.0 99 loop geom
+$liquid
+neigh_modify every 2 delay 0 check yes
+group two type 2
+compute c two cluster/atom 1.7
+compute s all reduce sum c_c
+compute q all hexorder/atom
+compute p two hexorder/atom degree 5 nnn NULL cutoff 1.6
+compute k all ke/atom
+fix 1 all nve
+fix 2 all enforce2d
+fix h two ave/histo 2 3 10 0 12 7 c_p[1] c_c vx mode vector ave running
+fix w all ave/histo/weight 2 2 10 0 12 7 x c_k mode vector
+D
+} >in.fixes
 
 # bits DECK RANKS THREADS WORDS...: the same bits as on one rank, which runs first and without mpirun.
 bits() {
@@ -205,6 +229,8 @@ bits() {
 bits bits 0 1
 bits more 0 1
 [ "$(cat bits/thermo more/thermo | wc -l)" -eq 39 ] || fail "$(cat bits/thermo more/thermo | wc -l) rows"
+bits fixes 0 1
+[ "$(wc -l <fixes/thermo)" -eq 3 ] || fail "$(wc -l <fixes/thermo) rows of fixes"
 for threads in 1 2; do
     for n in 1 2 3 4 6 8; do bits bits "$n" "$threads"; done
 done
@@ -216,3 +242,7 @@ bits bits 3 1 -neigh cell
 bits bits 4 1 -neigh verlet
 bits more 2 1 -neigh cell
 bits more 2 2 -neigh verlet
+bits fixes 1 3 -neigh cell
+bits fixes 2 2
+bits fixes 4 1 -neigh verlet
+bits fixes 6 1

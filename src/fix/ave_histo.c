@@ -1,0 +1,45 @@
+/* Histograms over time. */
+#include "io/histogram.h"
+
+static hs_status create(hs_fix *fix, const hs_args *args, hs_error *err)
+{
+    return hs_histogram_create(fix, args, false, err);
+}
+
+const hs_fix_style hs_fix_style_ave_histo = {
+    .about =
+        {.name = "ave/histo",
+         .syntax = {.usage = "<Nevery> <Nrepeat> <Nfreq> <lo> <hi> <bins> <value> ... [keyword value ...]",
+                    .n_min = 7,
+                    .n_max = -1,
+                    .keywords = hs_histogram_keywords},
+         .summary = "histograms of numbers, vectors or values per atom",
+         .details =
+             "Samples are taken every Nevery steps; Nrepeat of them, up to each multiple of Nfreq steps, are counted "
+             "together (as in fix ave/time). The range from lo to hi is cut into bins of equal width.\n\n"
+             "In `mode scalar` a value is one number, `c_ID`, `c_ID[i]`, `f_ID`, `f_ID[i]` or `v_name`. In `mode "
+             "vector` it is many: a vector `c_ID`, `f_ID`, a column of an array `c_ID[j]`, `f_ID[j]`, a value per "
+             "atom (`c_ID`, `f_ID`, their columns, an atom-style `v_name`), or one of `x y z vx vy vz fx fy fz`. All "
+             "inputs must be of one kind; where a compute or fix has global and per-atom values, `kind` says which. "
+             "Per atom only atoms of the group count.\n\n"
+             "`beyond ignore`, the default, leaves out what is below lo or above hi; `end` counts it in the first and "
+             "last bin; `extra` counts it in two more bins, one at either end.\n\n"
+             "Counts are summed over the samples of a window and, with `ave running` or `window`, over windows. The "
+             "array `f_ID[i][j]` has for each bin its middle, its count, and its share of all counts; the vector is "
+             "`f_ID[1]` all counts, `f_ID[2]` values beyond that were left out, `f_ID[3]` the least and `f_ID[4]` the "
+             "greatest value. Before the first window is complete counts are 0.",
+         .example = "fix h all ave/histo 10 100 1000 -4 4 80 vx vy vz mode vector ave running file speeds.txt\n"
+                    "compute n all coord/atom cutoff 1.5\nfix c all ave/histo 100 1 100 -0.5 15.5 16 c_n mode vector"},
+    .state_size = sizeof(hs_histogram),
+    .create = create,
+    .destroy = hs_histogram_destroy,
+    .init = hs_histogram_init,
+    .setup = hs_histogram_end_of_step,
+    .end_of_step = hs_histogram_end_of_step,
+    .vector = hs_histogram_vector,
+    .n_vector = 4,
+    .array = hs_histogram_array,
+    .needs_energy = hs_histogram_needs_energy,
+    .keep_state = hs_histogram_keep_state,
+    .is_time_dependent = true,
+};

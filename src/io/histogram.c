@@ -1,0 +1,452 @@
+#include "io/histogram.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "base/memory.h"
+#include "core/exact_sum.h"
+
+/** Extremes of no values at all, as LAMMPS shows them. */
+static const double nothing[2] = {1e20, -1e20};
+
+const hs_keyword hs_histogram_keywords[] = {
+    HS_AVERAGE_KEYWORDS,
+    {"mode", 1, "scalar|vector", "inputs are numbers, or vectors and values per atom (default: scalar)"},
+    {"kind", 1, "global|peratom", "which of them is meant where a compute or fix has both"},
+    {"beyond", 1, "ignore|end|extra", "values beyond lo and hi: not counted, in the end bins, or in two more bins"},
+    {NULL, 0, NULL, NULL},
+};
+
+/* Words */
+
+static const char *const attributes[] = {"x", "y", "z", "vx", "vy", "vz", "fx", "fy", "fz", NULL};
+
+/** Mode, kind and beyond decide how the inputs and bins are read. @p kind: HS_VALUE_VECTOR, HS_VALUE_ATOMS, or
+ *  HS_VALUE_NUMBER when nothing was said. */
+static hs_status read_own_keywords(hs_histogram *histogram, const hs_args *args, int first, hs_value_shape *kind,
+                                   hs_error *err)
+{
+    static const char *const modes[] = {"scalar", "vector", NULL};
+    static const char *const kinds[] = {"global", "peratom", NULL};
+    static const char *const beyonds[] = {"ignore", "end", "extra", NULL};
+    *kind = HS_VALUE_NUMBER;
+    for (int i = first, n_used; i < args->n; i += n_used) {
+        int choice;
+        HS_TRY(hs_average_keyword(&histogram->schedule, &histogram->fold, &histogram->file, args, i, &n_used, err));
+        if (n_used > 0) continue;
+        n_used = 2;
+        if (strcmp(args->word[i], "mode") == 0) {
+            HS_TRY(hs_arg_choice(args, i + 1, modes, &choice, err));
+            histogram->is_vector = choice == 1;
+        } else if (strcmp(args->word[i], "kind") == 0) {
+            HS_TRY(hs_arg_choice(args, i + 1, kinds, &choice, err));
+            *kind = choice == 0 ? HS_VALUE_VECTOR : HS_VALUE_ATOMS;
+        } else {
+            HS_TRY(hs_arg_choice(args, i + 1, beyonds, &choice, err));
+            histogram->beyond = (hs_beyond)choice;
+        }
+    }
+    return HS_OK;
+}
+
+/** References of one word: a range counts columns of an array, or else of the values per atom. */
+static hs_status read_references(hs_fix *fix, const hs_args *args, int i, hs_value **values, int *n, hs_error *err)
+{
+    const hs_histogram *histogram = fix->state;
+    if (!histogram->is_vector) return hs_values_read(values, n, fix->env, args, i, 1, HS_VALUE_NUMBER, err);
+    if (hs_values_read(values, n, fix->env, args, i, 1, HS_VALUE_VECTOR, err) == HS_OK) return HS_OK;
+    hs_error_clear(err);
+    return hs_values_read(values, n, fix->env, args, i, 1, HS_VALUE_ATOMS, err);
+}
+
+static hs_status add_inputs(hs_fix *fix, const hs_args *args, int i, hs_error *err)
+{
+    hs_histogram *histogram = fix->state;
+    int attribute = -1, n = 1;
+    hs_value *values = NULL;
+    if (hs_value_is_reference(args->word[i])) {
+        HS_TRY(read_references(fix, args, i, &values, &n, err));
+    } else {
+        attribute = hs_attribute_find(args->word[i]);
+        int which;
+        if (hs_arg_choice(args, i, attributes, &which, err) != HS_OK) {
+            hs_error_clear(err);
+            return hs_arg_refuse(args, i, "x, y, z, vx, vy, vz, fx, fy, fz, c_ID, c_ID[i], f_ID, f_ID[i] or v_name",
+                                 attributes, err);
+        }
+    }
+    const hs_status status =
+        HS_GROW(histogram->inputs, (size_t)histogram->n_inputs, (size_t)(histogram->n_inputs + n), err);
+    if (status != HS_OK) {
+        hs_values_destroy(&values, n);
+        return status;
+    }
+    for (int k = 0; k < n; ++k) {
+        hs_histogram_input *input = &histogram->inputs[histogram->n_inputs++];
+        *input = (hs_histogram_input){.attribute = attribute};
+        if (values != NULL) input->value = values[k];
+    }
+    HS_FREE(values);
+    return HS_OK;
+}
+
+/** Shape of the inputs: what the first one is, unless the words say it. */
+static hs_status find_shape(const hs_fix *fix, const hs_args *args, hs_value_shape kind, hs_error *err)
+{
+    hs_histogram *histogram = fix->state;
+    const hs_histogram_input *first = &histogram->inputs[0];
+    if (histogram->is_vector) {
+        const bool is_vector = first->attribute < 0 && hs_value_has(fix->env, &first->value, HS_VALUE_VECTOR);
+        histogram->shape = kind != HS_VALUE_NUMBER ? kind : is_vector ? HS_VALUE_VECTOR : HS_VALUE_ATOMS;
+    } else if (kind == HS_VALUE_ATOMS) {
+        return hs_fail(err, HS_ERROR_INPUT, "%s: values per atom are many: 'kind peratom' needs 'mode vector'",
+                       args->command);
+    }
+    return HS_OK;
+}
+
+static hs_status check_inputs(const hs_fix *fix, const char *command, hs_error *err)
+{
+    const hs_histogram *histogram = fix->state;
+    for (int k = 0; k < histogram->n_inputs; ++k) {
+        const hs_histogram_input *input = &histogram->inputs[k];
+        if (input->attribute < 0)
+            HS_TRY(hs_value_check(fix->env, &input->value, histogram->shape, command, err));
+        else if (histogram->shape != HS_VALUE_ATOMS)
+            return hs_fail(err, HS_ERROR_INPUT, "%s: '%s' is a value of each atom, which needs 'mode vector'%s",
+                           command, hs_attributes[input->attribute],
+                           histogram->is_vector ? ", and no global vectors beside it" : "");
+    }
+    return HS_OK;
+}
+
+static hs_status check_weight(const hs_fix *fix, const char *command, hs_error *err)
+{
+    const hs_histogram *histogram = fix->state;
+    if (!histogram->is_weighted) return HS_OK;
+    if (histogram->n_inputs != 2)
+        return hs_fail(err, HS_ERROR_INPUT, "%s: two inputs are needed, the values and their weights; there are %d",
+                       command, histogram->n_inputs);
+    if (histogram->shape != HS_VALUE_VECTOR) return HS_OK;
+    const int n = hs_value_length(fix->env, &histogram->inputs[0].value),
+              n_weights = hs_value_length(fix->env, &histogram->inputs[1].value);
+    if (n == n_weights) return HS_OK;
+    return hs_fail(err, HS_ERROR_INPUT, "%s: there must be as many weights as values, and %s has %d elements, %s %d",
+                   command, histogram->inputs[0].value.word, n, histogram->inputs[1].value.word, n_weights);
+}
+
+static hs_status make_bins(hs_fix *fix, const hs_args *args, hs_error *err)
+{
+    hs_histogram *histogram = fix->state;
+    int64_t n_bins;
+    HS_TRY(hs_arg_double(args, 3, &histogram->lo, err));
+    HS_TRY(hs_arg_double(args, 4, &histogram->hi, err));
+    if (!(histogram->hi > histogram->lo)) return hs_arg_refuse(args, 4, "greater than the lower end", NULL, err);
+    HS_TRY(hs_arg_int(args, 5, 1, INT32_MAX / 8, &n_bins, err));
+    histogram->width = (histogram->hi - histogram->lo) / (double)n_bins;
+    histogram->n_bins = (int)n_bins + (histogram->beyond == HS_BEYOND_EXTRA ? 2 : 0);
+    const int n = HS_HISTO_BINS + histogram->n_bins;
+    HS_TRY(HS_ALLOC(histogram->count, (size_t)n, err));
+    const bool is_window = histogram->fold.mode == HS_FOLD_WINDOW;
+    HS_TRY(HS_ALLOC(histogram->extremes, is_window ? (size_t)histogram->fold.n_window : 1, err));
+    memcpy(histogram->extremes[0], nothing, sizeof nothing);
+    return hs_fold_reserve(&histogram->fold, n, err);
+}
+
+hs_status hs_histogram_create(hs_fix *fix, const hs_args *args, bool is_weighted, hs_error *err)
+{
+    hs_histogram *histogram = fix->state;
+    const int first = hs_syntax_first_keyword(&fix->style->about.syntax, args);
+    hs_value_shape kind;
+    histogram->is_weighted = is_weighted;
+    HS_TRY(hs_schedule_init(&histogram->schedule, args, 0, err));
+    HS_TRY(read_own_keywords(histogram, args, first, &kind, err));
+    HS_TRY(make_bins(fix, args, err));
+    for (int i = 6; i < first; ++i) HS_TRY(add_inputs(fix, args, i, err));
+    HS_TRY(find_shape(fix, args, kind, err));
+    HS_TRY(check_inputs(fix, args->command, err));
+    HS_TRY(check_weight(fix, args->command, err));
+    fix->n_rows = histogram->n_bins;
+    fix->n_columns = 3;
+    hs_schedule_begin(&histogram->schedule, fix->env->step);
+    return HS_OK;
+}
+
+void hs_histogram_destroy(hs_fix *fix)
+{
+    hs_histogram *histogram = fix->state;
+    for (int k = 0; k < histogram->n_inputs; ++k) hs_value_fini(&histogram->inputs[k].value);
+    HS_FREE(histogram->inputs);
+    HS_FREE(histogram->count);
+    HS_FREE(histogram->extremes);
+    HS_FREE(histogram->value);
+    HS_FREE(histogram->weight);
+    hs_fold_fini(&histogram->fold);
+    hs_average_file_fini(&histogram->file);
+}
+
+hs_status hs_histogram_init(hs_fix *fix, hs_error *err)
+{
+    hs_histogram *histogram = fix->state;
+    char command[160], title[160];
+    snprintf(command, sizeof command, "fix '%.80s' (%s)", fix->id, fix->style->about.name);
+    HS_TRY(check_inputs(fix, command, err));
+    HS_TRY(check_weight(fix, command, err));
+    snprintf(title, sizeof title, "# Histogrammed data for fix %.100s", fix->id);
+    const char *const head[3] = {title, "# TimeStep Number-of-bins Total-counts Missing-counts Min-value Max-value",
+                                 "# Bin Coord Count Count/Total"};
+    return hs_average_file_open(&histogram->file, fix->env, head, err);
+}
+
+bool hs_histogram_needs_energy(const hs_fix *fix, int64_t step)
+{
+    const hs_histogram *histogram = fix->state;
+    bool is_needed = false;
+    if (!hs_schedule_is_due(&histogram->schedule, step)) return false;
+    for (int k = 0; k < histogram->n_inputs; ++k)
+        is_needed |= histogram->inputs[k].attribute < 0 && hs_value_needs_energy(fix->env, &histogram->inputs[k].value);
+    return is_needed;
+}
+
+/* Counting */
+
+/** Bin of a value; -1: none. */
+static int bin_of(const hs_histogram *histogram, double value)
+{
+    const int last = histogram->n_bins - 1;
+    if (value < histogram->lo) return histogram->beyond == HS_BEYOND_IGNORE ? -1 : 0;
+    if (value > histogram->hi) return histogram->beyond == HS_BEYOND_IGNORE ? -1 : last;
+    const int bin = (int)((value - histogram->lo) * (1.0 / histogram->width));
+    if (histogram->beyond != HS_BEYOND_EXTRA) return bin < last ? bin : last;
+    return (bin < last - 2 ? bin : last - 2) + 1;
+}
+
+/** Add values (with weights) to counts. Only atoms of the group count, when there is a mask. */
+static void count_plain(const hs_histogram *histogram, const hs_fix *fix, int64_t n, double *count)
+{
+    const uint32_t *mask = histogram->shape == HS_VALUE_ATOMS ? fix->env->atoms->mask : NULL;
+    for (int64_t i = 0; i < n; ++i) {
+        if (mask != NULL && !(mask[i] & fix->mask)) continue;
+        const int bin = bin_of(histogram, histogram->value[i]);
+        ++count[bin < 0 ? HS_HISTO_MISSING : HS_HISTO_TOTAL];
+        if (bin >= 0) ++count[HS_HISTO_BINS + bin];
+    }
+}
+
+/** The same with weights, whose sums are exact, so that the order of the atoms does not matter. */
+static void count_weights(const hs_histogram *histogram, const hs_fix *fix, int64_t n, hs_exact_sum *count)
+{
+    const uint32_t *mask = histogram->shape == HS_VALUE_ATOMS ? fix->env->atoms->mask : NULL;
+    for (int64_t i = 0; i < n; ++i) {
+        if (mask != NULL && !(mask[i] & fix->mask)) continue;
+        const int bin = bin_of(histogram, histogram->value[i]);
+        hs_exact_add(&count[bin < 0 ? HS_HISTO_MISSING : HS_HISTO_TOTAL], histogram->weight[i]);
+        if (bin >= 0) hs_exact_add(&count[HS_HISTO_BINS + bin], histogram->weight[i]);
+    }
+}
+
+/** values[0 .. *n) of one input on this rank. */
+static hs_status read_input(hs_fix *fix, const hs_histogram_input *input, bool is_weight, int64_t *n, hs_error *err)
+{
+    hs_histogram *histogram = fix->state;
+    hs_env *env = fix->env;
+    *n = histogram->shape == HS_VALUE_NUMBER   ? 1
+         : histogram->shape == HS_VALUE_VECTOR ? hs_value_length(env, &input->value)
+                                               : env->atoms->n_local;
+    if (*n > histogram->capacity || histogram->value == NULL) {
+        HS_TRY(HS_GROW(histogram->value, 0, (size_t)*n, err));
+        HS_TRY(HS_GROW(histogram->weight, 0, (size_t)*n, err));
+        histogram->capacity = *n;
+    }
+    double *out = is_weight ? histogram->weight : histogram->value;
+    if (input->attribute >= 0) {
+        for (int i = 0; i < *n; ++i) out[i] = hs_attribute_value(env, (hs_attribute)input->attribute, false, i);
+        return HS_OK;
+    }
+    switch (histogram->shape) {
+    case HS_VALUE_NUMBER:
+        return hs_value_number(env, &input->value, out, err);
+    case HS_VALUE_VECTOR:
+        return hs_value_vector(env, &input->value, out, err);
+    default:
+        return hs_value_atoms(env, &input->value, out, err);
+    }
+}
+
+static void find_extremes(const hs_histogram *histogram, const hs_fix *fix, int64_t n, double extreme[2])
+{
+    const uint32_t *mask = histogram->shape == HS_VALUE_ATOMS ? fix->env->atoms->mask : NULL;
+    for (int64_t i = 0; i < n; ++i) {
+        if (mask != NULL && !(mask[i] & fix->mask)) continue;
+        extreme[0] = fmin(extreme[0], histogram->value[i]);
+        extreme[1] = fmax(extreme[1], histogram->value[i]);
+    }
+}
+
+/** Sums over ranks of values per atom; all other inputs are the same on all ranks already. */
+static void add_up(const hs_fix *fix, double *count, double extreme[2])
+{
+    hs_histogram *histogram = fix->state;
+    const int n = HS_HISTO_BINS + histogram->n_bins;
+    if (histogram->shape == HS_VALUE_ATOMS) {
+        hs_parallel_min_double(fix->env->parallel, &extreme[0], 1);
+        hs_parallel_max_double(fix->env->parallel, &extreme[1], 1);
+    }
+    for (int k = 0; k < n; ++k) histogram->count[k] += count[k];
+    histogram->extreme[0] = fmin(histogram->extreme[0], extreme[0]);
+    histogram->extreme[1] = fmax(histogram->extreme[1], extreme[1]);
+}
+
+static hs_status sample_weighted(hs_fix *fix, hs_error *err)
+{
+    hs_histogram *histogram = fix->state;
+    const int n_counts = HS_HISTO_BINS + histogram->n_bins;
+    double extreme[2] = {nothing[0], nothing[1]}, *count = NULL;
+    int64_t n = 0;
+    hs_exact_sum *sums = NULL;
+    HS_TRY(read_input(fix, &histogram->inputs[0], false, &n, err));
+    HS_TRY(read_input(fix, &histogram->inputs[1], true, &n, err));
+    hs_status status = HS_ALLOC(sums, (size_t)n_counts, err);
+    if (status == HS_OK) status = HS_ALLOC(count, (size_t)n_counts, err);
+    if (hs_parallel_agree(fix->env->parallel, err) == HS_OK) {
+        count_weights(histogram, fix, n, sums);
+        find_extremes(histogram, fix, n, extreme);
+        if (histogram->shape == HS_VALUE_ATOMS)
+            hs_exact_total(sums, n_counts, fix->env->parallel, count);
+        else
+            for (int k = 0; k < n_counts; ++k) count[k] = hs_exact_value(&sums[k]);
+        add_up(fix, count, extreme);
+    }
+    HS_FREE(sums);
+    HS_FREE(count);
+    return status != HS_OK ? status : err->status;
+}
+
+static hs_status sample_plain(hs_fix *fix, hs_error *err)
+{
+    hs_histogram *histogram = fix->state;
+    const int n_counts = HS_HISTO_BINS + histogram->n_bins;
+    double extreme[2] = {nothing[0], nothing[1]}, *count;
+    HS_TRY(HS_ALLOC(count, (size_t)n_counts, err));
+    hs_status status = HS_OK;
+    for (int k = 0; k < histogram->n_inputs && status == HS_OK; ++k) {
+        int64_t n = 0;
+        status = read_input(fix, &histogram->inputs[k], false, &n, err);
+        if (status != HS_OK) break;
+        count_plain(histogram, fix, n, count);
+        find_extremes(histogram, fix, n, extreme);
+    }
+    if (status == HS_OK) {
+        if (histogram->shape == HS_VALUE_ATOMS) hs_parallel_sum_double(fix->env->parallel, count, n_counts);
+        add_up(fix, count, extreme);
+    }
+    HS_FREE(count);
+    return status;
+}
+
+/* Windows */
+
+/** Keep the extremes of the window that ends, and find those of the windows that count. */
+static void fold_extremes(const hs_histogram *histogram, double extreme[2])
+{
+    const hs_fold *fold = &histogram->fold;
+    const int64_t n_window = fold->mode == HS_FOLD_WINDOW ? fold->n_window : 1;
+    const int64_t n = fold->n_added < n_window ? fold->n_added : n_window;
+    memcpy(extreme, nothing, sizeof nothing);
+    for (int64_t w = 0; w < n; ++w) {
+        extreme[0] = fmin(extreme[0], histogram->extremes[w][0]);
+        extreme[1] = fmax(extreme[1], histogram->extremes[w][1]);
+    }
+}
+
+static void end_window(hs_histogram *histogram)
+{
+    hs_fold *fold = &histogram->fold;
+    const int64_t place = fold->mode == HS_FOLD_WINDOW ? fold->n_added % fold->n_window : 0;
+    double *kept = histogram->extremes[place];
+    const bool is_added = fold->mode == HS_FOLD_RUNNING && fold->n_added > 0;
+    kept[0] = is_added ? fmin(kept[0], histogram->extreme[0]) : histogram->extreme[0];
+    kept[1] = is_added ? fmax(kept[1], histogram->extreme[1]) : histogram->extreme[1];
+    hs_fold_add(fold, histogram->count);
+}
+
+/** Middle of a bin; what is beyond is shown at lo and hi. */
+static double coordinate(const hs_histogram *histogram, int bin)
+{
+    if (histogram->beyond != HS_BEYOND_EXTRA) return histogram->lo + (bin + 0.5) * histogram->width;
+    if (bin == 0) return histogram->lo;
+    if (bin == histogram->n_bins - 1) return histogram->hi;
+    return histogram->lo + (bin - 1 + 0.5) * histogram->width;
+}
+
+static double fraction(const hs_histogram *histogram, int bin)
+{
+    const double total = histogram->fold.sum[HS_HISTO_TOTAL];
+    return total != 0.0 ? histogram->fold.sum[HS_HISTO_BINS + bin] / total : 0.0;
+}
+
+static hs_status write_window(hs_fix *fix, hs_error *err)
+{
+    hs_histogram *histogram = fix->state;
+    hs_average_file *file = &histogram->file;
+    const double *sum = histogram->fold.sum;
+    double extreme[2];
+    fold_extremes(histogram, extreme);
+    if (hs_average_file_is_open(file)) {
+        HS_TRY(hs_text_printf(&file->text, err, "%lld %d %g %g %g %g\n", (long long)fix->env->step, histogram->n_bins,
+                              sum[HS_HISTO_TOTAL], sum[HS_HISTO_MISSING], extreme[0], extreme[1]));
+        for (int k = 0; k < histogram->n_bins; ++k) {
+            const double number[3] = {coordinate(histogram, k), sum[HS_HISTO_BINS + k], fraction(histogram, k)};
+            HS_TRY(hs_text_printf(&file->text, err, "%d", k + 1));
+            for (int c = 0; c < 3; ++c) HS_TRY(hs_average_file_number(file, number[c], err));
+            HS_TRY(hs_text_append(&file->text, "\n", 1, err));
+        }
+    }
+    return hs_average_file_commit(file, fix->env, err);
+}
+
+hs_status hs_histogram_end_of_step(hs_fix *fix, hs_error *err)
+{
+    hs_histogram *histogram = fix->state;
+    if (!hs_schedule_is_due(&histogram->schedule, fix->env->step)) return HS_OK;
+    if (histogram->schedule.n_taken == 0) {
+        memset(histogram->count, 0, (HS_HISTO_BINS + (size_t)histogram->n_bins) * sizeof *histogram->count);
+        memcpy(histogram->extreme, nothing, sizeof nothing);
+    }
+    HS_TRY(histogram->is_weighted ? sample_weighted(fix, err) : sample_plain(fix, err));
+    if (!hs_schedule_advance(&histogram->schedule, fix->env->step)) return HS_OK;
+    end_window(histogram);
+    return write_window(fix, err);
+}
+
+hs_status hs_histogram_vector(hs_fix *fix, int i, double *value, hs_error *err)
+{
+    const hs_histogram *histogram = fix->state;
+    double extreme[2] = {0.0, 0.0};
+    (void)err;
+    if (histogram->fold.n_added > 0) fold_extremes(histogram, extreme);
+    *value = i < HS_HISTO_BINS ? histogram->fold.sum[i] : extreme[i - HS_HISTO_BINS];
+    return HS_OK;
+}
+
+hs_status hs_histogram_array(hs_fix *fix, int i, int j, double *value, hs_error *err)
+{
+    const hs_histogram *histogram = fix->state;
+    (void)err;
+    *value = j == 0   ? coordinate(histogram, i)
+             : j == 1 ? histogram->fold.sum[HS_HISTO_BINS + i]
+                      : fraction(histogram, i);
+    return HS_OK;
+}
+
+hs_status hs_histogram_keep_state(hs_fix *fix, hs_state *kept, hs_error *err)
+{
+    hs_histogram *histogram = fix->state;
+    const int64_t n_extremes = histogram->fold.mode == HS_FOLD_WINDOW ? histogram->fold.n_window : 1;
+    HS_TRY(hs_schedule_keep(&histogram->schedule, kept, err));
+    HS_TRY(hs_state_double(kept, "counts", histogram->count, HS_HISTO_BINS + histogram->n_bins, err));
+    HS_TRY(hs_state_double(kept, "extremes", histogram->extreme, 2, err));
+    HS_TRY(hs_state_double(kept, "extremes of windows", histogram->extremes[0], 2 * n_extremes, err));
+    HS_TRY(hs_fold_keep(&histogram->fold, kept, err));
+    return hs_average_file_keep(&histogram->file, fix->env, kept, err);
+}

@@ -1,0 +1,54 @@
+#!/bin/bash
+# Every fix with a history of its own: a run resumed from a checkpoint in its midst ends in the same bits as the run left
+# alone, and its files are the same.
+set -eu
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cd "$folder"
+fail() { echo "FAILED: $*" >&2; exit 1; }
+
+# check NAME: lines of the deck on standard input; the checkpoint is made between multiples of what averages and fixes go by.
+check() {
+    local name=$1
+    mkdir "$name" && cd "$name"
+    {
+        cat <<'D'
+units lj
+lattice fcc 0.8442
+region box block 0 4 0 4 0 4
+create_box 2 box
+create_atoms 1 box
+set type 1 type/fraction 2 0.4 1234
+mass 1 1.0
+mass 2 2.0
+velocity all create 1.44 87287
+pair_style lj/cut 2.5
+pair_coeff * * 1.0 1.0 2.5
+neigh_modify every 7 delay 0 check no
+checkpoint every 33 steps keep 9
+thermo 10
+D
+        cat
+        cat <<'D'
+run 80
+write_dump all custom end.dump id x y z vx vy vz fx fy fz modify format float %.17g
+D
+    } >in
+    "$HALFSHELL" in -log none >out 2>&1 || fail "$name: $(tail -3 out)"
+    tail -n +1 ./*.dump ./*.txt >../whole 2>/dev/null || true
+    [ -s checkpoint.33.h5 ] || fail "$name: no checkpoint"
+    "$HALFSHELL" resume checkpoint.33.h5 >out 2>&1 || fail "$name, resumed: $(tail -3 out)"
+    tail -n +1 ./*.dump ./*.txt >../resumed 2>/dev/null || true
+    cmp ../whole ../resumed || fail "$name does not end in the same bits"
+    cd ..
+}
+
+check histograms <<'D'
+fix 1 all nve
+fix h all ave/histo 2 3 20 -3 3 8 vx vy vz mode vector ave running file h.txt
+fix w all ave/histo 5 2 10 0 2 4 c_thermo_temp ave window 3 file w.txt
+variable t equal temp
+fix p all print 10 "$(step) $t" file p.txt screen no
+variable s equal stride(10,1000,15)
+fix q all print v_s "$(step) $t" file q.txt screen no
+D
