@@ -222,6 +222,17 @@ static void clear_padding(const hs_atoms *atoms)
         memset(atoms->x[axis] + atoms->n_local + atoms->n_halo, 0, HS_ATOMS_PAD * sizeof(double));
 }
 
+/** Halo atoms behind the local ones, in order of blocks. */
+static void place_atoms(hs_halo *halo, hs_atoms *atoms)
+{
+    atoms->n_halo = halo->n;
+    halo->generation = atoms->generation;
+#pragma omp parallel for schedule(static)
+    for (int k = 0; k < halo->n; ++k) halo->slot[k] = k;
+    clear_padding(atoms);
+    hs_halo_forward(halo, atoms);
+}
+
 hs_status hs_halo_build(hs_halo *halo, const hs_domain *domain, const hs_parallel *parallel, const hs_box *box,
                         hs_atoms *atoms, double reach, hs_error *err)
 {
@@ -236,13 +247,15 @@ hs_status hs_halo_build(hs_halo *halo, const hs_domain *domain, const hs_paralle
     HS_UNLESS_FAILED(err, describe_messages(halo, err));
     HS_TRY(hs_parallel_agree(parallel, err));
     halo->n = halo->in.n;
-    atoms->n_halo = halo->n;
-    halo->generation = atoms->generation;
-#pragma omp parallel for schedule(static)
-    for (int k = 0; k < halo->n; ++k) halo->slot[k] = k;
-    clear_padding(atoms);
-    hs_halo_forward(halo, atoms);
+    place_atoms(halo, atoms);
     return HS_OK;
+}
+
+void hs_halo_follow(hs_halo *halo, hs_atoms *atoms, const int32_t *place)
+{
+#pragma omp parallel for schedule(static)
+    for (int k = 0; k < halo->out.n; ++k) halo->source[k] = place[halo->source[k]];
+    place_atoms(halo, atoms);
 }
 
 static void fini_side(hs_halo_side *side)

@@ -47,9 +47,12 @@ typedef struct hs_halo {
  *  rank holds in @p err already, or meets here, stops all. */
 HS_MUST_USE hs_status hs_halo_build(hs_halo *halo, const hs_domain *domain, const hs_parallel *parallel,
                                     const hs_box *box, hs_atoms *atoms, double reach, hs_error *err);
-/** Put halo atom order[q] at place q (a permutation of [0, n)); positions are filled anew. Directly after a build; not
- *  collective. */
+/** Put halo atom order[q] at place q (a permutation of [0, n)); positions are filled anew. Directly after a build or
+ *  hs_halo_follow; not collective. */
 void hs_halo_reorder(hs_halo *halo, hs_atoms *atoms, const int32_t *order);
+/** The local atoms have been sorted: what stood at i stands at place[i]. The halo keeps its atoms; positions are filled anew, in
+ *  order of blocks. Collective. */
+void hs_halo_follow(hs_halo *halo, hs_atoms *atoms, const int32_t *place);
 /** Fill the halo part of all fields that go to the halo when it is made (hs_atom_field.goes_to_halo). Collective. */
 void hs_halo_forward_fields(const hs_halo *halo, hs_atoms *atoms);
 /** Positions of halo atoms from those of their sources. Collective. */

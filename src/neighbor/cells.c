@@ -224,6 +224,20 @@ hs_status hs_cells_sort_local(hs_cells *cells, const hs_atoms *atoms, hs_error *
     return sort(cells, &in, err);
 }
 
+/** Halo atoms lie beyond an upper face of the brick when the halo is new, but may come into the brick while it is kept:
+ *  lower the faces as far as they have come. */
+static void lower_faces(hs_cells *cells, const sort_input *in)
+{
+    double deepest = 0.0, hi[3];
+    for (int a = 0; a < 3; ++a) hi[a] = cells->lo[a] + cells->brick_hi[a];
+#pragma omp parallel for schedule(static) reduction(max : deepest)
+    for (int i = 0; i < in->n; ++i) {
+        const double depth = fmin(fmin(hi[0] - in->x[0][i], hi[1] - in->x[1][i]), hi[2] - in->x[2][i]);
+        deepest = fmax(deepest, depth);
+    }
+    for (int a = 0; a < 3; ++a) cells->brick_hi[a] -= deepest;
+}
+
 hs_status hs_cells_sort_halo(hs_cells *cells, const hs_atoms *atoms, hs_error *err)
 {
     const int at = atoms->n_local;
@@ -232,6 +246,7 @@ hs_status hs_cells_sort_halo(hs_cells *cells, const hs_atoms *atoms, hs_error *e
         .id = NULL,
         .n = atoms->n_halo,
         .start = cells->start_halo};
+    lower_faces(cells, &in);
     return sort(cells, &in, err);
 }
 

@@ -158,7 +158,7 @@ static hs_status test_columns(const hs_search *search, const hs_cluster_part *pa
     return HS_OK;
 }
 
-/** Whether halo atoms can be near: they all lie beyond an upper face of the brick. */
+/** Whether halo atoms can be near: they all lie about an upper face of the brick, or beyond it. */
 static bool is_near_halo(const hs_cells *cells, const probe *p)
 {
     for (int a = 0; a < 3; ++a)

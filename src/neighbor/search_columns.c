@@ -48,10 +48,11 @@ static hs_status add_column(hs_column_list *list, const hs_cells *cells, int c0,
         list->capacity = (int)capacity;
     }
     const float pitch0 = (float)cells->pitch[0], pitch1 = (float)cells->pitch[1];
-    list->bound[0][n] = (float)c0 * pitch0;
-    list->bound[1][n] = (float)(c0 + 1) * pitch0;
-    list->bound[2][n] = (float)c1 * pitch1;
-    list->bound[3][n] = (float)(c1 + 1) * pitch1;
+    /* the outer columns hold also what lies beyond them */
+    list->bound[0][n] = c0 == 0 ? -INFINITY : (float)c0 * pitch0;
+    list->bound[1][n] = c0 == cells->n[0] - 1 ? INFINITY : (float)(c0 + 1) * pitch0;
+    list->bound[2][n] = c1 == 0 ? -INFINITY : (float)c1 * pitch1;
+    list->bound[3][n] = c1 == cells->n[1] - 1 ? INFINITY : (float)(c1 + 1) * pitch1;
     list->column[n] = column;
     ++list->n;
     return HS_OK;

@@ -167,14 +167,11 @@ static hs_status sort_local(hs_sim *sim, double reach, hs_error *err)
     return hs_atoms_permute(atoms, neighbor->cells.order, err);
 }
 
-hs_status hs_sim_sort_and_cluster(hs_sim *sim, double reach, hs_error *err)
+/** Sort the halo, fill its fields, and cut all atoms into clusters. */
+static hs_status cluster(hs_sim *sim, hs_error *err)
 {
     hs_neighbor *neighbor = &sim->neighbor;
     hs_atoms *atoms = &sim->atoms;
-    (void)sort_local(sim, reach, err); /* the ranks agree on errors when they make the halo */
-    hs_timer_add(&sim->timer, HS_PHASE_NEIGH);
-    HS_TRY(hs_halo_build(&sim->halo, &sim->domain, &sim->parallel, &sim->box, atoms, reach, err));
-    hs_timer_add(&sim->timer, HS_PHASE_COMM);
     HS_TRY(hs_cells_sort_halo(&neighbor->cells, atoms, err));
     hs_halo_reorder(&sim->halo, atoms, neighbor->cells.order);
     hs_halo_forward_fields(&sim->halo, atoms);
@@ -182,6 +179,37 @@ hs_status hs_sim_sort_and_cluster(hs_sim *sim, double reach, hs_error *err)
     renew_kernel_types(sim);
     hs_timer_add(&sim->timer, HS_PHASE_NEIGH);
     return HS_OK;
+}
+
+hs_status hs_sim_sort_and_cluster(hs_sim *sim, double reach, hs_error *err)
+{
+    hs_atoms *atoms = &sim->atoms;
+    (void)sort_local(sim, reach, err); /* the ranks agree on errors when they make the halo */
+    hs_timer_add(&sim->timer, HS_PHASE_NEIGH);
+    HS_TRY(hs_halo_build(&sim->halo, &sim->domain, &sim->parallel, &sim->box, atoms, reach, err));
+    hs_timer_add(&sim->timer, HS_PHASE_COMM);
+    return cluster(sim, err);
+}
+
+/** Where the last sort has put each atom. The cells need their keys no more. */
+static const int32_t *places(hs_cells *cells, int n)
+{
+#pragma omp parallel for schedule(static)
+    for (int k = 0; k < n; ++k) cells->key[cells->order[k]] = k;
+    return cells->key;
+}
+
+hs_status hs_sim_sort_again(hs_sim *sim, hs_error *err)
+{
+    hs_cells *cells = &sim->neighbor.cells;
+    hs_atoms *atoms = &sim->atoms;
+    HS_UNLESS_FAILED(err, hs_cells_sort_local(cells, atoms, err));
+    HS_UNLESS_FAILED(err, hs_atoms_permute(atoms, cells->order, err));
+    HS_TRY(hs_parallel_agree(&sim->parallel, err));
+    hs_timer_add(&sim->timer, HS_PHASE_NEIGH);
+    hs_halo_follow(&sim->halo, atoms, places(cells, atoms->n_local));
+    hs_timer_add(&sim->timer, HS_PHASE_COMM);
+    return cluster(sim, err);
 }
 
 static hs_status before_exchange(hs_sim *sim, hs_error *err)
@@ -194,30 +222,26 @@ static hs_status before_exchange(hs_sim *sim, hs_error *err)
     return HS_OK;
 }
 
-hs_status hs_sim_exchange(hs_sim *sim, bool is_listing, hs_error *err)
+hs_status hs_sim_exchange(hs_sim *sim, hs_error *err)
 {
     hs_timer_mark(&sim->timer);
     const bool is_wrapped = wrap(sim);
     const bool is_periodic = sim->box.periodic[0] && sim->box.periodic[1] && sim->box.periodic[2];
     (void)find_lost(sim, is_wrapped, err);
-    if (is_listing && !is_periodic) {
+    if (!is_periodic) {
         HS_TRY(hs_parallel_agree(&sim->parallel, err));
         hs_sim_shrink_box(sim);
     }
     hs_sim_settle_positions(sim);
-    if (is_listing && sim->is_initialized) HS_TRY(before_exchange(sim, err));
+    if (sim->is_initialized) HS_TRY(before_exchange(sim, err));
     HS_TRY(hs_migrate(&sim->atoms, &sim->domain, &sim->parallel, &sim->box, err));
-    if (is_listing) {
-        hs_neighbor_list_now(&sim->neighbor, &sim->atoms);
-        memcpy(sim->neighbor.lo_listed, sim->box.lo, sizeof sim->box.lo);
-        memcpy(sim->neighbor.hi_listed, sim->box.hi, sizeof sim->box.hi);
-    }
+    hs_neighbor_list_now(&sim->neighbor, &sim->atoms);
+    memcpy(sim->neighbor.lo_listed, sim->box.lo, sizeof sim->box.lo);
+    memcpy(sim->neighbor.hi_listed, sim->box.hi, sizeof sim->box.hi);
     hs_timer_add(&sim->timer, HS_PHASE_COMM);
     if (sim->pair->cutoff_max <= 0.0) return HS_OK;
 
     HS_TRY(hs_sim_method(sim)->renew(sim, err));
     hs_timer_add(&sim->timer, HS_PHASE_NEIGH);
-    if (sim->neighbor.is_late) hs_halo_forward_positions(&sim->halo, &sim->atoms, sim->neighbor.x_listed);
-    hs_timer_add(&sim->timer, HS_PHASE_COMM);
     return HS_OK;
 }

@@ -17,7 +17,14 @@ static double listed_reach(const hs_sim *sim) { return sim->pair->cutoff_max + s
 
 /* nsq */
 
-static hs_status renew_nsq(hs_sim *sim, hs_error *err) { return hs_sim_make_halo(sim, sim->pair->cutoff_max, err); }
+/** The halo of methods that keep no lists. */
+static hs_status renew_halo(hs_sim *sim, hs_error *err)
+{
+    HS_TRY(hs_sim_make_halo(sim, listed_reach(sim), err));
+    /* the halo stays until lists are due again, and an atom may be late before that */
+    hs_halo_forward_positions(&sim->halo, &sim->atoms, sim->neighbor.x_listed);
+    return HS_OK;
+}
 
 static hs_status forces_nsq(hs_sim *sim, const hs_force_job *job, hs_force_result *result, hs_error *err)
 {
@@ -63,10 +70,7 @@ static hs_status renew_atoms_of_chains(hs_sim *sim, hs_error *err)
 {
     (void)sort_atoms(sim, err); /* the ranks agree on errors when they make the halo */
     hs_timer_add(&sim->timer, HS_PHASE_NEIGH);
-    HS_TRY(hs_sim_make_halo(sim, listed_reach(sim), err));
-    /* the halo stays until lists are due again, and an atom may be late before that */
-    hs_halo_forward_positions(&sim->halo, &sim->atoms, sim->neighbor.x_listed);
-    return HS_OK;
+    return renew_halo(sim, err);
 }
 
 static hs_status update_linked(hs_sim *sim, hs_error *err)
@@ -109,9 +113,13 @@ static hs_status forces_chains(hs_sim *sim, const hs_force_job *job, hs_force_re
 
 /* cell, verlet, cluster */
 
-static hs_status renew_cell(hs_sim *sim, hs_error *err)
+static hs_status renew_cell(hs_sim *sim, hs_error *err) { return hs_sim_sort_and_cluster(sim, listed_reach(sim), err); }
+
+static hs_status update_cell(hs_sim *sim, hs_error *err)
 {
-    return hs_sim_sort_and_cluster(sim, sim->pair->cutoff_max, err);
+    HS_TRY(hs_sim_sort_again(sim, err));
+    if (sim->neighbor.is_late) hs_halo_forward_positions(&sim->halo, &sim->atoms, sim->neighbor.x_listed);
+    return HS_OK;
 }
 
 static hs_status forces_cell(hs_sim *sim, const hs_force_job *job, hs_force_result *result, hs_error *err)
@@ -158,23 +166,20 @@ enum {
 
 const hs_method hs_methods[HS_N_METHODS] = {
     [HS_METHOD_NSQ] = {.help = "double loop over all pairs; slow, for checking the others",
-                       .renew = renew_nsq,
+                       .renew = renew_halo,
                        .forces = forces_nsq},
     [HS_METHOD_LINKED] = {.help = "the textbook's cells: head and next, built anew at every step",
-                          .keeps_lists = true,
                           .options = CHAIN_OPTIONS,
                           .renew = renew_linked,
                           .update = update_linked,
                           .forces = forces_chains},
     [HS_METHOD_INCREMENTAL] = {.help =
                                    "the same with doubly linked cells, in which only atoms that changed cell are moved",
-                               .keeps_lists = true,
                                .options = CHAIN_OPTIONS,
                                .renew = renew_incremental,
                                .update = update_incremental,
                                .forces = forces_chains},
     [HS_METHOD_HASH] = {.help = "the same with a hash table of the occupied cells: memory by atoms, not by volume",
-                        .keeps_lists = true,
                         .options = CHAIN_OPTIONS,
                         .renew = renew_hash,
                         .update = update_hash,
@@ -184,23 +189,21 @@ const hs_method hs_methods[HS_N_METHODS] = {
                             "kept",
                         .options = COLUMN_OPTIONS,
                         .renew = renew_cell,
+                        .update = update_cell,
                         .forces = forces_cell},
     [HS_METHOD_VERLET] = {.help =
                               "lists of the neighbors of each atom, made from the same cells and kept until atoms have "
                               "moved too far",
-                          .keeps_lists = true,
                           .options = COLUMN_OPTIONS,
                           .renew = renew_verlet,
                           .forces = forces_verlet},
     [HS_METHOD_CLUSTER] = {.help =
                                "lists of pairs of four-atom clusters from the same cells, kept until atoms have moved "
                                "too far",
-                           .keeps_lists = true,
                            .options = COLUMN_OPTIONS,
                            .renew = renew_cluster,
                            .forces = forces_cluster},
     [HS_METHOD_AUTO] = {.help = "cluster or verlet, whichever is faster: longer runs try both",
-                        .keeps_lists = true,
                         .options = COLUMN_OPTIONS},
 };
 

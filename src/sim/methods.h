@@ -9,10 +9,9 @@ enum { HS_METHOD_TAKES_CELL = 1, HS_METHOD_TAKES_ORDER = 2, HS_METHOD_TAKES_STEN
 
 typedef struct hs_method {
     const char *help; /**< one line */
-    /** Atoms are exchanged when lists are due and stay until then; else at every step. */
-    bool keeps_lists;
     unsigned options; /**< HS_METHOD_TAKES_... */
-    /** After the exchange, atoms in the box: halo, cells and lists of the present places. */
+    /** After the exchange, atoms in the box: halo, cells and lists of the present places. Halo and images of atoms stay as
+     *  they are until the next exchange, whatever the method: dumps do not tell one from another. */
     HS_MUST_USE hs_status (*renew)(hs_sim *sim, hs_error *err);
     /** At the steps between two exchanges, halo positions being new. NULL: nothing to do. */
     HS_MUST_USE hs_status (*update)(hs_sim *sim, hs_error *err);

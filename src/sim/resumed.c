@@ -100,19 +100,16 @@ static hs_status keep_arrays(hs_sim *sim, kept *arrays, hs_error *err)
     return HS_OK;
 }
 
-static void give_arrays_back(hs_sim *sim, kept *arrays, bool with_x)
+static void give_back(hs_sim *sim, double *array[3], double *copy[3])
 {
     hs_atoms *atoms = &sim->atoms;
-    const size_t n_bytes = sizeof(double) * (size_t)atoms->n_local;
     for (int axis = 0; axis < 3; ++axis) {
-        if (with_x && arrays->x[axis] != NULL) memcpy(atoms->x[axis], arrays->x[axis], n_bytes);
-        if (arrays->f[axis] != NULL) memcpy(atoms->f[axis], arrays->f[axis], n_bytes);
-        hs_atoms_remove_field(atoms, (void **)&arrays->x[axis]);
-        hs_atoms_remove_field(atoms, (void **)&arrays->f[axis]);
+        if (copy[axis] != NULL) memcpy(array[axis], copy[axis], sizeof(double) * (size_t)atoms->n_local);
+        hs_atoms_remove_field(atoms, (void **)&copy[axis]);
     }
 }
 
-/** Methods with lists: make them from the positions, in the box, of the last scheduled build, as the run did then. The order
+/** Make lists from the positions, in the box, of the last scheduled build, as the run did then. The order
  *  of atoms is that of their places at that time, so it comes out the same, too. */
 static hs_status list_again(hs_sim *sim, hs_error *err)
 {
@@ -123,7 +120,7 @@ static hs_status list_again(hs_sim *sim, hs_error *err)
     for (int axis = 0; axis < 3; ++axis) memcpy(sim->atoms.x[axis], neighbor->x_listed[axis], n_bytes);
     memcpy(sim->box.lo, neighbor->lo_listed, sizeof sim->box.lo);
     memcpy(sim->box.hi, neighbor->hi_listed, sizeof sim->box.hi);
-    HS_TRY(hs_sim_exchange(sim, true, err));
+    HS_TRY(hs_sim_exchange(sim, err));
     sim->box = box;
     neighbor->ago = before.ago;
     neighbor->is_late = before.is_late;
@@ -135,19 +132,18 @@ hs_status hs_sim_setup_resumed(hs_sim *sim, hs_error *err)
 {
     kept arrays = {0};
     const hs_method *method = hs_sim_method(sim);
-    const bool has_lists = method->keeps_lists && sim->pair != NULL && sim->pair->cutoff_max > 0.0;
+    const bool has_halo = sim->pair != NULL && sim->pair->cutoff_max > 0.0;
     const hs_neighbor_counters counters = sim->neighbor.counters;
     sim->is_initialized = false; /* atoms may be anywhere, on any rank */
     HS_TRY(keep_arrays(sim, &arrays, err));
-    hs_status status = has_lists ? list_again(sim, err) : hs_sim_exchange(sim, false, err);
-    give_arrays_back(sim, &arrays, has_lists);
-    HS_TRY(status);
+    hs_status status = list_again(sim, err);
+    give_back(sim, sim->atoms.x, arrays.x);
     sim->neighbor.counters = counters;
-    if (has_lists) {
+    if (status == HS_OK && has_halo) {
         hs_halo_forward(&sim->halo, &sim->atoms);
-        if (sim->neighbor.is_late) hs_halo_forward_positions(&sim->halo, &sim->atoms, sim->neighbor.x_listed);
-        if (method->update != NULL) HS_TRY(method->update(sim, err));
+        if (method->update != NULL) status = method->update(sim, err);
     }
+    give_back(sim, sim->atoms.f, arrays.f); /* at last, for a sort leaves forces behind */
     sim->is_initialized = true;
-    return HS_OK;
+    return status;
 }

@@ -57,7 +57,7 @@ hs_status hs_sim_setup(hs_sim *sim, hs_error *err)
     hs_tuner_start(sim);
     HS_TRY(init_styles(sim, err));
     hs_neighbor_start(&sim->neighbor);
-    HS_TRY(hs_sim_exchange(sim, true, err));
+    HS_TRY(hs_sim_exchange(sim, err));
     HS_TRY(hs_sim_pair_forces(sim, true, err));
     sim->env.with_energy = true;
     hs_env_changed(&sim->env);

@@ -142,9 +142,9 @@ typedef struct hs_run_plan {
 
 /** Run the simulation (collective): set-up, steps, output, timing table.  sim/run.c. */
 HS_MUST_USE hs_status hs_sim_run(hs_sim *sim, const hs_run_plan *plan, hs_error *err);
-/** Bring atoms, halo, cells (and, when @p is_listing, the shrink-wrapped box and the listed positions) up to date
+/** Lists are due: bring atoms, the shrink-wrapped box, halo, cells, and the listed positions up to date
  *  (collective).  sim/exchange.c */
-HS_MUST_USE hs_status hs_sim_exchange(hs_sim *sim, bool is_listing, hs_error *err);
+HS_MUST_USE hs_status hs_sim_exchange(hs_sim *sim, hs_error *err);
 /** Tables of pair parameters, exclusions and cutoffs for the next run.  sim/pair_setup.c */
 HS_MUST_USE hs_status hs_sim_setup_pair(hs_sim *sim, hs_error *err);
 /** Kernel types of the local atoms from their types and groups; only when groups are excluded from each other. */
@@ -155,6 +155,8 @@ hs_force_job hs_sim_make_job(hs_sim *sim, bool with_energy);
 /** Sort the local atoms into Morton cells, make the halo to `reach`, sort it too, and cut both into clusters; kernel types
  *  for all.  sim/exchange.c */
 HS_MUST_USE hs_status hs_sim_sort_and_cluster(hs_sim *sim, double reach, hs_error *err);
+/** The same for atoms that have moved since, with the halo there is.  sim/exchange.c */
+HS_MUST_USE hs_status hs_sim_sort_again(hs_sim *sim, hs_error *err);
 /** The halo alone, to `reach`, with its kernel types.  sim/exchange.c */
 HS_MUST_USE hs_status hs_sim_make_halo(hs_sim *sim, double reach, hs_error *err);
 /* Reproducible runs (sim/reproducible.c). */

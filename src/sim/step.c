@@ -33,7 +33,7 @@ static hs_status bring_neighbors_up_to_date(hs_sim *sim, hs_error *err)
         hs_tuner_at_build(sim);
     }
     const hs_method *method = hs_sim_method(sim);
-    if (is_due || !method->keeps_lists) return hs_sim_exchange(sim, is_due, err);
+    if (is_due) return hs_sim_exchange(sim, err);
     if (sim->pair->cutoff_max <= 0.0) return HS_OK;
     hs_halo_forward(&sim->halo, &sim->atoms);
     hs_timer_add(&sim->timer, HS_PHASE_COMM);

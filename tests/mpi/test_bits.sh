@@ -1,6 +1,6 @@
 #!/bin/bash
-# Reproducible runs, the default in double precision: every bit of the thermo table and of positions, velocities and forces is the
-# same on any number of ranks and threads and for every neighbor method. Many systems stand in one deck, for starting ranks
+# Reproducible runs, the default in double precision: every bit of the thermo table and of positions, images, velocities and forces is
+# the same on any number of ranks and threads and for every neighbor method. Many systems stand in one deck, for starting ranks
 # takes longer than running them.
 set -eu
 # shellcheck source=tests/mpi/ranks.sh
@@ -14,8 +14,8 @@ system() {
 thermo_style custom step atoms temp ke pe etotal press pxx pyy pzz pxy pxz pyz vol ${3:-}
 thermo_modify format float %.17g lost error
 thermo 10
-dump d all custom $(($2 / 2)) $1.dump id type x y z vx vy vz fx fy fz ${4:-}
-dump_modify d format float %.17g sort id pbc yes
+dump d all custom $(($2 / 2)) $1.dump id type x y z ix iy iz vx vy vz fx fy fz ${4:-}
+dump_modify d format float %.17g sort id
 run $2
 clear
 D
@@ -218,7 +218,7 @@ bits() {
     (cd "$name" && ranks "$n" "../in.$deck" -log log -screen none -threads "$threads" "$@") || fail "$name: exit code $?"
     table "$name/log" >"$name/thermo"
     rm "$name/log"
-    if [ "$n" -eq 0 ]; then
+    if [ ! -d "$deck" ]; then
         mv "$name" "$deck"
     else
         for file in "$deck"/*; do cmp "$file" "$name/${file#*/}" >&2 || fail "$name $*: ${file#*/}"; done
@@ -246,3 +246,7 @@ bits fixes 1 3 -neigh cell
 bits fixes 2 2
 bits fixes 4 1 -neigh verlet
 bits fixes 6 1
+bits bits 2 1 -neigh nsq
+bits more 0 1 -neigh linked
+bits bits 3 1 -neigh incremental
+bits more 2 1 -neigh hash
