@@ -17,6 +17,18 @@ void hs_correlator_destroy(hs_correlator **correlator);
  *  start of the series or after its end must be 0. */
 void hs_correlator_add(hs_correlator *correlator, const double *a, const double *b, double *sums);
 
+/** Squares of the transform of n samples, the periodogram: its sum over the n/2 + 1 frequencies k/n is the mean square of the
+ *  samples (of those less their mean, with @p subtract_mean); exactly so without a window, on average with one. */
+typedef struct hs_periodogram hs_periodogram;
+
+/** @p n even; @p has_window: samples are weighted by sin^2(pi (i + 1/2) / n) (Hann). The caller destroys it. Not collective. */
+HS_MUST_USE hs_status hs_periodogram_create(hs_periodogram **periodogram, int n, bool has_window, bool subtract_mean,
+                                            hs_error *err);
+void hs_periodogram_destroy(hs_periodogram **periodogram);
+/** power[k * stride] for k from 0 to n/2: n times what the frequency k/n gives to the mean square, the density for samples one
+ *  unit of time apart. */
+void hs_periodogram_eval(hs_periodogram *periodogram, const double *samples, double *power, int stride);
+
 /** Density modes rho(n) = sum over points of exp(-2 pi i n x), x in box lengths, for all |n_a| <= n_max[a]: a non-uniform fast
  *  Fourier transform. Points are spread over a grid of twice the needed fineness with a kernel 14 grid cells wide, exp(beta
  *  (sqrt(1 - z^2) - 1)), which is divided out after the transform; the error is below 1e-11 of the number of points.

@@ -289,7 +289,8 @@ static hs_status add_to_errors(hs_fix *fix, const hs_chunks *chunks, hs_error *e
 {
     ave_state *state = fix->state;
     const size_t width = (size_t)state->n + 1, n = (size_t)chunks->n * width;
-    for (int64_t c = 0; c < chunks->n && state->fold.has_errors; ++c)
+    if (!state->fold.has_errors) return HS_OK;
+    for (int64_t c = 0; c < chunks->n; ++c)
         for (int k = -1; k < state->n; ++k) {
             const size_t at = (size_t)c * width + (size_t)(k + 1);
             value_and_weight(fix, chunks, k, state->sample[(k + 1) * chunks->n + c], state->sample[c], &state->each[at],

@@ -98,7 +98,7 @@ static bool is_aside(const hs_table *table, int column)
  *  (the distance in a pair correlation); else the first column of numbers. */
 static int default_x(const hs_table_file *file, const hs_table *table)
 {
-    static const char *const names[] = {"Time", "Step", "TimeStep", "TimeDelta", "Coord1", "Coord", NULL};
+    static const char *const names[] = {"Time", "Step", "TimeStep", "TimeDelta", "Coord1", "Coord", "Frequency", NULL};
     for (const char *const *name = names; *name != NULL; ++name)
         if (hs_table_find(table, *name) >= 0) return hs_table_find(table, *name);
     if (file->kind == HS_TABLE_BLOCKS && table->n_columns > 2 && is_increasing(&table->column[1], table->n_rows))

@@ -18,6 +18,7 @@ typedef enum {
     VELOCITY,
     VELOCITY_SQUARED,
     WAVE_VECTOR,
+    FREQUENCY,
     SECONDS
 } unit;
 
@@ -72,6 +73,7 @@ static const quantity columns[] = {
     {"Coord2", "position", NO_UNIT},
     {"Coord3", "position", NO_UNIT},
     {"TimeDelta", "time lag (steps)", NO_UNIT},
+    {"Frequency", "frequency", FREQUENCY},
     {"Count/Total", "fraction", NO_UNIT},
     {"Ncount", "number of atoms", NO_UNIT},
     {"Count", "count", NO_UNIT},
@@ -157,6 +159,9 @@ static hs_status put_unit(hs_text *text, unit kind, const hs_deck_facts *facts, 
     case WAVE_VECTOR:
         name = units->distance_label, before = " (1/";
         break;
+    case FREQUENCY:
+        name = units->time_label, before = " (1/";
+        break;
     case ENERGY:
         before = facts->is_per_atom ? " per atom (" : " (";
         name = units->energy_label;
@@ -218,6 +223,13 @@ static hs_status put_product(hs_text *label, const char *column, hs_error *err)
     return hs_text_printf(label, err, "correlation of %.*s and %s", (int)length, column, star + 1);
 }
 
+/** power(v_x) of fix ave/spectrum: "power spectral density of v_x". */
+static hs_status put_power(hs_text *label, const char *column, hs_error *err)
+{
+    const char *name = strchr(column, '(') + 1;
+    return hs_text_printf(label, err, "power spectral density of %.*s", (int)strlen(name) - 1, name);
+}
+
 hs_status hs_quantity_label(hs_text *label, const char *column, const hs_deck_facts *facts, hs_error *err)
 {
     hs_text_clear(label);
@@ -231,6 +243,7 @@ hs_status hs_quantity_label(hs_text *label, const char *column, const hs_deck_fa
         HS_TRY(hs_text_printf(label, err, "%s", compute->label));
         return put_unit(label, compute->unit, facts, err);
     }
+    if (strncmp(column, "power(", 6) == 0 && column[strlen(column) - 1] == ')') return put_power(label, column, err);
     const char *star = strchr(column, '*');
     if (star != NULL && star != column && star[1] != '\0') return put_product(label, column, err);
     return hs_text_printf(label, err, "%s", column);

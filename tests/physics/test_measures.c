@@ -1,6 +1,7 @@
 /* What is measured two ways agrees: correlations by transform and by the direct sum, structure factor and radial distribution
  * function, rdf from the force's list and from a scan of its own, energies and stresses per atom and their sums. */
 #define _GNU_SOURCE
+#include <complex.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -94,6 +95,70 @@ static void check_number(hs_deck *deck, const char *word, double expected, doubl
     ck_assert_msg(fabs(number - expected) <= tolerance, "%s is %.15g, expected %.15g", word, number, expected);
     hs_value_fini(&value);
 }
+
+static void check_long(hs_deck *deck, void *context)
+{
+    int n, n_lag;
+    double *t = fetch(deck, "f_t", &n), *lag = fetch(deck, "f_l[1]", &n_lag), *c = fetch(deck, "f_l[3]", &n_lag);
+    (void)context;
+    ck_assert_int_eq(n, 401);
+    ck_assert_int_eq(n_lag, 10 + 2 * 5);
+    check_equal(deck, "f_one[3]", "f_one2[3]", 0.0);
+    for (int row = 0; row < n_lag; ++row) {
+        const int size = row < 10 ? 1 : row < 15 ? 2 : 4, steps = row < 10 ? row : (5 + row % 5) * size;
+        ck_assert(lag[row] == steps);
+        double sum = 0.0;
+        int count = 0;
+        for (int s = steps; s + size <= n; s += size, ++count) {
+            double a = 0.0, b = 0.0;
+            for (int i = 0; i < size; ++i) a += t[s - steps + i] / size, b += t[s + i] / size;
+            sum += a * b;
+        }
+        ck_assert_double_eq_tol(c[row], sum / count, 1e-12);
+    }
+    free(t), free(lag), free(c);
+}
+
+START_TEST(correlations_beyond_the_window_are_those_of_means_over_samples)
+{
+    run("variable p equal pxy\nfix t all vector 1 v_p\nfix l all ave/correlate/fft 1 10 400 v_p levels 3\n"
+        "fix one all ave/correlate/fft 1 10 400 v_p\nfix one2 all ave/correlate/fft 1 10 400 v_p error yes\nrun 400\n",
+        check_long);
+}
+END_TEST
+
+static void check_spectrum(hs_deck *deck, void *context)
+{
+    enum { N = 64, SEGMENTS = 5 };
+    int n;
+    double *t = fetch(deck, "f_t", &n), *f = fetch(deck, "f_s[1]", &n), *p = fetch(deck, "f_s[3]", &n);
+    hs_series series[N / 2 + 1] = {{0}};
+    (void)context;
+    ck_assert_int_eq(n, N / 2 + 1);
+    for (int segment = 0; segment < SEGMENTS; ++segment)
+        for (int k = 0; k <= N / 2; ++k) {
+            double complex sum = 0.0;
+            for (int i = 0; i < N; ++i) sum += t[segment * N / 2 + i] * cexp(-2.0 * M_PI * I * k * i / N);
+            hs_series_add(&series[k], 2 * 0.005 * (k == 0 || k == N / 2 ? 1 : 2) * cabs(sum) * cabs(sum) / N);
+        }
+    for (int k = 0; k <= N / 2; ++k) {
+        const hs_estimate e = hs_series_estimate(&series[k]);
+        ck_assert_double_eq_tol(f[k], k / (N * 2 * 0.005), 1e-12);
+        ck_assert_double_eq_tol(p[k], e.mean, 1e-10 * fmax(1.0, e.mean));
+        char word[32];
+        snprintf(word, sizeof word, "f_s[%d][4]", k + 1);
+        check_number(deck, word, e.error, 1e-10 * fmax(1.0, e.mean));
+    }
+    free(t), free(f), free(p);
+}
+
+START_TEST(spectra_are_those_of_the_direct_sum)
+{
+    run("fix t all vector 2 c_thermo_temp\n"
+        "fix s all ave/spectrum 2 64 400 c_thermo_temp window none mean keep error yes\nrun 400\n",
+        check_spectrum);
+}
+END_TEST
 
 static hs_estimate estimate_of(const double *values, int begin, int end)
 {
@@ -209,5 +274,6 @@ START_TEST(values_per_atom_add_up)
 END_TEST
 
 HS_TEST_MAIN("measures", correlations_by_transform_are_those_of_the_direct_sum,
+             correlations_beyond_the_window_are_those_of_means_over_samples, spectra_are_those_of_the_direct_sum,
              errors_of_averages_are_those_of_their_samples, rdf_from_the_list_is_that_of_the_scan,
              structure_factor_is_the_transform_of_g, values_per_atom_add_up)

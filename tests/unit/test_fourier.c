@@ -3,7 +3,7 @@
 #include <stdio.h>
 
 #include "base/memory.h"
-#include "core/fourier.h"
+#include "core/multi_tau.h"
 #include "support/harness.h"
 
 static double uniform(uint64_t *state)
@@ -34,6 +34,93 @@ START_TEST(correlations_equal_the_direct_sum)
         ck_assert_msg(fabs(sums[lag] - direct) < 1e-10 * N_SERIES, "lag %d: %.15g, direct %.15g", lag, sums[lag],
                       direct);
         ck_assert_double_eq_tol(sums[lag], direct, 1e-11);
+    }
+}
+END_TEST
+
+enum { TAU_LAGS = 24, TAU_LEVELS = 5, TAU_SAMPLES = 3001 };
+
+/** Sum of products of two series of n values at a lag, over the number of products. */
+static double direct_mean(const double *a, const double *b, int n, int lag)
+{
+    double sum = 0.0;
+    for (int s = lag; s < n; ++s) sum += a[s - lag] * b[s];
+    return sum / (n - lag);
+}
+
+START_TEST(multiple_tau_equals_the_direct_sum)
+{
+    enum { N_ROWS = TAU_LAGS + (TAU_LEVELS - 1) * TAU_LAGS / 2, N_PAIRS = 3 };
+    static double series[TAU_LEVELS][2][TAU_SAMPLES];
+    static double count[N_ROWS], value[N_ROWS][N_PAIRS], error[N_ROWS][N_PAIRS], inefficiency[N_ROWS][N_PAIRS];
+    int pair[N_PAIRS][2] = {{0, 0}, {0, 1}, {1, 0}}, n[TAU_LEVELS] = {TAU_SAMPLES};
+    hs_error err = {0};
+    hs_multi_tau tau = {0};
+    uint64_t state = 5;
+    ck_assert_hs_ok(hs_multi_tau_init(&tau, 2, N_PAIRS, pair, TAU_LAGS, TAU_LEVELS, true, &err), err);
+    ck_assert_int_eq(hs_multi_tau_rows(&tau), N_ROWS);
+    for (int s = 0; s < TAU_SAMPLES; ++s) {
+        series[0][0][s] = uniform(&state) - 0.3;
+        series[0][1][s] = uniform(&state) + 0.4 * series[0][0][s];
+        const double values[] = {series[0][0][s], series[0][1][s]};
+        ck_assert_hs_ok(hs_multi_tau_add(&tau, values, &err), err);
+    }
+    for (int l = 1; l < TAU_LEVELS; ++l) {
+        n[l] = n[l - 1] / 2;
+        for (int v = 0; v < 2; ++v)
+            for (int s = 0; s < n[l]; ++s)
+                series[l][v][s] = 0.5 * (series[l - 1][v][2 * s] + series[l - 1][v][2 * s + 1]);
+    }
+    hs_multi_tau_result(&tau, count, &value[0][0], &error[0][0], &inefficiency[0][0]);
+    int64_t last = -1;
+    for (int row = 0; row < N_ROWS; ++row) {
+        const int l = row < TAU_LAGS ? 0 : 1 + (row - TAU_LAGS) / (TAU_LAGS / 2);
+        const int lag = (int)(hs_multi_tau_lag(&tau, row) >> l);
+        ck_assert(hs_multi_tau_lag(&tau, row) > last && lag < TAU_LAGS && (l == 0 || lag >= TAU_LAGS / 2));
+        last = hs_multi_tau_lag(&tau, row);
+        ck_assert(count[row] == n[l] - lag);
+        for (int p = 0; p < N_PAIRS; ++p) {
+            const double expected = direct_mean(series[l][pair[p][0]], series[l][pair[p][1]], n[l], lag);
+            ck_assert_double_eq_tol(value[row][p], expected, 1e-12);
+            /* products of values below 2 in blocks of 24 or more */
+            ck_assert(error[row][p] > 0.0 && error[row][p] < 0.5 && inefficiency[row][p] > 0.0);
+        }
+    }
+    hs_multi_tau_fini(&tau);
+}
+END_TEST
+
+START_TEST(periodogram_equals_the_direct_sum)
+{
+    enum { N = 90 };
+    hs_error err = {0};
+    uint64_t state = 9;
+    double samples[N], mean = 0.0;
+    for (int i = 0; i < N; ++i) {
+        samples[i] = uniform(&state) + sin(2.0 * M_PI * 7.0 * i / N);
+        mean += samples[i] / N;
+    }
+    for (int kind = 0; kind < 4; ++kind) {
+        const bool has_window = kind & 1, subtracts = kind & 2;
+        hs_periodogram *periodogram;
+        double power[2 * (N / 2 + 1)], total = 0.0, square = 0.0, norm = 0.0;
+        ck_assert_hs_ok(hs_periodogram_create(&periodogram, N, has_window, subtracts, &err), err);
+        hs_periodogram_eval(periodogram, samples, power, 2);
+        hs_periodogram_destroy(&periodogram);
+        double complex sum[N / 2 + 1] = {0};
+        for (int i = 0; i < N; ++i) {
+            const double s = sin(M_PI * (i + 0.5) / N), w = has_window ? s * s : 1.0;
+            const double x = samples[i] - (subtracts ? mean : 0.0);
+            for (int k = 0; k <= N / 2; ++k) sum[k] += w * x * cexp(-2.0 * M_PI * I * k * i / N);
+            norm += w * w;
+            square += x * x / N;
+        }
+        for (int k = 0; k <= N / 2; ++k) {
+            const double both = k == 0 || k == N / 2 ? 1.0 : 2.0;
+            ck_assert_double_eq_tol(power[2 * k], both * cabs(sum[k]) * cabs(sum[k]) / norm, 1e-11);
+            total += power[2 * k] / N;
+        }
+        if (!has_window) ck_assert_double_eq_tol(total, square, 1e-13); /* Parseval */
     }
 }
 END_TEST
@@ -76,4 +163,5 @@ START_TEST(density_modes_equal_the_direct_sum)
 }
 END_TEST
 
-HS_TEST_MAIN("fourier", correlations_equal_the_direct_sum, density_modes_equal_the_direct_sum)
+HS_TEST_MAIN("fourier", correlations_equal_the_direct_sum, multiple_tau_equals_the_direct_sum,
+             periodogram_equals_the_direct_sum, density_modes_equal_the_direct_sum)

@@ -1,0 +1,71 @@
+/** What fixes share that turn series of numbers into functions: of the time lag (correlations) or of the frequency (spectra).
+ *  Which values, sampled when; the table of the function at the last output, and its file. */
+#ifndef HS_IO_CORRELATION_H
+#define HS_IO_CORRELATION_H
+
+#include "io/average.h"
+#include "style/value.h"
+
+/** The state of such a fix begins with this. */
+typedef struct hs_correlation {
+    int64_t every, freq, next; /**< steps between samples and between outputs; step of the next sample */
+    hs_schedule schedule;      /**< keyword start only */
+    hs_value *values;          /**< owned [n_values] */
+    int n_values;
+    int type;       /**< which pairs; keyword type */
+    int (*pair)[2]; /**< owned [n_pairs] */
+    int n_pairs;
+    double prefactor;
+    bool has_errors; /**< keyword error: for each pair a value, then for each an error, then for each an inefficiency */
+    int n_rows, n_columns;
+    double *x;      /**< owned [n_rows]: lag in steps, or frequency */
+    double *count;  /**< owned [n_rows]: samples, as of the last output */
+    double *result; /**< owned [n_rows][n_columns], the same */
+    hs_average_file file;
+    char *head; /**< owned; names of columns */
+} hs_correlation;
+
+/** Read <Nevery> <N> <Nfreq> and the values after them; *n at least n_min. */
+HS_MUST_USE hs_status hs_correlation_begin(hs_fix *fix, const hs_args *args, int64_t n_min, int64_t n_max, int64_t *n,
+                                           hs_error *err);
+/** Keywords of all: type, prefactor, error, and those of files. *n_used = words taken, 0 when the keyword is another. */
+HS_MUST_USE hs_status hs_correlation_keyword(hs_fix *fix, const hs_args *args, int i, int *n_used, hs_error *err);
+#define HS_CORRELATION_KEYWORDS                                                                                        \
+    {"type", 1, "auto|upper|lower|auto/upper|auto/lower|full",                                                         \
+     "each value with itself, pairs i < j, pairs i > j, both kinds, or all (default: auto)"},                          \
+        {"prefactor", 1, "<number>", "correlations are multiplied by it (default: 1)"},                                \
+        {"error", 1, "yes|no", "standard errors and inefficiencies, too (default: no)"},                               \
+        {"start", 1, "<step>", "no sample before this step (default: 0)"},                                             \
+        {"file", 1, "<name>", "write correlations to this file"},                                                      \
+        {"append", 1, "<name>", "the same, added to what is there"},                                                   \
+        {"overwrite", 0, "", "the file holds the last output only"},                                                   \
+        {"title1", 1, "<text>", "first line of the file"}, {"title2", 1, "<text>", "second line"},                     \
+    {                                                                                                                  \
+        "title3", 1, "<text>", "third line"                                                                            \
+    }
+/** After the keywords: the pairs. */
+HS_MUST_USE hs_status hs_correlation_pair(hs_fix *fix, const hs_args *args, hs_error *err);
+/** Room for n_rows rows, the array f_ID[i][j] (x, count, columns), and the head: @p x_name for the first column, and for the
+ *  value of a pair "V_i*V_j", or `NAME(V_i)` with a @p function. */
+HS_MUST_USE hs_status hs_correlation_table(hs_fix *fix, int n_rows, const char *x_name, const char *function,
+                                           hs_error *err);
+void hs_correlation_fini(hs_correlation *c);
+
+/** Check the values and open the file; for hs_fix_style.init. */
+HS_MUST_USE hs_status hs_correlation_init(hs_fix *fix, const char *title, const char *rows, hs_error *err);
+/** Whether a sample is due now; if so it is taken: sample[n_values] (collective). */
+HS_MUST_USE hs_status hs_correlation_sample(hs_fix *fix, double *sample, bool *is_due, hs_error *err);
+/** Whether an output is due at this step, after the sample. */
+static inline bool hs_correlation_is_output_due(const hs_fix *fix)
+{
+    return fix->env->step % ((const hs_correlation *)fix->state)->freq == 0;
+}
+/** x, count and result were brought up to date: multiply by the prefactor and write (collective). */
+HS_MUST_USE hs_status hs_correlation_finish(hs_fix *fix, hs_error *err);
+HS_MUST_USE hs_status hs_correlation_keep(hs_fix *fix, hs_state *kept, hs_error *err);
+
+/* Hooks as they stand in hs_fix_style */
+bool hs_correlation_needs_energy(const hs_fix *fix, int64_t step);
+HS_MUST_USE hs_status hs_correlation_array(hs_fix *fix, int i, int j, double *value, hs_error *err);
+
+#endif
