@@ -38,11 +38,13 @@ typedef struct hs_modes hs_modes;
 /** @p n_max may be 0 along axes of which no modes are wanted. The caller destroys it. Not collective. */
 HS_MUST_USE hs_status hs_modes_create(hs_modes **modes, const int n_max[3], hs_error *err);
 void hs_modes_destroy(hs_modes **modes);
-/** Clear the grid and spread n points over it. x[axis][i] in box lengths, any number (it is wrapped); only points with
- *  (mask[i] & wanted) count. Threaded; the same bits for any threads. */
-void hs_modes_spread(hs_modes *modes, int n, const double *const x[3], const uint32_t *mask, uint32_t wanted);
+/** Clear the grid and spread n points over it, of n_all on all ranks. x[axis][i] in box lengths, any number (it is wrapped);
+ *  only points with (mask[i] & wanted) count. Threaded; the same bits for any threads and order of points: the grid is in fixed
+ *  point. */
+void hs_modes_spread(hs_modes *modes, int n, const double *const x[3], const uint32_t *mask, uint32_t wanted,
+                     int64_t n_all);
 /** The grid, to be summed over ranks between hs_modes_spread and hs_modes_transform: values[*n]. */
-double *hs_modes_grid(hs_modes *modes, int64_t *n);
+int64_t *hs_modes_grid(hs_modes *modes, int64_t *n);
 void hs_modes_transform(hs_modes *modes);
 /** rho(n) after the transform. */
 double complex hs_modes_get(const hs_modes *modes, int n0, int n1, int n2);

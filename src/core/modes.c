@@ -10,9 +10,16 @@
 enum { WIDTH = 14, FINENESS = 2, QUADRATURE = 2000 };
 static const double beta = 2.30 * WIDTH; /* for a grid twice as fine as needed */
 
+/** A point of the grid: a multiple of 2^-bits while points are spread, then a number for the transform. */
+typedef union grid_value {
+    int64_t fixed;
+    double real;
+} grid_value;
+
 struct hs_modes {
     int n_max[3], size[3]; /**< modes wanted; grid points, 1 along axes without modes */
-    double *grid;          /**< owned [size0 size1 size2] */
+    grid_value *grid;      /**< owned [size0 size1 size2] */
+    double scale;          /**< of fixed values: 2^bits */
     fftw_complex *out;     /**< owned [size0 size1 (size2 / 2 + 1)] */
     fftw_plan plan;
     double *inverse[3]; /**< owned [n_max + 1]: 1 / transform of the kernel */
@@ -68,7 +75,7 @@ static hs_status allocate(hs_modes *m, hs_error *err)
     const size_t rows = (size_t)m->size[0] * (size_t)m->size[1];
     HS_TRY(HS_ALLOC(m->grid, rows * (size_t)m->size[2], err));
     HS_TRY(hs_memory_alloc((void **)&m->out, rows * ((size_t)m->size[2] / 2 + 1), sizeof(fftw_complex), err));
-    m->plan = fftw_plan_dft_r2c_3d(m->size[0], m->size[1], m->size[2], m->grid, m->out, FFTW_ESTIMATE);
+    m->plan = fftw_plan_dft_r2c_3d(m->size[0], m->size[1], m->size[2], &m->grid->real, m->out, FFTW_ESTIMATE);
     if (m->plan != NULL) return HS_OK;
     return hs_fail(err, HS_ERROR_MEMORY, "FFTW could not plan a transform of %d x %d x %d numbers", m->size[0],
                    m->size[1], m->size[2]);
@@ -113,6 +120,13 @@ static int weigh(const hs_modes *m, int axis, double x, int *point, double *weig
     return WIDTH;
 }
 
+/** The nearest whole number, for |x| up to 2^51: the sum's last bit stands for 1. */
+static inline int64_t to_fixed(double x)
+{
+    const grid_value magic = {.real = 0x1.8p52}, sum = {.real = x + magic.real};
+    return sum.fixed - magic.fixed;
+}
+
 /** Spread a point over the planes [begin, end) of the first axis. */
 static void spread_point(hs_modes *m, const double x[3], int begin, int end)
 {
@@ -127,16 +141,19 @@ static void spread_point(hs_modes *m, const double x[3], int begin, int end)
     for (int a = 0; a < n[0]; ++a) {
         if (point[0][a] < begin || point[0][a] >= end) continue;
         for (int b = 0; b < n[1]; ++b) {
-            double *row =
+            grid_value *row =
                 m->grid + ((size_t)point[0][a] * (size_t)m->size[1] + (size_t)point[1][b]) * (size_t)m->size[2];
-            const double w = weight[0][a] * weight[1][b];
-            for (int c = 0; c < n[2]; ++c) row[point[2][c]] += w * weight[2][c];
+            const double w = weight[0][a] * weight[1][b] * m->scale;
+            for (int c = 0; c < n[2]; ++c) row[point[2][c]].fixed += to_fixed(w * weight[2][c]);
         }
     }
 }
 
-void hs_modes_spread(hs_modes *m, int n, const double *const x[3], const uint32_t *mask, uint32_t wanted)
+void hs_modes_spread(hs_modes *m, int n, const double *const x[3], const uint32_t *mask, uint32_t wanted, int64_t n_all)
 {
+    /* no weight is above 1: the sum of all points' stays below 2^62, one weight below 2^51 */
+    const int bits = 61 - ilogb((double)n_all + 1.0);
+    m->scale = ldexp(1.0, bits < 50 ? bits : 50);
     memset(m->grid, 0, (size_t)m->size[0] * (size_t)m->size[1] * (size_t)m->size[2] * sizeof *m->grid);
 #pragma omp parallel
     {
@@ -150,13 +167,20 @@ void hs_modes_spread(hs_modes *m, int n, const double *const x[3], const uint32_
     }
 }
 
-double *hs_modes_grid(hs_modes *m, int64_t *n)
+int64_t *hs_modes_grid(hs_modes *m, int64_t *n)
 {
     *n = (int64_t)m->size[0] * m->size[1] * m->size[2];
-    return m->grid;
+    return &m->grid->fixed;
 }
 
-void hs_modes_transform(hs_modes *m) { fftw_execute(m->plan); }
+void hs_modes_transform(hs_modes *m)
+{
+    const int64_t n = (int64_t)m->size[0] * m->size[1] * m->size[2];
+    const double unit = 1.0 / m->scale;
+#pragma omp parallel for schedule(static)
+    for (int64_t k = 0; k < n; ++k) m->grid[k].real = unit * (double)m->grid[k].fixed;
+    fftw_execute(m->plan);
+}
 
 double complex hs_modes_get(const hs_modes *m, int n0, int n1, int n2)
 {

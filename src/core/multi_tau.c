@@ -5,11 +5,17 @@
 
 #include "base/memory.h"
 
-static hs_status allocate(hs_multi_tau *tau, int (*pair)[2], hs_error *err)
+static hs_status allocate(hs_multi_tau *tau, int (*pair)[2], const int *column, hs_error *err)
 {
-    const size_t n_values = (size_t)tau->n_values, n_lags = (size_t)tau->n_lags, n_sums = n_lags * (size_t)tau->n_pairs;
+    const size_t n_values = (size_t)tau->n_values, n_lags = (size_t)tau->n_lags;
     HS_TRY(HS_ALLOC(tau->pair, (size_t)tau->n_pairs, err));
-    memcpy(tau->pair, pair, (size_t)tau->n_pairs * sizeof *pair);
+    HS_TRY(HS_ALLOC(tau->column, (size_t)tau->n_pairs, err));
+    for (int p = 0; p < tau->n_pairs; ++p) {
+        memcpy(tau->pair[p], pair[p], sizeof *pair);
+        tau->column[p] = column != NULL ? column[p] : p;
+        if (tau->column[p] >= tau->n_columns) tau->n_columns = tau->column[p] + 1;
+    }
+    const size_t n_sums = n_lags * (size_t)tau->n_columns;
     HS_TRY(HS_ALLOC(tau->level, (size_t)tau->n_levels, err));
     HS_TRY(HS_ALLOC(tau->block, 2 * n_sums, err));
     for (int l = 0; l < tau->n_levels; ++l) {
@@ -22,8 +28,8 @@ static hs_status allocate(hs_multi_tau *tau, int (*pair)[2], hs_error *err)
     return hs_correlator_create(&tau->correlator, tau->n_lags, err);
 }
 
-hs_status hs_multi_tau_init(hs_multi_tau *tau, int n_values, int n_pairs, int (*pair)[2], int n_lags, int n_levels,
-                            bool has_errors, hs_error *err)
+hs_status hs_multi_tau_init(hs_multi_tau *tau, int n_values, int n_pairs, int (*pair)[2], const int *column, int n_lags,
+                            int n_levels, bool has_errors, hs_error *err)
 {
     *tau = (hs_multi_tau){
         .n_values = n_values, .n_pairs = n_pairs, .n_lags = n_lags, .n_levels = n_levels, .has_errors = has_errors};
@@ -31,7 +37,7 @@ hs_status hs_multi_tau_init(hs_multi_tau *tau, int n_values, int n_pairs, int (*
         (int64_t)n_lags + (n_levels - 1) * ((int64_t)n_lags / 2) > INT32_MAX)
         return hs_fail(err, HS_ERROR_INPUT, "%d lags of %d correlations on %d levels are too many", n_lags, n_pairs,
                        n_levels);
-    return allocate(tau, pair, err);
+    return allocate(tau, pair, column, err);
 }
 
 void hs_multi_tau_fini(hs_multi_tau *tau)
@@ -44,23 +50,24 @@ void hs_multi_tau_fini(hs_multi_tau *tau)
     }
     HS_FREE(tau->level);
     HS_FREE(tau->pair);
+    HS_FREE(tau->column);
     HS_FREE(tau->block);
     hs_correlator_destroy(&tau->correlator);
 }
 
-/** sums[n_pairs][n_lags] += products of the present block (what is there of it) with itself and the block before. */
+/** sums[n_columns][n_lags] += products of the present block (what is there of it) with itself and the block before. */
 static void add_products(const hs_multi_tau *tau, const hs_multi_tau_level *level, double *sums)
 {
     const size_t n_lags = (size_t)tau->n_lags;
     for (int p = 0; p < tau->n_pairs; ++p)
         hs_correlator_add(tau->correlator, level->sample + 2 * n_lags * (size_t)tau->pair[p][0],
-                          level->sample + 2 * n_lags * (size_t)tau->pair[p][1], sums + n_lags * (size_t)p);
+                          level->sample + 2 * n_lags * (size_t)tau->pair[p][1], sums + n_lags * (size_t)tau->column[p]);
 }
 
 /** The present block is full: it becomes the one before. */
 static hs_status end_block(hs_multi_tau *tau, hs_multi_tau_level *level, hs_error *err)
 {
-    const size_t n_lags = (size_t)tau->n_lags, n_sums = n_lags * (size_t)tau->n_pairs;
+    const size_t n_lags = (size_t)tau->n_lags, n_sums = n_lags * (size_t)tau->n_columns;
     const bool is_first = level->n_total == tau->n_lags; /* nothing was there before it */
     memset(tau->block, 0, n_sums * sizeof *tau->block);
     add_products(tau, level, tau->block);
@@ -130,8 +137,8 @@ static void fill_level(const hs_multi_tau *tau, int l, const double *sums, doubl
         place_of(tau, row, &of_row, &lag);
         if (of_row != l) continue;
         count[row] = level->n_total > lag ? (double)(level->n_total - lag) : 0.0;
-        for (int p = 0; p < tau->n_pairs; ++p) {
-            const int at = row * tau->n_pairs + p, series = p * tau->n_lags + lag;
+        for (int c = 0; c < tau->n_columns; ++c) {
+            const int at = row * tau->n_columns + c, series = c * tau->n_lags + lag;
             value[at] = count[row] > 0.0 ? sums[series] / count[row] : 0.0;
             if (error == NULL) continue;
             const hs_estimate e = hs_series_set_estimate(&level->blocks, series);
@@ -143,7 +150,7 @@ static void fill_level(const hs_multi_tau *tau, int l, const double *sums, doubl
 
 void hs_multi_tau_result(hs_multi_tau *tau, double *count, double *value, double *error, double *inefficiency)
 {
-    const size_t n_sums = (size_t)tau->n_lags * (size_t)tau->n_pairs;
+    const size_t n_sums = (size_t)tau->n_lags * (size_t)tau->n_columns;
     for (int l = 0; l < tau->n_levels; ++l) {
         const hs_multi_tau_level *level = &tau->level[l];
         memcpy(tau->block, level->sum, n_sums * sizeof *level->sum);

@@ -13,26 +13,28 @@
 
 typedef struct hs_multi_tau_level {
     double *sample;       /**< owned [n_values][2 n_lags]: the block before, and the present one */
-    double *sum;          /**< owned [n_pairs][n_lags]: products in complete blocks */
+    double *sum;          /**< owned [n_columns][n_lags]: products in complete blocks */
     double *half;         /**< owned [n_values]: the first of two samples of the next level */
     int n_present;        /**< samples of the present block */
     int64_t n_total;      /**< samples so far */
-    hs_series_set blocks; /**< of [n_pairs][n_lags], a value a block; empty without errors */
+    hs_series_set blocks; /**< of [n_columns][n_lags], a value a block; empty without errors */
 } hs_multi_tau_level;
 
 typedef struct hs_multi_tau {
-    int n_values, n_pairs, n_lags, n_levels;
+    int n_values, n_pairs, n_columns, n_lags, n_levels;
     int (*pair)[2];            /**< owned [n_pairs]: C_ij(t) = <V_i(s) V_j(s + t)> */
+    int *column;               /**< owned [n_pairs]: sum that the products of the pair are added to */
     hs_multi_tau_level *level; /**< owned [n_levels] */
     hs_correlator *correlator; /**< owned */
-    double *block;             /**< owned [2][n_pairs][n_lags]: sums of one block, and their counts */
+    double *block;             /**< owned [2][n_columns][n_lags]: sums of one block, and their counts */
     bool has_errors;
 } hs_multi_tau;
 
 /** Lags 0 .. n_lags - 1 and, with more levels than one, n_lags up to (n_lags - 1) 2^(n_levels - 1); n_lags is even then.
- *  @p pair [n_pairs] is copied. Zero the object before; hs_multi_tau_fini frees it, also after an error. Not collective. */
-HS_MUST_USE hs_status hs_multi_tau_init(hs_multi_tau *tau, int n_values, int n_pairs, int (*pair)[2], int n_lags,
-                                        int n_levels, bool has_errors, hs_error *err);
+ *  @p pair [n_pairs] is copied, and @p column, of which NULL means that each pair has its own; correlations of several pairs
+ *  in one column are added up. Zero the object before; hs_multi_tau_fini frees it, also after an error. Not collective. */
+HS_MUST_USE hs_status hs_multi_tau_init(hs_multi_tau *tau, int n_values, int n_pairs, int (*pair)[2], const int *column,
+                                        int n_lags, int n_levels, bool has_errors, hs_error *err);
 void hs_multi_tau_fini(hs_multi_tau *tau);
 /** The next sample: values[n_values]. */
 HS_MUST_USE hs_status hs_multi_tau_add(hs_multi_tau *tau, const double *values, hs_error *err);
@@ -44,7 +46,7 @@ static inline int hs_multi_tau_rows(const hs_multi_tau *tau)
 }
 /** The lag of a row, in samples of level 0. */
 int64_t hs_multi_tau_lag(const hs_multi_tau *tau, int row);
-/** Means at all rows: how many products they are made of, count[n_rows], and value[n_rows][n_pairs]; 0 without products.
+/** Means at all rows: how many products they are made of, count[n_rows], and value[n_rows][n_columns]; 0 without products.
  *  With errors also their standard errors and inefficiencies (blocks that count as one) in the same shape; NaN where fewer than
  *  two blocks are complete. Both may be NULL. */
 void hs_multi_tau_result(hs_multi_tau *tau, double *count, double *value, double *error, double *inefficiency);

@@ -50,11 +50,12 @@ static hs_status create(hs_fix *fix, const hs_args *args, hs_error *err)
     correlate_state *state = fix->state;
     hs_correlation *table = &state->table;
     int64_t n_lags;
-    HS_TRY(hs_correlation_begin(fix, args, 1, 100000000, &n_lags, err));
+    HS_TRY(hs_correlation_numbers(fix, args, 1, 100000000, &n_lags, err));
+    HS_TRY(hs_correlation_values(fix, args, err));
     state->n_lags = (int)n_lags;
     HS_TRY(read_keywords(fix, args, err));
     HS_TRY(hs_correlation_pair(fix, args, err));
-    HS_TRY(hs_correlation_table(fix, state->n_lags, "TimeDelta", NULL, err));
+    HS_TRY(hs_correlation_table(fix, state->n_lags, "TimeDelta", hs_correlation_product, err));
     for (int lag = 0; lag < state->n_lags; ++lag) table->x[lag] = (double)(lag * table->every);
     const size_t n = (size_t)n_lags, n_sums = n * (size_t)table->n_pairs;
     HS_TRY(HS_ALLOC(state->sample, n * (size_t)table->n_values, err));

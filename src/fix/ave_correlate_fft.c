@@ -1,10 +1,6 @@
 /* Time correlations over long windows, by fast Fourier transforms: as the direct sum, at a cost that hardly grows with the
  * number of lags; beyond the window on coarser grids. */
-#include <stdio.h>
-#include <string.h>
-
 #include "base/memory.h"
-#include "core/multi_tau.h"
 #include "io/correlation.h"
 
 typedef struct fft_state {
@@ -32,12 +28,7 @@ static hs_status read_keywords(hs_fix *fix, const hs_args *args, int64_t n_lags,
         n_used = 2;
         HS_TRY(hs_arg_int(args, i + 1, 1, 40, &state->n_levels, err));
     }
-    if (state->n_levels > 1 && n_lags % 2 != 0)
-        return hs_fail(err, HS_ERROR_INPUT,
-                       "%s: the number of lags (Nlags) must be even for 'levels %lld': each level goes on from the "
-                       "middle of its own; %lld is not",
-                       args->command, (long long)state->n_levels, (long long)n_lags);
-    return HS_OK;
+    return hs_correlation_check_levels(args, n_lags, state->n_levels, err);
 }
 
 static hs_status create(hs_fix *fix, const hs_args *args, hs_error *err)
@@ -45,13 +36,14 @@ static hs_status create(hs_fix *fix, const hs_args *args, hs_error *err)
     fft_state *state = fix->state;
     hs_correlation *table = &state->table;
     int64_t n_lags;
-    HS_TRY(hs_correlation_begin(fix, args, 2, 1 << 28, &n_lags, err));
+    HS_TRY(hs_correlation_numbers(fix, args, 2, 1 << 28, &n_lags, err));
+    HS_TRY(hs_correlation_values(fix, args, err));
     HS_TRY(read_keywords(fix, args, n_lags, err));
     HS_TRY(hs_correlation_pair(fix, args, err));
-    HS_TRY(hs_multi_tau_init(&state->tau, table->n_values, table->n_pairs, table->pair, (int)n_lags,
+    HS_TRY(hs_multi_tau_init(&state->tau, table->n_values, table->n_pairs, table->pair, NULL, (int)n_lags,
                              (int)state->n_levels, table->has_errors, err));
     const int n_rows = hs_multi_tau_rows(&state->tau);
-    HS_TRY(hs_correlation_table(fix, n_rows, "TimeDelta", NULL, err));
+    HS_TRY(hs_correlation_table(fix, n_rows, "TimeDelta", hs_correlation_product, err));
     for (int row = 0; row < n_rows; ++row) table->x[row] = (double)(hs_multi_tau_lag(&state->tau, row) * table->every);
     HS_TRY(HS_ALLOC(state->means, 3 * (size_t)n_rows * (size_t)table->n_pairs, err));
     return HS_ALLOC(state->sample, (size_t)table->n_values, err);
@@ -94,27 +86,9 @@ static hs_status end_of_step(hs_fix *fix, hs_error *err)
     return hs_correlation_is_output_due(fix) ? finish(fix, err) : HS_OK;
 }
 
-/** The name in a checkpoint of what a level has. */
-static const char *name_of(char name[64], int level, const char *what)
-{
-    snprintf(name, 64, "level %d: %s", level, what);
-    return name;
-}
-
 static hs_status keep_state(hs_fix *fix, hs_state *kept, hs_error *err)
 {
-    fft_state *state = fix->state;
-    const int64_t n_lags = state->tau.n_lags, n_values = state->table.n_values, n_pairs = state->table.n_pairs;
-    char name[64];
-    for (int l = 0; l < state->tau.n_levels; ++l) {
-        hs_multi_tau_level *level = &state->tau.level[l];
-        HS_TRY(hs_state_int(kept, name_of(name, l, "samples of the block"), &level->n_present, err));
-        HS_TRY(hs_state_int64(kept, name_of(name, l, "samples"), &level->n_total, 1, err));
-        HS_TRY(hs_state_double(kept, name_of(name, l, "blocks"), level->sample, 2 * n_lags * n_values, err));
-        HS_TRY(hs_state_double(kept, name_of(name, l, "half"), level->half, n_values, err));
-        HS_TRY(hs_state_double(kept, name_of(name, l, "sums"), level->sum, n_lags * n_pairs, err));
-        HS_TRY(hs_series_set_keep(&level->blocks, kept, name_of(name, l, "errors"), err));
-    }
+    HS_TRY(hs_correlation_keep_tau(&((fft_state *)fix->state)->tau, kept, err));
     return hs_correlation_keep(fix, kept, err);
 }
 

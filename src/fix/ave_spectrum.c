@@ -53,12 +53,19 @@ static hs_status read_keywords(hs_fix *fix, const hs_args *args, hs_error *err)
     return HS_OK;
 }
 
+/** power(v_x) */
+static hs_status put_name(hs_text *head, const hs_fix *fix, int k, hs_error *err)
+{
+    return hs_text_printf(head, err, "power(%s)", ((const hs_correlation *)fix->state)->values[k].word);
+}
+
 static hs_status create(hs_fix *fix, const hs_args *args, hs_error *err)
 {
     spectrum_state *state = fix->state;
     hs_correlation *table = &state->table;
     int64_t n;
-    HS_TRY(hs_correlation_begin(fix, args, 4, 1 << 28, &n, err));
+    HS_TRY(hs_correlation_numbers(fix, args, 4, 1 << 28, &n, err));
+    HS_TRY(hs_correlation_values(fix, args, err));
     HS_TRY(read_keywords(fix, args, err));
     if (n % 2 != 0)
         return hs_fail(err, HS_ERROR_INPUT,
@@ -67,7 +74,7 @@ static hs_status create(hs_fix *fix, const hs_args *args, hs_error *err)
                        args->command, (long long)n);
     state->n = (int)n;
     HS_TRY(hs_correlation_pair(fix, args, err));
-    HS_TRY(hs_correlation_table(fix, state->n / 2 + 1, "Frequency", "power", err));
+    HS_TRY(hs_correlation_table(fix, state->n / 2 + 1, "Frequency", put_name, err));
     const size_t n_values = (size_t)table->n_values, n_all = (size_t)table->n_rows * n_values;
     HS_TRY(hs_periodogram_create(&state->periodogram, state->n, state->has_window, !state->keeps_mean, err));
     HS_TRY(HS_ALLOC(state->sample, n_values, err));

@@ -10,21 +10,26 @@
 typedef enum { PAIRS_AUTO, PAIRS_UPPER, PAIRS_LOWER, PAIRS_AUTO_UPPER, PAIRS_AUTO_LOWER, PAIRS_FULL } pair_type;
 static const char *const pair_types[] = {"auto", "upper", "lower", "auto/upper", "auto/lower", "full", NULL};
 
-hs_status hs_correlation_begin(hs_fix *fix, const hs_args *args, int64_t n_min, int64_t n_max, int64_t *n,
-                               hs_error *err)
+hs_status hs_correlation_numbers(hs_fix *fix, const hs_args *args, int64_t n_min, int64_t n_max, int64_t *n,
+                                 hs_error *err)
 {
     hs_correlation *c = fix->state;
-    const int first = hs_syntax_first_keyword(&fix->style->about.syntax, args);
     c->prefactor = 1.0;
     HS_TRY(hs_arg_int(args, 0, 1, INT32_MAX, &c->every, err));
     HS_TRY(hs_arg_int(args, 1, n_min, n_max, n, err));
     HS_TRY(hs_arg_int(args, 2, 1, INT64_MAX / 4, &c->freq, err));
-    if (c->freq % c->every != 0)
-        return hs_fail(
-            err, HS_ERROR_INPUT,
-            "%s: output comes every %lld steps (Nfreq), which must be a multiple of the %lld steps between samples "
-            "(Nevery)",
-            args->command, (long long)c->freq, (long long)c->every);
+    if (c->freq % c->every == 0) return HS_OK;
+    return hs_fail(
+        err, HS_ERROR_INPUT,
+        "%s: output comes every %lld steps (Nfreq), which must be a multiple of the %lld steps between samples "
+        "(Nevery)",
+        args->command, (long long)c->freq, (long long)c->every);
+}
+
+hs_status hs_correlation_values(hs_fix *fix, const hs_args *args, hs_error *err)
+{
+    hs_correlation *c = fix->state;
+    const int first = hs_syntax_first_keyword(&fix->style->about.syntax, args);
     return hs_values_create(&c->values, &c->n_values, fix->env, args, 3, first - 3, HS_VALUE_NUMBER, err);
 }
 
@@ -75,22 +80,28 @@ hs_status hs_correlation_pair(hs_fix *fix, const hs_args *args, hs_error *err)
                    args->command, pair_types[c->type]);
 }
 
-static hs_status make_head(hs_correlation *c, hs_text *head, const char *x_name, const char *function, hs_error *err)
+hs_status hs_correlation_product(hs_text *head, const hs_fix *fix, int k, hs_error *err)
+{
+    const hs_correlation *c = fix->state;
+    return hs_text_printf(head, err, "%s*%s", c->values[c->pair[k][0]].word, c->values[c->pair[k][1]].word);
+}
+
+static hs_status make_head(const hs_fix *fix, hs_text *head, const char *x_name, hs_correlation_name name,
+                           hs_error *err)
 {
     static const char *const suffixes[] = {"", "_err", "_ineff"};
+    hs_correlation *c = fix->state;
     HS_TRY(hs_text_printf(head, err, "# Index %s Ncount", x_name));
     for (int s = 0; s < (c->has_errors ? 3 : 1); ++s)
-        for (int p = 0; p < c->n_pairs; ++p) {
-            const char *a = c->values[c->pair[p][0]].word, *b = c->values[c->pair[p][1]].word;
-            if (function != NULL)
-                HS_TRY(hs_text_printf(head, err, " %s(%s)%s", function, a, suffixes[s]));
-            else
-                HS_TRY(hs_text_printf(head, err, " %s*%s%s", a, b, suffixes[s]));
+        for (int k = 0; k < c->n_pairs; ++k) {
+            HS_TRY(hs_text_append(head, " ", 1, err));
+            HS_TRY(name(head, fix, k, err));
+            HS_TRY(hs_text_append(head, suffixes[s], strlen(suffixes[s]), err));
         }
     return hs_memory_strdup(&c->head, hs_text_get(head), err);
 }
 
-hs_status hs_correlation_table(hs_fix *fix, int n_rows, const char *x_name, const char *function, hs_error *err)
+hs_status hs_correlation_table(hs_fix *fix, int n_rows, const char *x_name, hs_correlation_name name, hs_error *err)
 {
     hs_correlation *c = fix->state;
     hs_text head = {0};
@@ -103,7 +114,7 @@ hs_status hs_correlation_table(hs_fix *fix, int n_rows, const char *x_name, cons
     fix->n_columns = c->n_columns + 2;
     const int64_t begin = c->schedule.start > fix->env->step ? c->schedule.start : fix->env->step;
     c->next = (begin + c->every - 1) / c->every * c->every;
-    const hs_status status = make_head(c, &head, x_name, function, err);
+    const hs_status status = make_head(fix, &head, x_name, name, err);
     hs_text_fini(&head);
     return status;
 }
@@ -199,4 +210,36 @@ hs_status hs_correlation_keep(hs_fix *fix, hs_state *kept, hs_error *err)
     HS_TRY(hs_state_double(kept, "result", c->result, (int64_t)c->n_rows * c->n_columns, err));
     HS_TRY(hs_state_double(kept, "result_count", c->count, c->n_rows, err));
     return hs_average_file_keep(&c->file, fix->env, kept, err);
+}
+
+hs_status hs_correlation_check_levels(const hs_args *args, int64_t n_lags, int64_t n_levels, hs_error *err)
+{
+    if (n_levels == 1 || n_lags % 2 == 0) return HS_OK;
+    return hs_fail(err, HS_ERROR_INPUT,
+                   "%s: the number of lags (Nlags) must be even for 'levels %lld': each level goes on from the "
+                   "middle of its own; %lld is not",
+                   args->command, (long long)n_levels, (long long)n_lags);
+}
+
+/** The name in a checkpoint of what a level has. */
+static const char *name_of(char name[64], int level, const char *what)
+{
+    snprintf(name, 64, "level %d: %s", level, what);
+    return name;
+}
+
+hs_status hs_correlation_keep_tau(hs_multi_tau *tau, hs_state *kept, hs_error *err)
+{
+    const int64_t n_lags = tau->n_lags, n_values = tau->n_values, n_columns = tau->n_columns;
+    char name[64];
+    for (int l = 0; l < tau->n_levels; ++l) {
+        hs_multi_tau_level *level = &tau->level[l];
+        HS_TRY(hs_state_int(kept, name_of(name, l, "samples of the block"), &level->n_present, err));
+        HS_TRY(hs_state_int64(kept, name_of(name, l, "samples"), &level->n_total, 1, err));
+        HS_TRY(hs_state_double(kept, name_of(name, l, "blocks"), level->sample, 2 * n_lags * n_values, err));
+        HS_TRY(hs_state_double(kept, name_of(name, l, "half"), level->half, n_values, err));
+        HS_TRY(hs_state_double(kept, name_of(name, l, "sums"), level->sum, n_lags * n_columns, err));
+        HS_TRY(hs_series_set_keep(&level->blocks, kept, name_of(name, l, "errors"), err));
+    }
+    return HS_OK;
 }

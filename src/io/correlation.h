@@ -3,6 +3,7 @@
 #ifndef HS_IO_CORRELATION_H
 #define HS_IO_CORRELATION_H
 
+#include "core/multi_tau.h"
 #include "io/average.h"
 #include "style/value.h"
 
@@ -25,9 +26,11 @@ typedef struct hs_correlation {
     char *head; /**< owned; names of columns */
 } hs_correlation;
 
-/** Read <Nevery> <N> <Nfreq> and the values after them; *n at least n_min. */
-HS_MUST_USE hs_status hs_correlation_begin(hs_fix *fix, const hs_args *args, int64_t n_min, int64_t n_max, int64_t *n,
-                                           hs_error *err);
+/** Read <Nevery> <N> <Nfreq>; *n within n_min and n_max. */
+HS_MUST_USE hs_status hs_correlation_numbers(hs_fix *fix, const hs_args *args, int64_t n_min, int64_t n_max, int64_t *n,
+                                             hs_error *err);
+/** Read the values, from word 3 up to the first keyword. */
+HS_MUST_USE hs_status hs_correlation_values(hs_fix *fix, const hs_args *args, hs_error *err);
 /** Keywords of all: type, prefactor, error, and those of files. *n_used = words taken, 0 when the keyword is another. */
 HS_MUST_USE hs_status hs_correlation_keyword(hs_fix *fix, const hs_args *args, int i, int *n_used, hs_error *err);
 #define HS_CORRELATION_KEYWORDS                                                                                        \
@@ -45,9 +48,13 @@ HS_MUST_USE hs_status hs_correlation_keyword(hs_fix *fix, const hs_args *args, i
     }
 /** After the keywords: the pairs. */
 HS_MUST_USE hs_status hs_correlation_pair(hs_fix *fix, const hs_args *args, hs_error *err);
-/** Room for n_rows rows, the array f_ID[i][j] (x, count, columns), and the head: @p x_name for the first column, and for the
- *  value of a pair "V_i*V_j", or `NAME(V_i)` with a @p function. */
-HS_MUST_USE hs_status hs_correlation_table(hs_fix *fix, int n_rows, const char *x_name, const char *function,
+/** Append the name of column k (of a pair, without errors) to the head. */
+typedef hs_status (*hs_correlation_name)(hs_text *head, const hs_fix *fix, int k, hs_error *err);
+/** "V_i*V_j" of pair k. */
+HS_MUST_USE hs_status hs_correlation_product(hs_text *head, const hs_fix *fix, int k, hs_error *err);
+/** Room for n_rows rows of n_pairs columns (thrice as many with errors), the array f_ID[i][j] (x, count, columns), and the
+ *  head: @p x_name for the first column, @p name for the others. */
+HS_MUST_USE hs_status hs_correlation_table(hs_fix *fix, int n_rows, const char *x_name, hs_correlation_name name,
                                            hs_error *err);
 void hs_correlation_fini(hs_correlation *c);
 
@@ -62,6 +69,9 @@ static inline bool hs_correlation_is_output_due(const hs_fix *fix)
 }
 /** x, count and result were brought up to date: multiply by the prefactor and write (collective). */
 HS_MUST_USE hs_status hs_correlation_finish(hs_fix *fix, hs_error *err);
+/** Those that use core/multi_tau.h: refuse numbers of lags that levels cannot halve, and keep the sums. */
+HS_MUST_USE hs_status hs_correlation_check_levels(const hs_args *args, int64_t n_lags, int64_t n_levels, hs_error *err);
+HS_MUST_USE hs_status hs_correlation_keep_tau(hs_multi_tau *tau, hs_state *kept, hs_error *err);
 HS_MUST_USE hs_status hs_correlation_keep(hs_fix *fix, hs_state *kept, hs_error *err);
 
 /* Hooks as they stand in hs_fix_style */

@@ -74,6 +74,9 @@ static const quantity columns[] = {
     {"Coord3", "position", NO_UNIT},
     {"TimeDelta", "time lag (steps)", NO_UNIT},
     {"Frequency", "frequency", FREQUENCY},
+    {"msd", "mean-square displacement", AREA},
+    {"vacf", "velocity autocorrelation", VELOCITY_SQUARED},
+    {"alpha2", "non-Gaussian parameter", NO_UNIT},
     {"Count/Total", "fraction", NO_UNIT},
     {"Ncount", "number of atoms", NO_UNIT},
     {"Count", "count", NO_UNIT},
@@ -243,6 +246,8 @@ hs_status hs_quantity_label(hs_text *label, const char *column, const hs_deck_fa
         HS_TRY(hs_text_printf(label, err, "%s", compute->label));
         return put_unit(label, compute->unit, facts, err);
     }
+    if (strncmp(column, "F(", 2) == 0) return hs_text_printf(label, err, "intermediate scattering F(q,t)");
+    if (strncmp(column, "Fs(", 3) == 0) return hs_text_printf(label, err, "self scattering F_s(q,t)");
     if (strncmp(column, "power(", 6) == 0 && column[strlen(column) - 1] == ')') return put_power(label, column, err);
     const char *star = strchr(column, '*');
     if (star != NULL && star != column && star[1] != '\0') return put_product(label, column, err);

@@ -31,6 +31,7 @@ fix p all ave/chunk 2 4 20 chunk temp vx error yes file profile.txt
 fix w all ave/time 1 4 20 c_thermo_pe ave window 3 file window.txt overwrite
 fix c all ave/correlate 5 4 40 c_thermo_temp type auto ave running error yes file correlate.txt
 fix l all ave/correlate/fft 1 8 20 c_thermo_temp c_thermo_pe type full levels 3 error yes file long.txt
+fix m all ave/self 2 6 20 msd vacf isf 3.0 origins 3 error yes file motion.txt
 fix q all ave/spectrum 1 12 20 c_thermo_temp error yes file spectrum.txt
 fix v all vector 15 c_thermo_temp
 variable v equal trap(f_v)
@@ -78,7 +79,7 @@ resumed() {
     [ -n "$last" ] || fail "$folder: no checkpoint"
     (cd "$copy" && ranks "$n" resume "$last" "$@" >>said 2>&1) || { cat "$copy/said" >&2; fail "$copy: resume $last"; }
     rows "$copy/log" >"$copy/thermo"
-    for file in end.data s.dump thermo average.txt profile.txt window.txt correlate.txt long.txt spectrum.txt; do
+    for file in end.data s.dump thermo average.txt profile.txt window.txt correlate.txt long.txt spectrum.txt motion.txt; do
         cmp "whole/$file" "$copy/$file" >&2 || fail "$copy: $file after resume of $last"
     done
 }

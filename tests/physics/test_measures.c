@@ -197,6 +197,137 @@ START_TEST(errors_of_averages_are_those_of_their_samples)
 }
 END_TEST
 
+/* Scattering functions and the motion of atoms against direct sums over a dump of all samples. */
+enum { N_ATOMS = 500, N_FRAMES = 41, N_WINDOW = 8, N_SHELLS = 3, N_LONG = N_WINDOW + N_WINDOW / 2 };
+#define Q_MAX 3.0
+typedef struct frame {
+    double r[3][N_ATOMS], v[3][N_ATOMS];
+} frame;
+
+static char dump_path[] = "/tmp/halfshell_frames_XXXXXX";
+
+static frame *read_frames(void)
+{
+    frame *frames = calloc(N_FRAMES, sizeof *frames);
+    FILE *stream = fopen(dump_path, "r");
+    char line[512];
+    int at = -1, id;
+    ck_assert_ptr_nonnull(stream);
+    while (fgets(line, sizeof line, stream) != NULL) {
+        double x[6];
+        if (strncmp(line, "ITEM: TIMESTEP", 14) == 0) ++at;
+        if (sscanf(line, "%d %lf %lf %lf %lf %lf %lf", &id, &x[0], &x[1], &x[2], &x[3], &x[4], &x[5]) != 7) continue;
+        for (int a = 0; a < 3; ++a) frames[at].r[a][id - 1] = x[a], frames[at].v[a][id - 1] = x[3 + a];
+    }
+    fclose(stream);
+    ck_assert_int_eq(at, N_FRAMES - 1);
+    return frames;
+}
+
+/** One mode of all frames: its correlation is added to the sums of a shell, at the lags of two levels. */
+static void add_mode(const frame *frames, const double q[3], double sums[N_LONG])
+{
+    double complex rho[2][N_FRAMES] = {{0}};
+    for (int s = 0; s < N_FRAMES; ++s)
+        for (int i = 0; i < N_ATOMS; ++i)
+            rho[0][s] += cexp(-I * (q[0] * frames[s].r[0][i] + q[1] * frames[s].r[1][i] + q[2] * frames[s].r[2][i]));
+    for (int s = 0; s < N_FRAMES / 2; ++s) rho[1][s] = 0.5 * (rho[0][2 * s] + rho[0][2 * s + 1]);
+    for (int row = 0; row < N_LONG; ++row) {
+        const int level = row < N_WINDOW ? 0 : 1, lag = row < N_WINDOW ? row : row - N_WINDOW / 2;
+        const int n = level == 0 ? N_FRAMES : N_FRAMES / 2;
+        for (int s = lag; s < n; ++s)
+            sums[row] += creal(conj(rho[level][s - lag]) * rho[level][s]) / ((n - lag) * (double)N_ATOMS);
+    }
+}
+
+static void check_coherent(hs_deck *deck, const frame *frames)
+{
+    const double unit = 2.0 * M_PI / hs_box_length(&deck->sim->box, 0);
+    const int n_max = (int)(Q_MAX / unit);
+    double sums[N_SHELLS][N_LONG] = {{0}};
+    int n[3], n_vectors[N_SHELLS] = {0};
+    for (n[0] = -n_max; n[0] <= n_max; ++n[0])
+        for (n[1] = -n_max; n[1] <= n_max; ++n[1])
+            for (n[2] = 0; n[2] <= n_max; ++n[2]) {
+                const double q[3] = {n[0] * unit, n[1] * unit, n[2] * unit};
+                const double length = sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2]);
+                if (length > Q_MAX || length == 0.0) continue;
+                if (n[2] == 0 && (n[1] < 0 || (n[1] == 0 && n[0] < 0))) continue; /* of q and -q one */
+                const int shell = (int)(length / Q_MAX * N_SHELLS);
+                ++n_vectors[shell];
+                add_mode(frames, q, sums[shell]);
+            }
+    for (int shell = 0, column = 3; shell < N_SHELLS; ++shell) {
+        char word[32];
+        int n_rows;
+        if (n_vectors[shell] == 0) continue;
+        snprintf(word, sizeof word, "f_F[%d]", column++);
+        double *f = fetch(deck, word, &n_rows);
+        ck_assert_int_eq(n_rows, N_LONG);
+        for (int row = 0; row < N_LONG; ++row)
+            ck_assert_double_eq_tol(f[row], sums[shell][row] / n_vectors[shell], 1e-10);
+        free(f);
+    }
+}
+
+static void check_self(hs_deck *deck, const frame *frames)
+{
+    int n_rows;
+    double *f[4];
+    for (int k = 0; k < 4; ++k) {
+        char word[32];
+        snprintf(word, sizeof word, "f_S[%d]", 3 + k);
+        f[k] = fetch(deck, word, &n_rows);
+    }
+    ck_assert_int_eq(n_rows, N_WINDOW);
+    for (int lag = 0; lag < N_WINDOW; ++lag) {
+        double mean[4] = {0};
+        int n_origins = 0;
+        for (int s = 0; s + N_WINDOW - 1 < N_FRAMES; s += 4, ++n_origins) {
+            double sum[4] = {0};
+            for (int i = 0; i < N_ATOMS; ++i) {
+                double d2 = 0.0, vv = 0.0;
+                for (int a = 0; a < 3; ++a) {
+                    const double d = frames[s + lag].r[a][i] - frames[s].r[a][i];
+                    d2 += d * d;
+                    vv += frames[s + lag].v[a][i] * frames[s].v[a][i];
+                }
+                sum[0] += d2 / N_ATOMS, sum[1] += vv / N_ATOMS, sum[2] += d2 * d2 / N_ATOMS;
+                sum[3] += (d2 > 0.0 ? sin(7.2 * sqrt(d2)) / (7.2 * sqrt(d2)) : 1.0) / N_ATOMS;
+            }
+            mean[0] += sum[0], mean[1] += sum[1], mean[3] += sum[3];
+            mean[2] += lag > 0 ? 0.6 * sum[2] / (sum[0] * sum[0]) - 1.0 : 0.0;
+        }
+        for (int k = 0; k < 4; ++k) ck_assert_double_eq_tol(f[k][lag], mean[k] / n_origins, 1e-10);
+    }
+    for (int k = 0; k < 4; ++k) free(f[k]);
+}
+
+static void check_frames(hs_deck *deck, void *context)
+{
+    frame *frames = read_frames();
+    (void)context;
+    check_coherent(deck, frames);
+    check_self(deck, frames);
+    free(frames);
+}
+
+START_TEST(scattering_functions_are_those_of_the_direct_sum)
+{
+    char lines[1024];
+    const int file = mkstemp(dump_path);
+    ck_assert(file >= 0);
+    close(file);
+    snprintf(lines, sizeof lines,
+             "dump d all custom 5 %s id xu yu zu vx vy vz\ndump_modify d format float %%.17g\n"
+             "fix F all ave/isf 5 8 200 3.0 3 levels 2 error yes\n"
+             "fix S all ave/self 5 8 200 msd vacf alpha2 isf 7.2 origins 2 error yes\nrun 200\n",
+             dump_path);
+    run(lines, check_frames);
+    unlink(dump_path);
+}
+END_TEST
+
 static void check_rdfs(hs_deck *deck, void *context)
 {
     (void)context;
@@ -275,5 +406,5 @@ END_TEST
 
 HS_TEST_MAIN("measures", correlations_by_transform_are_those_of_the_direct_sum,
              correlations_beyond_the_window_are_those_of_means_over_samples, spectra_are_those_of_the_direct_sum,
-             errors_of_averages_are_those_of_their_samples, rdf_from_the_list_is_that_of_the_scan,
-             structure_factor_is_the_transform_of_g, values_per_atom_add_up)
+             scattering_functions_are_those_of_the_direct_sum, errors_of_averages_are_those_of_their_samples,
+             rdf_from_the_list_is_that_of_the_scan, structure_factor_is_the_transform_of_g, values_per_atom_add_up)

@@ -57,7 +57,7 @@ START_TEST(multiple_tau_equals_the_direct_sum)
     hs_error err = {0};
     hs_multi_tau tau = {0};
     uint64_t state = 5;
-    ck_assert_hs_ok(hs_multi_tau_init(&tau, 2, N_PAIRS, pair, TAU_LAGS, TAU_LEVELS, true, &err), err);
+    ck_assert_hs_ok(hs_multi_tau_init(&tau, 2, N_PAIRS, pair, NULL, TAU_LAGS, TAU_LEVELS, true, &err), err);
     ck_assert_int_eq(hs_multi_tau_rows(&tau), N_ROWS);
     for (int s = 0; s < TAU_SAMPLES; ++s) {
         series[0][0][s] = uniform(&state) - 0.3;
@@ -140,7 +140,7 @@ static void check_modes(const int n_max[3])
     }
     x[0][1] = -1e-18; /* wraps to the very end */
     ck_assert_hs_ok(hs_modes_create(&modes, n_max, &err), err);
-    hs_modes_spread(modes, N_POINTS, (const double *const[3]){x[0], x[1], x[2]}, mask, 1);
+    hs_modes_spread(modes, N_POINTS, (const double *const[3]){x[0], x[1], x[2]}, mask, 1, N_POINTS);
     hs_modes_transform(modes);
     for (int n0 = -n_max[0]; n0 <= n_max[0]; ++n0)
         for (int n1 = -n_max[1]; n1 <= n_max[1]; ++n1)
