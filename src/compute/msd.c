@@ -54,16 +54,19 @@ static void add_terms(const hs_atoms *atoms, const void *context, int begin, int
 {
     const hs_compute *compute = context;
     const msd_state *state = compute->state;
-    for (int i = begin; i < end; ++i) {
-        if (!(atoms->mask[i] & compute->mask)) continue;
-        double d2[3];
-        for (int axis = 0; axis < 3; ++axis) {
-            const double d = hs_unwrapped(compute->env, axis, i) - state->center[axis] - state->origin[axis][i];
-            d2[axis] = d * d;
-            hs_exact_add(&sums[axis], d2[axis]);
+    const int n = end - begin;
+    double d2[HS_EXACT_ARRAY_MAX], total[HS_EXACT_ARRAY_MAX] = {0.0};
+    for (int axis = 0; axis < 3; ++axis) {
+        const double *x = atoms->x[axis] + begin, *origin = state->origin[axis] + begin;
+        const double length = hs_box_length(compute->env->box, axis), center = state->center[axis];
+        for (int i = 0; i < n; ++i) {
+            const double d = x[i] + atoms->image[axis][begin + i] * length - center - origin[i];
+            d2[i] = atoms->mask[begin + i] & compute->mask ? d * d : 0.0;
+            total[i] += d2[i];
         }
-        hs_exact_add(&sums[3], d2[0] + d2[1] + d2[2]);
+        hs_exact_add_array(&sums[axis], d2, n);
     }
+    hs_exact_add_array(&sums[3], total, n);
 }
 
 /** Mean places: the present ones join those of the evaluations before. */

@@ -34,15 +34,17 @@ static void add_terms(const hs_atoms *atoms, const void *context, int begin, int
 {
     const hs_compute *compute = context;
     const vacf_state *state = compute->state;
-    for (int i = begin; i < end; ++i) {
-        if (!(atoms->mask[i] & compute->mask)) continue;
-        double product[3];
-        for (int axis = 0; axis < 3; ++axis) {
-            product[axis] = atoms->v[axis][i] * state->origin[axis][i];
-            hs_exact_add(&sums[axis], product[axis]);
+    const int n = end - begin;
+    double product[HS_EXACT_ARRAY_MAX], total[HS_EXACT_ARRAY_MAX] = {0.0};
+    for (int axis = 0; axis < 3; ++axis) {
+        const double *v = atoms->v[axis] + begin, *origin = state->origin[axis] + begin;
+        for (int i = 0; i < n; ++i) {
+            product[i] = atoms->mask[begin + i] & compute->mask ? v[i] * origin[i] : 0.0;
+            total[i] += product[i];
         }
-        hs_exact_add(&sums[3], product[0] + product[1] + product[2]);
+        hs_exact_add_array(&sums[axis], product, n);
     }
+    hs_exact_add_array(&sums[3], total, n);
 }
 
 static hs_status vector(hs_compute *compute, hs_error *err)

@@ -29,6 +29,73 @@ void hs_exact_add_scaled(hs_exact_sum *sum, __int128 n, int exponent)
     if (sum->n_added >= INT64_C(1) << 30) hs_exact_carry(sum);
 }
 
+enum { STREAMS = 8 }; /* sums side by side, for vectors */
+
+/** Terms cut at two places: a multiple of 2^-84 of the largest or coarser in *high and *low, exactly, when every remainder is 0. */
+static bool add_cut(const double *x, int n, double first, double second, double *high, double *low)
+{
+    double h[STREAMS] = {0.0}, l[STREAMS] = {0.0}, rest[STREAMS] = {0.0};
+    int i = 0;
+    for (; i + STREAMS <= n; i += STREAMS)
+        for (int k = 0; k < STREAMS; ++k) {
+            const double a = (x[i + k] + first) - first, b = x[i + k] - a, c = (b + second) - second;
+            h[k] += a;
+            l[k] += c;
+            rest[k] += fabs(b - c);
+        }
+    for (int k = 0; i < n; ++i, ++k) {
+        const double a = (x[i] + first) - first, b = x[i] - a, c = (b + second) - second;
+        h[k] += a;
+        l[k] += c;
+        rest[k] += fabs(b - c);
+    }
+    *high = *low = 0.0;
+    double left = 0.0;
+    for (int k = 0; k < STREAMS; ++k) {
+        *high += h[k];
+        *low += l[k];
+        left += rest[k];
+    }
+    return left == 0.0;
+}
+
+/** What lies beyond the second cut. */
+static void add_rest(hs_exact_sum *sum, const double *x, int n, double first, double second)
+{
+    for (int i = 0; i < n; ++i) {
+        const double a = (x[i] + first) - first, b = x[i] - a, c = (b + second) - second;
+        if (b - c != 0.0) hs_exact_add(sum, b - c);
+    }
+}
+
+void hs_exact_add_array(hs_exact_sum *sum, const double *x, int n)
+{
+    double largest[STREAMS] = {0.0}, bound = 0.0;
+    bool is_plain = n <= HS_EXACT_ARRAY_MAX;
+    int i = 0;
+    for (; i + STREAMS <= n; i += STREAMS)
+        for (int k = 0; k < STREAMS; ++k) largest[k] = fabs(x[i + k]) > largest[k] ? fabs(x[i + k]) : largest[k];
+    for (; i < n; ++i) bound = fabs(x[i]) > bound ? fabs(x[i]) : bound;
+    for (int k = 0; k < STREAMS; ++k) bound = largest[k] > bound ? largest[k] : bound;
+    int n_nan = 0;
+    for (i = 0; i < n; ++i) n_nan += x[i] != x[i];
+    is_plain = is_plain && n_nan == 0;
+    if (bound == 0.0 && is_plain) return;
+    if (!is_plain || bound < 0x1p-800 || bound > 0x1p800) {
+        for (i = 0; i < n; ++i) hs_exact_add(sum, x[i]);
+        return;
+    }
+    /* |x| < 2^e. Up to 2^10 multiples of 2^(e - 42) below that size add up without rounding, and so do their remainders, below
+     * 2^(e - 42), as multiples of 2^(e - 83). */
+    const int e = ilogb(bound) + 1;
+    const double first = ldexp(1.5, e + 10), second = ldexp(1.5, e - 31);
+    double high, low;
+    const bool is_all = add_cut(x, n, first, second, &high, &low);
+    hs_exact_add(sum, high);
+    hs_exact_add(sum, low);
+    if (!is_all) add_rest(sum, x, n, first, second);
+}
+
 void hs_exact_merge(hs_exact_sum *sum, const hs_exact_sum *other)
 {
     hs_exact_carry(sum);

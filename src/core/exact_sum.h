@@ -46,6 +46,11 @@ static inline void hs_exact_add(hs_exact_sum *sum, double x)
     if (++sum->n_added == INT64_C(1) << 30) hs_exact_carry(sum);
 }
 
+enum { HS_EXACT_ARRAY_MAX = 1024 };
+/** sum += x[0] + ... + x[n - 1], exactly; up to HS_EXACT_ARRAY_MAX terms at a fraction of the cost of adding each. Terms are cut
+ *  at common places into parts that floating-point sums add without rounding: J. Demmel, H. D. Nguyen, IEEE Trans. Comput. 64,
+ *  2060 (2015), doi:10.1109/TC.2014.2345391. */
+void hs_exact_add_array(hs_exact_sum *sum, const double *x, int n);
 /** sum += n 2^exponent, exactly; exponent from HS_EXACT_LOWEST to 900. */
 void hs_exact_add_scaled(hs_exact_sum *sum, __int128 n, int exponent);
 /** sum += other. */

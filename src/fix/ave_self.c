@@ -199,31 +199,45 @@ typedef struct term_context {
     int begin, end;
 } term_context;
 
+/** Squares of displacements and products of velocities of some atoms; 0 outside of the group. */
+static void find_motion(const term_context *c, int begin, int n, double *d2, double *vv)
+{
+    const self_state *state = c->fix->state;
+    const hs_env *env = c->fix->env;
+    const hs_atoms *atoms = env->atoms;
+    for (int axis = 0; axis < 3; ++axis) {
+        const double *v = atoms->v[axis] + begin;
+        for (int i = 0; i < n; ++i) {
+            const double d =
+                hs_unwrapped(env, axis, begin + i) - state->center[axis] - c->origin->x.of[axis][begin + i];
+            d2[i] += d * d;
+            if (state->needs_velocities) vv[i] += v[i] * c->origin->v.of[axis][begin + i];
+        }
+    }
+    for (int i = 0; i < n; ++i)
+        if (!(atoms->mask[begin + i] & c->fix->mask)) d2[i] = vv[i] = 0.0;
+}
+
 static void add_terms(const hs_atoms *atoms, const void *context, int begin, int end, hs_exact_sum *sums)
 {
     const term_context *c = context;
     const self_state *state = c->fix->state;
-    const hs_env *env = c->fix->env;
-    const int first_term = state->quantity[c->begin].term;
-    for (int i = begin; i < end; ++i) {
-        if (!(atoms->mask[i] & c->fix->mask)) continue;
-        double d2 = 0.0, vv = 0.0;
-        for (int axis = 0; axis < 3; ++axis) {
-            const double d = hs_unwrapped(env, axis, i) - state->center[axis] - c->origin->x.of[axis][i];
-            d2 += d * d;
-            if (state->needs_velocities) vv += atoms->v[axis][i] * c->origin->v.of[axis][i];
+    const int n = end - begin, first_term = state->quantity[c->begin].term;
+    const int dimension = c->fix->env->box->dimension;
+    double d2[HS_EXACT_ARRAY_MAX] = {0.0}, vv[HS_EXACT_ARRAY_MAX] = {0.0}, term[HS_EXACT_ARRAY_MAX];
+    find_motion(c, begin, n, d2, vv);
+    for (int k = c->begin; k < c->end; ++k) {
+        const self_quantity *quantity = &state->quantity[k];
+        hs_exact_sum *sum = &sums[quantity->term - first_term];
+        if (quantity->kind == OF_MSD || quantity->kind == OF_ALPHA2) hs_exact_add_array(sum, d2, n);
+        if (quantity->kind == OF_VACF) hs_exact_add_array(sum, vv, n);
+        if (quantity->kind == OF_MSD || quantity->kind == OF_VACF) continue;
+        for (int i = 0; i < n; ++i) {
+            term[i] = d2[i] * d2[i];
+            if (quantity->kind == OF_ISF)
+                term[i] = atoms->mask[begin + i] & c->fix->mask ? isf_term(quantity->q, d2[i], dimension) : 0.0;
         }
-        for (int k = c->begin; k < c->end; ++k) {
-            const self_quantity *quantity = &state->quantity[k];
-            hs_exact_sum *sum = &sums[quantity->term - first_term];
-            if (quantity->kind == OF_VACF)
-                hs_exact_add(sum, vv);
-            else if (quantity->kind == OF_ISF)
-                hs_exact_add(sum, isf_term(quantity->q, d2, env->box->dimension));
-            else
-                hs_exact_add(sum, d2);
-            if (quantity->kind == OF_ALPHA2) hs_exact_add(&sum[1], d2 * d2);
-        }
+        hs_exact_add_array(quantity->kind == OF_ALPHA2 ? &sum[1] : sum, term, n);
     }
 }
 

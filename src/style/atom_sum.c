@@ -2,7 +2,7 @@
 
 #include <assert.h>
 
-enum { CHUNK = 1024 }; /* atoms that a thread takes at a time */
+enum { CHUNK = HS_EXACT_ARRAY_MAX }; /* atoms that a thread takes at a time */
 
 void hs_atom_sum(const hs_atoms *atoms, const hs_parallel *parallel, hs_atom_terms terms, const void *context, int n,
                  double *sums)

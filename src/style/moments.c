@@ -11,14 +11,15 @@ typedef struct moment_context {
 static void add_moments(const hs_atoms *atoms, const void *context, int begin, int end, hs_exact_sum *sums)
 {
     const moment_context *c = context;
-    for (int i = begin; i < end; ++i) {
-        if (!(atoms->mask[i] & c->mask)) continue;
-        const double mass = hs_atom_mass(atoms, i);
-        hs_exact_add(&sums[0], mass);
-        for (int axis = 0; axis < 3; ++axis) {
-            hs_exact_add(&sums[1 + axis], mass * hs_unwrapped(c->env, axis, i));
-            hs_exact_add(&sums[4 + axis], mass * atoms->v[axis][i]);
-        }
+    const int n = end - begin;
+    double mass[HS_EXACT_ARRAY_MAX], term[HS_EXACT_ARRAY_MAX];
+    for (int i = 0; i < n; ++i) mass[i] = atoms->mask[begin + i] & c->mask ? hs_atom_mass(atoms, begin + i) : 0.0;
+    hs_exact_add_array(&sums[0], mass, n);
+    for (int axis = 0; axis < 3; ++axis) {
+        for (int i = 0; i < n; ++i) term[i] = mass[i] * hs_unwrapped(c->env, axis, begin + i);
+        hs_exact_add_array(&sums[1 + axis], term, n);
+        for (int i = 0; i < n; ++i) term[i] = mass[i] * atoms->v[axis][begin + i];
+        hs_exact_add_array(&sums[4 + axis], term, n);
     }
 }
 

@@ -25,7 +25,7 @@ liquid='pair_style lj/cut 2.5
 pair_coeff * * 1.0 1.0 2.5
 neighbor 0.3 bin'
 {
-    system melt 30 'f_v[1] c_m c_l c_q[4][2] f_F[3][4] f_S[3][3] f_S[3][4]' <<D
+    system melt 30 'f_v[1] c_m c_l c_q[4][2] f_F[2][4] f_S[3][3] f_S[3][4]' <<D
 lattice fcc 0.8442
 region box block 0 5 0 6 0 7
 create_box 1 box
@@ -39,9 +39,9 @@ compute k all ke/atom
 compute m all reduce sum c_k
 compute l all reduce ave vx
 fix v all ave/time 1 5 5 c_m c_thermo_temp
-compute q all sq 5.0 10
-fix F all ave/isf 2 6 10 4.0 5
-fix S all ave/self 2 4 10 msd isf 5.0 origins 2
+compute q all sq 2.5 5
+fix F all ave/isf 10 2 10 2.5 5
+fix S all ave/self 5 3 10 msd isf 5.0
 D
     system mixture 20 <<D
 lattice fcc 0.8

@@ -105,6 +105,32 @@ START_TEST(scaled_integers_are_exact)
 }
 END_TEST
 
+START_TEST(arrays_add_as_their_terms)
+{
+    static const int ranges[] = {0, 3, 40, 900};
+    double x[HS_EXACT_ARRAY_MAX + 5];
+    uint64_t state = 99;
+    for (size_t r = 0; r < sizeof ranges / sizeof ranges[0]; ++r)
+        for (int n = 0; n <= HS_EXACT_ARRAY_MAX + 5; n += n < 20 ? 1 : 167) {
+            hs_exact_sum sum = {0};
+            for (int k = 0; k < n; ++k) x[k] = k % 7 == 3 ? 0.0 : some_number(&state, ranges[r]);
+            hs_exact_add_array(&sum, x, n);
+            ck_assert_double_eq(hs_exact_value(&sum), sum_of(x, n));
+        }
+    /* all as large as possible, which must not be rounded; and what is not finite */
+    hs_exact_sum sum = {0}, none = {0}, endless = {0};
+    for (int k = 0; k < HS_EXACT_ARRAY_MAX; ++k) x[k] = 1.0 + DBL_EPSILON * (k % 2);
+    hs_exact_add_array(&sum, x, HS_EXACT_ARRAY_MAX);
+    ck_assert_double_eq(hs_exact_value(&sum), HS_EXACT_ARRAY_MAX * (1.0 + DBL_EPSILON / 2));
+    x[700] = NAN;
+    hs_exact_add_array(&none, x, HS_EXACT_ARRAY_MAX);
+    ck_assert(isnan(hs_exact_value(&none)));
+    x[700] = INFINITY;
+    hs_exact_add_array(&endless, x, HS_EXACT_ARRAY_MAX);
+    ck_assert(isinf(hs_exact_value(&endless)));
+}
+END_TEST
+
 HS_TEST_MAIN("exact sums", cancellation_leaves_the_small_term, result_is_rounded_once_to_even,
              sums_overflow_only_at_the_end, terms_that_are_not_finite_show, order_and_grouping_do_not_matter,
-             equals_long_double_where_that_is_exact, scaled_integers_are_exact)
+             equals_long_double_where_that_is_exact, scaled_integers_are_exact, arrays_add_as_their_terms)
