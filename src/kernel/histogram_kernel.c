@@ -8,8 +8,9 @@
 
 static inline int put(uint32_t *queue, hs_vec bin, hs_msk mask)
 {
-    const __m512i whole = _mm512_castsi256_si512(_mm512_cvttpd_epi32(bin));
-    _mm512_storeu_si512(queue, _mm512_maskz_compress_epi32(mask, whole));
+    /* half a vector: a whole one stored anywhere would cross a cache line every time */
+    const __m256i whole = _mm512_cvttpd_epi32(bin);
+    _mm256_storeu_si256((__m256i *)queue, _mm256_maskz_compress_epi32(mask, whole));
     return __builtin_popcount(mask);
 }
 
