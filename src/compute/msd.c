@@ -55,18 +55,16 @@ static void add_terms(const hs_atoms *atoms, const void *context, int begin, int
     const hs_compute *compute = context;
     const msd_state *state = compute->state;
     const int n = end - begin;
-    double d2[HS_EXACT_ARRAY_MAX], total[HS_EXACT_ARRAY_MAX] = {0.0};
+    double d2[HS_EXACT_ARRAY_MAX];
     for (int axis = 0; axis < 3; ++axis) {
         const double *x = atoms->x[axis] + begin, *origin = state->origin[axis] + begin;
         const double length = hs_box_length(compute->env->box, axis), center = state->center[axis];
         for (int i = 0; i < n; ++i) {
             const double d = x[i] + atoms->image[axis][begin + i] * length - center - origin[i];
             d2[i] = atoms->mask[begin + i] & compute->mask ? d * d : 0.0;
-            total[i] += d2[i];
         }
         hs_exact_add_array(&sums[axis], d2, n);
     }
-    hs_exact_add_array(&sums[3], total, n);
 }
 
 /** Mean places: the present ones join those of the evaluations before. */
@@ -88,7 +86,8 @@ static hs_status vector(hs_compute *compute, hs_error *err)
     (void)err;
     if (state->has_com) hs_center_of_mass(env, compute->mask, state->center, NULL);
     if (state->is_average) update_average(compute);
-    hs_atom_sum(env->atoms, env->parallel, add_terms, compute, 4, compute->vector);
+    hs_atom_sum(env->atoms, env->parallel, add_terms, compute, 3, compute->vector);
+    compute->vector[3] = compute->vector[0] + compute->vector[1] + compute->vector[2];
     const int64_t n = hs_atom_count(env->atoms, env->parallel, compute->mask);
     for (int k = 0; k < 4; ++k) compute->vector[k] = n > 0 ? compute->vector[k] / (double)n : 0.0;
     return HS_OK;

@@ -35,23 +35,22 @@ static void add_terms(const hs_atoms *atoms, const void *context, int begin, int
     const hs_compute *compute = context;
     const vacf_state *state = compute->state;
     const int n = end - begin;
-    double product[HS_EXACT_ARRAY_MAX], total[HS_EXACT_ARRAY_MAX] = {0.0};
+    double product[HS_EXACT_ARRAY_MAX];
     for (int axis = 0; axis < 3; ++axis) {
         const double *v = atoms->v[axis] + begin, *origin = state->origin[axis] + begin;
         for (int i = 0; i < n; ++i) {
             product[i] = atoms->mask[begin + i] & compute->mask ? v[i] * origin[i] : 0.0;
-            total[i] += product[i];
         }
         hs_exact_add_array(&sums[axis], product, n);
     }
-    hs_exact_add_array(&sums[3], total, n);
 }
 
 static hs_status vector(hs_compute *compute, hs_error *err)
 {
     const hs_env *env = compute->env;
     (void)err;
-    hs_atom_sum(env->atoms, env->parallel, add_terms, compute, 4, compute->vector);
+    hs_atom_sum(env->atoms, env->parallel, add_terms, compute, 3, compute->vector);
+    compute->vector[3] = compute->vector[0] + compute->vector[1] + compute->vector[2];
     const int64_t n = hs_atom_count(env->atoms, env->parallel, compute->mask);
     for (int k = 0; k < 4; ++k) compute->vector[k] = n > 0 ? compute->vector[k] / (double)n : 0.0;
     return HS_OK;

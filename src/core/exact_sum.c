@@ -70,16 +70,23 @@ static void add_rest(hs_exact_sum *sum, const double *x, int n, double first, do
 
 void hs_exact_add_array(hs_exact_sum *sum, const double *x, int n)
 {
-    double largest[STREAMS] = {0.0}, bound = 0.0;
-    bool is_plain = n <= HS_EXACT_ARRAY_MAX;
+    double largest[STREAMS] = {0.0}, odd[STREAMS] = {0.0}, bound = 0.0, none = 0.0;
     int i = 0;
     for (; i + STREAMS <= n; i += STREAMS)
-        for (int k = 0; k < STREAMS; ++k) largest[k] = fabs(x[i + k]) > largest[k] ? fabs(x[i + k]) : largest[k];
-    for (; i < n; ++i) bound = fabs(x[i]) > bound ? fabs(x[i]) : bound;
-    for (int k = 0; k < STREAMS; ++k) bound = largest[k] > bound ? largest[k] : bound;
-    int n_nan = 0;
-    for (i = 0; i < n; ++i) n_nan += x[i] != x[i];
-    is_plain = is_plain && n_nan == 0;
+        for (int k = 0; k < STREAMS; ++k) {
+            const double size = fabs(x[i + k]);
+            largest[k] = size > largest[k] ? size : largest[k];
+            odd[k] += size - size; /* 0, or not a number */
+        }
+    for (; i < n; ++i) {
+        bound = fabs(x[i]) > bound ? fabs(x[i]) : bound;
+        none += x[i] - x[i];
+    }
+    for (int k = 0; k < STREAMS; ++k) {
+        bound = largest[k] > bound ? largest[k] : bound;
+        none += odd[k];
+    }
+    const bool is_plain = n <= HS_EXACT_ARRAY_MAX && none == 0.0;
     if (bound == 0.0 && is_plain) return;
     if (!is_plain || bound < 0x1p-800 || bound > 0x1p800) {
         for (i = 0; i < n; ++i) hs_exact_add(sum, x[i]);

@@ -296,7 +296,7 @@ typedef struct request {
     const hs_deck_facts *facts;
     int first, end;   /**< tables that make one curve */
     int n_columns;    /**< drawn columns: a single one needs no mention in the legend beside file or words */
-    const char *part; /**< "step 100" where several tables make curves of their own; "" */
+    const char *part; /**< "step 100", "run 2" where several tables make curves of their own; "" */
 } request;
 
 static hs_status send(const request *r, points *p, const char *column, const char *words, bool has_errors,
@@ -407,6 +407,37 @@ static hs_status choose_tables(const hs_table_file *file, const char *block, int
                    (long long)file->table[file->n_tables - 1].step);
 }
 
+/** First value of the horizontal axis's column after table t - 1 lies before its last one: steps were set back. */
+static bool begins_anew(const hs_table_file *file, int t)
+{
+    static const char *const names[] = {"Step", "Time", NULL};
+    for (const char *const *name = names; *name != NULL; ++name) {
+        const hs_table *before = &file->table[t - 1], *after = &file->table[t];
+        const int a = hs_table_find(before, *name), b = hs_table_find(after, *name);
+        if (a >= 0 && b >= 0 && before->n_rows > 0 && after->n_rows > 0)
+            return after->column[b].value[0] < before->column[a].value[before->n_rows - 1];
+    }
+    return false;
+}
+
+/** Tables [r->first, r->end) of a log: runs follow one another as one curve, as long as steps grow. */
+static hs_status add_runs(request *r, int first, int end, hs_error *err)
+{
+    bool has_parts = false;
+    for (int t = first + 1; t < end; ++t) has_parts |= begins_anew(r->file, t);
+    for (int t = first; t < end; t = r->end) {
+        char part[48] = "";
+        r->first = t;
+        r->end = t + 1;
+        while (r->end < end && !begins_anew(r->file, r->end)) ++r->end;
+        if (has_parts && r->end == t + 1) snprintf(part, sizeof part, "run %d", t + 1);
+        if (has_parts && r->end > t + 1) snprintf(part, sizeof part, "runs %d to %d", t + 1, r->end);
+        r->part = part;
+        HS_TRY(add_tables(r, err));
+    }
+    return HS_OK;
+}
+
 hs_status hs_figure_add_file(hs_figure *figure, const hs_table_file *file, const char *label,
                              const hs_plot_choice *choice, const hs_deck_facts *facts, hs_error *err)
 {
@@ -414,7 +445,8 @@ hs_status hs_figure_add_file(hs_figure *figure, const hs_table_file *file, const
     int first, end;
     HS_TRY(choose_tables(file, choice->block, &first, &end, err));
     /* the runs of a log follow one another; the blocks of other files lie above each other */
-    if (file->kind != HS_TABLE_BLOCKS || end - first == 1) {
+    if (file->kind != HS_TABLE_BLOCKS) return add_runs(&r, first, end, err);
+    if (end - first == 1) {
         r.first = first;
         r.end = end;
         return add_tables(&r, err);

@@ -226,11 +226,11 @@ static hs_status put_product(hs_text *label, const char *column, hs_error *err)
     return hs_text_printf(label, err, "correlation of %.*s and %s", (int)length, column, star + 1);
 }
 
-/** power(v_x) of fix ave/spectrum: "power spectral density of v_x". */
+/** power(v_x) of fix ave/spectrum: "spectrum of v_x". */
 static hs_status put_power(hs_text *label, const char *column, hs_error *err)
 {
     const char *name = strchr(column, '(') + 1;
-    return hs_text_printf(label, err, "power spectral density of %.*s", (int)strlen(name) - 1, name);
+    return hs_text_printf(label, err, "spectrum of %.*s", (int)strlen(name) - 1, name);
 }
 
 hs_status hs_quantity_label(hs_text *label, const char *column, const hs_deck_facts *facts, hs_error *err)
@@ -247,7 +247,7 @@ hs_status hs_quantity_label(hs_text *label, const char *column, const hs_deck_fa
         return put_unit(label, compute->unit, facts, err);
     }
     if (strncmp(column, "F(", 2) == 0) return hs_text_printf(label, err, "intermediate scattering F(q,t)");
-    if (strncmp(column, "Fs(", 3) == 0) return hs_text_printf(label, err, "self scattering F_s(q,t)");
+    if (strncmp(column, "Fs(", 3) == 0) return hs_text_printf(label, err, "self scattering F(q,t)");
     if (strncmp(column, "power(", 6) == 0 && column[strlen(column) - 1] == ')') return put_power(label, column, err);
     const char *star = strchr(column, '*');
     if (star != NULL && star != column && star[1] != '\0') return put_product(label, column, err);

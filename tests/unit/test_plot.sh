@@ -52,6 +52,13 @@ draws 1 'time (τ)' log.a -y Temp -x time
 draws 1 ' 0.08<' log.a -y Temp -x time # 40 steps of 0.002
 draws 2 '>TotEng<' log.a -y '*Eng,E_pair'
 draws 2 '>warm<' log.a log.a -y 2 -legend cold,warm -block last
+printf 'units lj\nlattice fcc 0.8\nregion b block 0 3 0 3 0 3\ncreate_box 1 b\ncreate_atoms 1 box\nmass 1 1\nvelocity all create 1.0 4928459\npair_style lj/cut 2.5\npair_coeff 1 1 1 1\nfix 1 all nve\nthermo 5\nrun 20\nrun 10\nreset_timestep 0\nfix s all ave/spectrum 1 10 20 c_thermo_temp error yes file spectrum\nfix f all ave/isf 1 10 20 5.0 4 file isf\nfix m all ave/self 1 10 20 msd isf 7 file motion\nrun 20\n' >back.in
+"$HALFSHELL" back.in -log log.back -screen none || exit 1
+draws 2 'Temp, runs 1 to 2<' log.back -y Temp # steps were set back: two curves
+draws 2 'frequency (1/τ)' spectrum -deck log.back # bars are a curve of their own
+draws 2 'spectrum of c_thermo_temp' spectrum -deck log.back
+draws 4 'intermediate scattering' isf -deck log.back -x time -y 'F(*'
+draws 1 'mean-square displacement (σ²)' motion -deck log.back -y msd
 draws 1 'temperature (K)' log.a -y Temp -units real
 printf 'method,threads,rate,rate_err\ncluster,1,10,.5\ncluster,2,19,1\ncell,1,5,.3\ncell,2,9.7,.4\n' >scaling.csv
 draws 4 '>cell<' scaling.csv -x threads # error bars are curves of their own
