@@ -31,19 +31,24 @@ static inline int put(uint32_t *queue, hs_vec bin, hs_msk mask)
 
 #endif
 
-enum { QUEUE = 512, QUEUE_ROOM = HS_CLUSTER * 16 }; /* room for all lanes of one step of the loop */
+enum { QUEUE = 1024, QUEUE_ROOM = HS_CLUSTER * 16 }; /* room for all lanes of one step of the loop */
 
 static void flush(const uint32_t *queue, int n, uint32_t *counts)
 {
-    for (int k = 0; k < n; ++k) ++counts[queue[k]];
+    int k = 0;
+    for (; k + 4 <= n; k += 4) {
+        ++counts[queue[k]];
+        ++counts[queue[k + 1]];
+        ++counts[queue[k + 2]];
+        ++counts[queue[k + 3]];
+    }
+    for (; k < n; ++k) ++counts[queue[k]];
 }
 
-static void count_pairs(const double *const x[3], int first, const hs_cluster_entry *entry, int n_entries, double scale,
-                        int n_fine, uint32_t *counts)
+/** The pairs of one i-cluster: puts their bins at the end of the queue of n, which is emptied when full; returns its length. */
+static inline int count_cluster(const double *const x[3], int first, const hs_cluster_entry *entry, int n_entries,
+                                hs_vec width, hs_vec limit, uint32_t *queue, int n, uint32_t *counts)
 {
-    uint32_t queue[QUEUE + QUEUE_ROOM];
-    int n = 0;
-    const hs_vec limit = hs_set1((double)n_fine), width = hs_set1(scale);
     for (int e = 0; e < n_entries; e += HS_GROUP) {
         /* rows with any pair; what is noted in the entries is for the kernels' own groups */
         uint32_t pairs = entry[e].mask;
@@ -65,6 +70,21 @@ static void count_pairs(const double *const x[3], int first, const hs_cluster_en
             flush(queue, n, counts);
             n = 0;
         }
+    }
+    return n;
+}
+
+/* One queue for all clusters: emptying it after each would end a short loop at an unforeseeable place every time. */
+static void count_pairs(const double *const x[3], const hs_clusters *clusters, const hs_list_chunk *chunk, double scale,
+                        int n_fine, uint32_t *counts)
+{
+    uint32_t queue[QUEUE + QUEUE_ROOM];
+    int n = 0;
+    const hs_vec limit = hs_set1((double)n_fine), width = hs_set1(scale);
+    for (int ci = chunk->begin; ci < chunk->end; ++ci) {
+        const int begin = chunk->start[ci - chunk->begin], n_entries = chunk->start[ci - chunk->begin + 1] - begin;
+        n = count_cluster(x, clusters->local.entry[ci].first, chunk->entries.entry + begin, n_entries, width, limit,
+                          queue, n, counts);
     }
     flush(queue, n, counts);
 }

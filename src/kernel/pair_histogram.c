@@ -3,22 +3,12 @@
 #include "base/memory.h"
 #include "parallel/parallel.h"
 
-static void count_chunk(const hs_list_chunk *chunk, const hs_clusters *clusters, double *const x[3],
-                        hs_histogram_kernel kernel, double scale, int n_fine, uint32_t *counts)
-{
-    const double *const positions[3] = {x[0], x[1], x[2]};
-    for (int ci = chunk->begin; ci < chunk->end; ++ci) {
-        const int begin = chunk->start[ci - chunk->begin], n = chunk->start[ci - chunk->begin + 1] - begin;
-        if (n > 0)
-            kernel(positions, clusters->local.entry[ci].first, chunk->entries.entry + begin, n, scale, n_fine, counts);
-    }
-}
-
 hs_status hs_pair_histogram(const hs_cluster_list *list, const hs_clusters *clusters, double *const x[3], hs_isa isa,
                             double r_max, int n_bins, int64_t *counts, hs_error *err)
 {
     const int n_fine = n_bins * n_bins, n_threads = hs_threads_get();
     const double inv_width = n_bins / r_max;
+    const double *const positions[3] = {x[0], x[1], x[2]};
     uint32_t *fine;
     HS_TRY(HS_ALLOC(fine, (size_t)n_threads * (size_t)(n_fine + 1), err));
 #pragma omp parallel num_threads(n_threads)
@@ -26,7 +16,7 @@ hs_status hs_pair_histogram(const hs_cluster_list *list, const hs_clusters *clus
         uint32_t *own = fine + (size_t)hs_thread_number() * (size_t)(n_fine + 1);
 #pragma omp for schedule(dynamic, 1)
         for (int k = 0; k < list->n_chunks; ++k)
-            count_chunk(&list->chunk[k], clusters, x, hs_isa_histogram(isa), inv_width * inv_width, n_fine, own);
+            hs_isa_histogram(isa)(positions, clusters, &list->chunk[k], inv_width * inv_width, n_fine, own);
     }
     for (int bin = 0; bin < n_bins; ++bin) {
         counts[bin] = 0;

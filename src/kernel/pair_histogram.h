@@ -14,9 +14,9 @@ enum { HS_HISTOGRAM_BINS_MAX = 256 }; /**< beyond, the fine bins no longer fit c
 HS_MUST_USE hs_status hs_pair_histogram(const hs_cluster_list *list, const hs_clusters *clusters, double *const x[3],
                                         hs_isa isa, double r_max, int n_bins, int64_t *counts, hs_error *err);
 
-/** The inner part, compiled for every instruction set: adds the pairs between the i-cluster at @p first and its entries to
- *  counts, n_fine bins of width 1 / scale in r^2; whatever is farther, or no pair, goes to bin n_fine. */
-typedef void (*hs_histogram_kernel)(const double *const x[3], int first, const hs_cluster_entry *entry, int n_entries,
+/** The inner part, compiled for every instruction set: adds the pairs of a chunk of the list to counts, n_fine bins of width
+ *  1 / scale in r^2; whatever is farther, or no pair, is left out. */
+typedef void (*hs_histogram_kernel)(const double *const x[3], const hs_clusters *clusters, const hs_list_chunk *chunk,
                                     double scale, int n_fine, uint32_t *counts);
 hs_histogram_kernel hs_isa_histogram(hs_isa isa);
 extern const hs_histogram_kernel hs_histogram_kernel_portable, hs_histogram_kernel_sse2, hs_histogram_kernel_avx2,
