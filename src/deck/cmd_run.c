@@ -181,15 +181,6 @@ static hs_status run_run(hs_deck *deck, const hs_args *args, hs_error *err)
 
 /* ---- timestep, reset_timestep ---- */
 
-/** The time counted so far goes on from here, whatever the next steps' number or length. */
-static void keep_time(hs_env *env, int64_t step, double dt)
-{
-    env->time_origin += (double)(env->step - env->time_origin_step) * env->dt;
-    env->clock_ahead += env->step - step;
-    env->time_origin_step = env->step = step;
-    env->dt = dt;
-}
-
 static hs_status timestep_check(const hs_args *args, bool has_variables, hs_error *err)
 {
     double dt;
@@ -200,7 +191,7 @@ static hs_status timestep_run(hs_deck *deck, const hs_args *args, hs_error *err)
 {
     double dt;
     HS_TRY(hs_arg_double(args, 0, &dt, err));
-    keep_time(&deck->sim->env, deck->sim->env.step, dt);
+    hs_sim_set_clock(deck->sim, deck->sim->env.step, dt);
     return HS_OK;
 }
 
@@ -215,18 +206,9 @@ static hs_status reset_run(hs_deck *deck, const hs_args *args, hs_error *err)
     int64_t step;
     HS_TRY(hs_arg_int(args, 0, 0, step_max, &step, err));
     hs_sim *sim = deck->sim;
-    for (int i = 0; i < sim->n_fixes; ++i)
-        if (sim->fix[i]->style->is_time_dependent)
-            return hs_fail(err, HS_ERROR_INPUT,
-                           "reset_timestep: fix '%s' (%s) counts steps: 'unfix %s' first, and define it again after",
-                           sim->fix[i]->id, sim->fix[i]->style->about.name, sim->fix[i]->id);
-    /* Energies of the present positions stay those of the present step; what was remembered for another step of the old
-     * count must not be taken for this one's. */
-    const bool has_energy = sim->env.energy_step == sim->env.step;
-    keep_time(&sim->env, step, sim->env.dt);
-    sim->env.energy_step = has_energy ? step : -1;
+    HS_TRY(hs_sim_need_no_counters(sim, "reset_timestep", err));
+    hs_sim_set_clock(sim, step, sim->env.dt);
     sim->env.first_step = sim->env.last_step = step;
-    hs_env_changed(&sim->env);
     for (int i = 0; i < sim->n_dumps; ++i) sim->dump[i]->last_written = -1;
     return HS_OK;
 }

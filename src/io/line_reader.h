@@ -5,7 +5,7 @@
 #include "base/text.h"
 #include "parallel/parallel.h"
 
-enum { HS_LINE_WORDS_MAX = 64, HS_LINE_BYTES_MAX = 65536 };
+enum { HS_LINE_WORDS_MAX = 1024, HS_LINE_BYTES_MAX = 65536 };
 
 /** A file being read line by line: the first rank reads, and all ranks get the lines. Zero it before hs_lines_open. */
 typedef struct hs_lines {

@@ -118,7 +118,8 @@ hs_status hs_part_file_make(hs_part_file *part, const char *target, hs_error *er
     hs_status status = hs_text_printf(&path, err, "%s%s%ld", part->target, suffix, (long)getpid());
     if (status == HS_OK) status = hs_memory_strdup(&part->path, hs_text_get(&path), err);
     hs_text_fini(&path);
-    for (int k = 0; status == HS_OK && !is_mine && k < TRIES; ++k) status = lock_part(part, target, mode, &is_mine, err);
+    for (int k = 0; status == HS_OK && !is_mine && k < TRIES; ++k)
+        status = lock_part(part, target, mode, &is_mine, err);
     if (status == HS_OK && !is_mine)
         status = hs_fail(err, HS_ERROR_IO, "'%s' could not be opened for writing: another program removes it", target);
     if (status != HS_OK) {

@@ -144,6 +144,15 @@ static void say_traffic(const hs_sim *sim)
            forward.mean, back.mean, messages.mean);
 }
 
+void hs_report_loop(hs_sim *sim, int64_t n_steps, double loop_s)
+{
+    const int n_ranks = sim->parallel.n_ranks > 1 ? sim->parallel.n_ranks : 1;
+    int64_t n_atoms = sim->atoms.n_local;
+    hs_parallel_sum_int64(&sim->parallel, &n_atoms, 1);
+    hs_say(sim->env.out, "Loop time of %.6g on %d procs for %lld steps with %lld atoms\n\n",
+           spread_of(&sim->parallel, loop_s).mean, n_ranks * hs_threads_get(), (long long)n_steps, (long long)n_atoms);
+}
+
 void hs_report_finish(hs_sim *sim, int64_t n_steps, double loop_s, double cpu_s)
 {
     hs_sink *out = sim->env.out;
@@ -153,8 +162,7 @@ void hs_report_finish(hs_sim *sim, int64_t n_steps, double loop_s, double cpu_s)
     hs_parallel_sum_int64(&sim->parallel, &n_atoms, 1);
     loop_s = spread_of(&sim->parallel, loop_s).mean;
     cpu_s = spread_of(&sim->parallel, cpu_s).mean;
-    hs_say(out, "Loop time of %.6g on %d procs for %lld steps with %lld atoms\n\n", loop_s, n_ranks * n_threads,
-           (long long)n_steps, (long long)n_atoms);
+    hs_report_loop(sim, n_steps, loop_s);
     say_performance(sim, n_steps, loop_s);
     hs_say(out, "%.1f%% CPU use with %d MPI tasks x %d OpenMP threads\n", loop_s > 0.0 ? 100.0 * cpu_s / loop_s : 0.0,
            n_ranks, n_threads);

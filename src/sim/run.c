@@ -26,7 +26,7 @@ static hs_status init_styles(hs_sim *sim, hs_error *err)
         if (sim->fix[k]->style->init != NULL) HS_TRY(sim->fix[k]->style->init(sim->fix[k], err));
         n_integrators += sim->fix[k]->style->is_integrator;
     }
-    if (n_integrators == 0)
+    if (n_integrators == 0 && !sim->is_rerunning)
         hs_warn(&*sim->env.out, "no fix moves the atoms: a time integrator such as 'fix nve' is missing");
     hs_env_changed(&sim->env);
     for (int k = 0; k < sim->n_computes; ++k) {
@@ -56,6 +56,11 @@ hs_status hs_sim_setup(hs_sim *sim, hs_error *err)
     HS_TRY(hs_sim_setup_reproducible(sim, err));
     hs_tuner_start(sim);
     HS_TRY(init_styles(sim, err));
+    return hs_sim_setup_forces(sim, err);
+}
+
+hs_status hs_sim_setup_forces(hs_sim *sim, hs_error *err)
+{
     hs_neighbor_start(&sim->neighbor);
     HS_TRY(hs_sim_exchange(sim, err));
     HS_TRY(hs_sim_pair_forces(sim, true, err));
@@ -85,6 +90,12 @@ static hs_status write_dumps(hs_sim *sim, bool is_first, hs_error *err)
         dump->last_written = sim->env.step;
     }
     return HS_OK;
+}
+
+hs_status hs_sim_write_due(hs_sim *sim, bool is_first, hs_error *err)
+{
+    HS_TRY(write_dumps(sim, is_first, err));
+    return is_first || hs_thermo_is_due(sim->thermo, sim->env.step) ? hs_thermo_row(sim->thermo, err) : HS_OK;
 }
 
 static bool is_output_due(const hs_sim *sim, int64_t step)
@@ -122,9 +133,8 @@ static hs_status begin_run(hs_sim *sim, const hs_run_plan *plan, hs_error *err)
         HS_TRY(init_styles(sim, err));
         hs_neighbor_continue(&sim->neighbor);
     }
-    HS_TRY(write_dumps(sim, true, err));
     hs_thermo_header(sim->thermo);
-    HS_TRY(hs_thermo_row(sim->thermo, err));
+    HS_TRY(hs_sim_write_due(sim, true, err));
     hs_timer_reset(&sim->timer);
     return HS_OK;
 }
@@ -132,8 +142,7 @@ static hs_status begin_run(hs_sim *sim, const hs_run_plan *plan, hs_error *err)
 static hs_status write_output(hs_sim *sim, hs_error *err)
 {
     hs_timer_mark(&sim->timer);
-    HS_TRY(write_dumps(sim, false, err));
-    if (hs_thermo_is_due(sim->thermo, sim->env.step)) HS_TRY(hs_thermo_row(sim->thermo, err));
+    HS_TRY(hs_sim_write_due(sim, false, err));
     hs_timer_add(&sim->timer, HS_PHASE_OUTPUT);
     return HS_OK;
 }

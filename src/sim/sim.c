@@ -161,6 +161,29 @@ hs_status hs_sim_need_masses(const hs_sim *sim, const char *command, hs_error *e
     return HS_OK;
 }
 
+hs_status hs_sim_need_no_counters(const hs_sim *sim, const char *command, hs_error *err)
+{
+    for (int k = 0; k < sim->n_fixes; ++k)
+        if (sim->fix[k]->style->is_time_dependent)
+            return hs_fail(err, HS_ERROR_INPUT,
+                           "%s: fix '%s' (%s) counts steps: 'unfix %s' first, and define it again after", command,
+                           sim->fix[k]->id, sim->fix[k]->style->about.name, sim->fix[k]->id);
+    return HS_OK;
+}
+
+void hs_sim_set_clock(hs_sim *sim, int64_t step, double dt)
+{
+    hs_env *env = &sim->env;
+    /* What was remembered for another step of the old count must not be taken for this one's. */
+    const bool has_energy = env->energy_step == env->step;
+    env->time_origin += (double)(env->step - env->time_origin_step) * env->dt;
+    env->clock_ahead += env->step - step;
+    env->time_origin_step = env->step = step;
+    env->dt = dt;
+    env->energy_step = has_energy ? step : -1;
+    hs_env_changed(env);
+}
+
 void hs_sim_atoms_changed(hs_sim *sim)
 {
     sim->atoms.n_all = sim->atoms.n_local;

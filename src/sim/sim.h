@@ -78,6 +78,7 @@ typedef struct hs_sim {
     volatile sig_atomic_t *stop_requested; /**< borrowed: set by a signal handler; NULL without one */
     struct hs_saving *saving;              /**< owned; checkpoints and when they are due: sim/saving.h */
     bool is_stopping;                      /**< some rank was asked to stop; agreed once a step */
+    bool is_rerunning;                     /**< atoms come from a file: no fix needs to move them */
 } hs_sim;
 
 /** New, empty simulation. @p out is borrowed for its life. The caller destroys it. */
@@ -127,6 +128,12 @@ HS_MUST_USE hs_status hs_sim_need_masses(const hs_sim *sim, const char *command,
 /** Atoms were added, removed, moved or changed outside a run: count them (collective), forget halo, lists, and
  *  remembered compute values. Every command that touches atoms calls this last. */
 void hs_sim_atoms_changed(hs_sim *sim);
+
+/** Number the present step anew, or change the length of steps: the simulated time goes on from where it is, and energies of the
+ *  present positions stay known. */
+void hs_sim_set_clock(hs_sim *sim, int64_t step, double dt);
+/** Fail when a fix counts steps, so that they cannot be numbered anew. */
+HS_MUST_USE hs_status hs_sim_need_no_counters(const hs_sim *sim, const char *command, hs_error *err);
 
 /** Words of the command `run`. */
 typedef struct hs_run_plan {
@@ -179,6 +186,10 @@ HS_MUST_USE hs_status hs_sim_post_force(hs_sim *sim, hs_error *err);
 HS_MUST_USE hs_status hs_sim_modify_fix(hs_sim *sim, const char *id, const hs_args *args, hs_error *err);
 /** One timestep, without output (collective).  sim/step.c */
 HS_MUST_USE hs_status hs_sim_step(hs_sim *sim, bool with_energy, hs_error *err);
+/** Cells, lists, forces, energy and virial of atoms that were placed anew, when all else is set up. */
+HS_MUST_USE hs_status hs_sim_setup_forces(hs_sim *sim, hs_error *err);
+/** Dumps, and the row of the table, that are due at the present step (collective). */
+HS_MUST_USE hs_status hs_sim_write_due(hs_sim *sim, bool is_first, hs_error *err);
 /** Set-up only, with forces, energy and virial of the present positions (no step).  Used by run, by the API and by tests. */
 HS_MUST_USE hs_status hs_sim_setup(hs_sim *sim, hs_error *err);
 
