@@ -2,6 +2,7 @@
 #include <string.h>
 
 #include "base/memory.h"
+#include "base/text.h"
 #include "deck/command.h"
 #include "sim/rerun.h"
 
@@ -28,11 +29,36 @@ static const int64_t step_max = INT64_C(1) << 60;
 
 static const hs_keyword read_keywords[] = {READ_KEYWORDS, {0}};
 
+static const hs_keyword rerun_keywords[] = {
+    {"first", 1, "<step>", "first step to be read (default: 0)"},
+    {"last", 1, "<step>", "last step to be read (default: that of the last snapshot)"},
+    {"every", 1, "<N>", "only steps that are multiples of N, and the first; 0: all (default: 0)"},
+    {"skip", 1, "<N>", "of these, one out of N (default: 1)"},
+    {"start", 1, "<step>", "first step of the range over which `ramp` and the like change (default: first)"},
+    {"stop", 1, "<step>", "last step of that range (default: last)"},
+    {"post", 1, "yes|no", "timing table at the end (default: no)"},
+    {"dump", -1, "<field> ... [keyword value ...]", "the last keyword: words of read_dump from its fields on"},
+    {0},
+};
+
 static bool is_keyword(const hs_keyword *keywords, const char *word)
 {
     for (; keywords->name != NULL; ++keywords)
         if (strcmp(keywords->name, word) == 0) return true;
     return false;
+}
+
+/** A word that is no field and no keyword. */
+static hs_status refuse_word(const hs_args *args, int i, hs_error *err)
+{
+    enum { MAX = 64 };
+    const char *words[MAX] = {NULL};
+    int n = 0;
+    if (is_keyword(rerun_keywords, args->word[i]) && strcmp(args->command, "rerun") == 0)
+        return hs_arg_refuse(args, i, "allowed behind 'dump': all words after it are those of read_dump", NULL, err);
+    for (int k = HS_FIELD_X; k < HS_N_FIELDS; ++k) words[n++] = hs_field_names[k];
+    for (int k = 0; read_keywords[k].name != NULL && n < MAX - 1; ++k) words[n++] = read_keywords[k].name;
+    return hs_arg_refuse(args, i, "a field (x y z vx vy vz ix iy iz) or a keyword", words, err);
 }
 
 /** Fields from word i on, up to the first keyword. */
@@ -50,8 +76,7 @@ static hs_status read_fields(const hs_args *args, int *i, hs_read_options *optio
                                             : "a field that can be read: forces are computed from the places",
                                      NULL, err);
         for (k = 0; names[k] != NULL && strcmp(names[k], args->word[*i]) != 0;) ++k;
-        if (names[k] == NULL)
-            return hs_arg_refuse(args, *i, "a field (x y z vx vy vz ix iy iz) or a keyword", names, err);
+        if (names[k] == NULL) return refuse_word(args, *i, err);
         if (options->plan.wants[HS_FIELD_X + k]) return hs_arg_refuse(args, *i, "allowed twice", NULL, err);
         options->plan.wants[HS_FIELD_X + k] = true;
     }
@@ -237,18 +262,6 @@ static hs_status read_dump_run(hs_deck *deck, const hs_args *args, hs_error *err
 
 /* ---- rerun ---- */
 
-static const hs_keyword rerun_keywords[] = {
-    {"first", 1, "<step>", "first step to be read (default: 0)"},
-    {"last", 1, "<step>", "last step to be read (default: that of the last snapshot)"},
-    {"every", 1, "<N>", "only steps that are multiples of N, and the first; 0: all (default: 0)"},
-    {"skip", 1, "<N>", "of these, one out of N (default: 1)"},
-    {"start", 1, "<step>", "first step of the range over which `ramp` and the like change (default: first)"},
-    {"stop", 1, "<step>", "last step of that range (default: last)"},
-    {"post", 1, "yes|no", "timing table at the end (default: no)"},
-    {"dump", -1, "<field> ... [keyword value ...]", "the last keyword: words of read_dump from its fields on"},
-    {0},
-};
-
 static hs_status read_numbers(const hs_args *args, int i, int end, hs_rerun_plan *plan, hs_error *err)
 {
     bool has_start = false, has_stop = false;
@@ -274,9 +287,18 @@ static hs_status read_numbers(const hs_args *args, int i, int end, hs_rerun_plan
     return HS_OK;
 }
 
+/** A number among the files: the word before it was meant as a keyword. */
+static hs_status refuse_file(const hs_args *args, int i, hs_error *err)
+{
+    const hs_args words = hs_args_from(args, i, NULL);
+    const hs_syntax syntax = {.usage = "<file> ... [keyword value ...] dump <field> ...", .keywords = rerun_keywords};
+    return hs_syntax_check(&syntax, &words, false, err);
+}
+
 static hs_status read_rerun(const hs_args *args, hs_rerun_plan *plan, hs_error *err)
 {
     int first = 0, dump = 0;
+    int64_t number;
     *plan = (hs_rerun_plan){.last = step_max, .skip = 1};
     while (first < args->n && !is_keyword(rerun_keywords, args->word[first])) ++first;
     while (dump < args->n && strcmp(args->word[dump], "dump") != 0) ++dump;
@@ -285,7 +307,10 @@ static hs_status read_rerun(const hs_args *args, hs_rerun_plan *plan, hs_error *
         return hs_fail(err, HS_ERROR_INPUT,
                        "%s: the keyword 'dump' and the fields to be read are missing, as in 'dump x y z'",
                        args->command);
-    for (int i = 0; i < first; ++i) HS_TRY(refuse_percent(args, i, err));
+    for (int i = 0; i < first; ++i) {
+        HS_TRY(refuse_percent(args, i, err));
+        if (i > 0 && hs_text_to_int64(args->word[i], &number)) return refuse_file(args, i - 1, err);
+    }
     HS_TRY(read_numbers(args, first, dump, plan, err));
     plan->read.plan.file = args->word;
     plan->read.plan.n_files = first;

@@ -201,6 +201,7 @@ static hs_status make_head(hs_text *head, const hs_fix *fix, const hs_chunks *ch
 static hs_status init(hs_fix *fix, hs_error *err)
 {
     ave_state *state = fix->state;
+    hs_schedule_renew(&state->schedule, fix->env->step);
     char command[128], title[256];
     hs_compute *compute, *bias;
     hs_text head = {0};
@@ -365,6 +366,7 @@ static hs_status end_of_step(hs_fix *fix, hs_error *err)
 {
     ave_state *state = fix->state;
     hs_compute *compute;
+    HS_TRY(hs_fix_need_sample(fix, state->schedule.next, err));
     if (!hs_schedule_is_due(&state->schedule, fix->env->step)) return HS_OK;
     HS_TRY(hs_chunks_find(fix->env, state->chunk_id, "fix ave/chunk", &compute, err));
     hs_chunks *chunks = hs_chunks_of(compute);

@@ -142,6 +142,7 @@ static void destroy(hs_fix *fix)
 static hs_status init(hs_fix *fix, hs_error *err)
 {
     ave_state *state = fix->state;
+    hs_schedule_renew(&state->schedule, fix->env->step);
     char command[128], title[160];
     snprintf(command, sizeof command, "fix '%.80s' (ave/time)", fix->id);
     for (int k = 0; k < state->n_values; ++k)
@@ -213,6 +214,7 @@ static hs_status write_window(hs_fix *fix, hs_error *err)
 static hs_status end_of_step(hs_fix *fix, hs_error *err)
 {
     ave_state *state = fix->state;
+    HS_TRY(hs_fix_need_sample(fix, state->schedule.next, err));
     if (!hs_schedule_is_due(&state->schedule, fix->env->step)) return HS_OK;
     const int n = state->n_rows * state->n_values;
     if (state->schedule.n_taken == 0) memset(state->sum, 0, (size_t)n * sizeof *state->sum);

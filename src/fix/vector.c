@@ -10,13 +10,18 @@ typedef struct vector_state {
     int64_t capacity;
 } vector_state;
 
+/** The first sample at or after a step. */
+static void renew(vector_state *state, int64_t step)
+{
+    state->next = (step + state->every - 1) / state->every * state->every;
+}
+
 static hs_status create(hs_fix *fix, const hs_args *args, hs_error *err)
 {
     vector_state *state = fix->state;
     HS_TRY(hs_arg_int(args, 0, 1, INT32_MAX, &state->every, err));
     HS_TRY(hs_values_create(&state->values, &state->n, fix->env, args, 1, args->n - 1, HS_VALUE_NUMBER, err));
-    const int64_t step = fix->env->step;
-    state->next = (step + state->every - 1) / state->every * state->every;
+    renew(state, fix->env->step);
     fix->has_vector = state->n == 1;
     fix->has_array = state->n > 1;
     fix->n_columns = fix->has_array ? state->n : 0;
@@ -33,9 +38,10 @@ static void destroy(hs_fix *fix)
 
 static hs_status init(hs_fix *fix, hs_error *err)
 {
-    const vector_state *state = fix->state;
+    vector_state *state = fix->state;
     char command[128];
     snprintf(command, sizeof command, "fix '%.80s' (vector)", fix->id);
+    if (state->next < fix->env->step) renew(state, fix->env->step);
     for (int k = 0; k < state->n; ++k)
         HS_TRY(hs_value_check(fix->env, &state->values[k], HS_VALUE_NUMBER, command, err));
     return HS_OK;
@@ -52,6 +58,7 @@ static bool needs_energy(const hs_fix *fix, int64_t step)
 static hs_status end_of_step(hs_fix *fix, hs_error *err)
 {
     vector_state *state = fix->state;
+    HS_TRY(hs_fix_need_sample(fix, state->next, err));
     if (fix->env->step != state->next) return HS_OK;
     const int64_t n_rows = fix->has_array ? fix->n_rows : fix->n_vector;
     if (n_rows == INT32_MAX)

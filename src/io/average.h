@@ -21,6 +21,11 @@ typedef struct hs_schedule {
 HS_MUST_USE hs_status hs_schedule_init(hs_schedule *schedule, const hs_args *args, int first, hs_error *err);
 /** Set the first sample at or after a step. */
 void hs_schedule_begin(hs_schedule *schedule, int64_t step);
+/** The same when samples would be due before @p step: steps may have passed since the fix was made. */
+static inline void hs_schedule_renew(hs_schedule *schedule, int64_t step)
+{
+    if (schedule->next < step) hs_schedule_begin(schedule, step);
+}
 /** For keep_state of a fix. */
 HS_MUST_USE hs_status hs_schedule_keep(hs_schedule *schedule, hs_state *state, hs_error *err);
 /** Whether a sample is due on that step. */

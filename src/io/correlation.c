@@ -101,6 +101,13 @@ static hs_status make_head(const hs_fix *fix, hs_text *head, const char *x_name,
     return hs_memory_strdup(&c->head, hs_text_get(head), err);
 }
 
+/** The first sample at or after a step. */
+static void renew(hs_correlation *c, int64_t step)
+{
+    if (c->schedule.start > step) step = c->schedule.start;
+    c->next = (step + c->every - 1) / c->every * c->every;
+}
+
 hs_status hs_correlation_table(hs_fix *fix, int n_rows, const char *x_name, hs_correlation_name name, hs_error *err)
 {
     hs_correlation *c = fix->state;
@@ -112,8 +119,7 @@ hs_status hs_correlation_table(hs_fix *fix, int n_rows, const char *x_name, hs_c
     HS_TRY(HS_ALLOC(c->result, (size_t)n_rows * (size_t)c->n_columns, err));
     fix->n_rows = n_rows;
     fix->n_columns = c->n_columns + 2;
-    const int64_t begin = c->schedule.start > fix->env->step ? c->schedule.start : fix->env->step;
-    c->next = (begin + c->every - 1) / c->every * c->every;
+    renew(c, fix->env->step);
     const hs_status status = make_head(fix, &head, x_name, name, err);
     hs_text_fini(&head);
     return status;
@@ -134,6 +140,7 @@ hs_status hs_correlation_init(hs_fix *fix, const char *title, const char *rows, 
 {
     hs_correlation *c = fix->state;
     char command[160], first[160], second[80];
+    if (c->next < fix->env->step) renew(c, fix->env->step);
     snprintf(command, sizeof command, "fix '%.80s' (%.60s)", fix->id, fix->style->about.name);
     for (int k = 0; k < c->n_values; ++k)
         HS_TRY(hs_value_check(fix->env, &c->values[k], HS_VALUE_NUMBER, command, err));
@@ -155,6 +162,7 @@ bool hs_correlation_needs_energy(const hs_fix *fix, int64_t step)
 hs_status hs_correlation_sample(hs_fix *fix, double *sample, bool *is_due, hs_error *err)
 {
     hs_correlation *c = fix->state;
+    HS_TRY(hs_fix_need_sample(fix, c->next, err));
     *is_due = fix->env->step == c->next;
     if (!*is_due) return HS_OK;
     for (int k = 0; k < c->n_values; ++k) HS_TRY(hs_value_number(fix->env, &c->values[k], &sample[k], err));

@@ -8,9 +8,9 @@
 #include "io/part_file.h"
 
 struct hs_h5md {
-    char *path;     /**< owned */
+    char *path;        /**< owned */
     hs_part_file part; /**< the file while it is not whole; none once it has its name */
-    bool is_single; /**< takes its own name only when it is closed */
+    bool is_single;    /**< takes its own name only when it is closed */
     bool is_failed;
     hid_t file;
     const hs_h5md_element *element; /**< borrowed */

@@ -66,6 +66,9 @@ static hs_status read_row(fix_reader *reader, hs_table_lines *lines, char *line,
 static hs_status read_rows(fix_reader *reader, hs_table_lines *lines, char *line, hs_error *err)
 {
     hs_table_file *file = reader->file;
+    if (reader->names[1] == NULL)
+        return hs_fail(err, HS_ERROR_INPUT,
+                       "no comment names the columns: this is neither a log, nor a fix's output, nor CSV");
     HS_TRY(hs_table_split(reader->names[1], &reader->name, &reader->capacity_names, &reader->n_names, err));
     const bool has_blocks = reader->names[0] != NULL && strstr(reader->names[0], " Number-of-") != NULL;
     file->kind = has_blocks ? HS_TABLE_BLOCKS : HS_TABLE_SERIES;

@@ -16,7 +16,7 @@
 enum { BUFFER_SIZE = 1 << 18 };
 
 struct hs_writer {
-    char *path;   /**< as given; owned */
+    char *path;        /**< as given; owned */
     hs_part_file part; /**< a whole file until it is complete; none in place */
     int fd;
     bool is_regular;   /**< can be cut back */

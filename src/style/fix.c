@@ -12,6 +12,15 @@ hs_status hs_fix_noise(const hs_fix *fix, int64_t seed, hs_noise *noise, hs_erro
     return status;
 }
 
+hs_status hs_fix_need_sample(const hs_fix *fix, int64_t next, hs_error *err)
+{
+    if (next >= fix->env->step) return HS_OK;
+    return hs_fail(err, HS_ERROR_INPUT,
+                   "fix '%s' (%s) needs a sample at step %lld, of which there is no snapshot: its steps must be steps "
+                   "of the snapshots",
+                   fix->id, fix->style->about.name, (long long)next);
+}
+
 hs_status hs_fix_vector_add(const hs_fix *fix, hs_fix_vector *vector, const char *what, hs_error *err)
 {
     for (int axis = 0; axis < 3; ++axis) {

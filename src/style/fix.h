@@ -79,6 +79,8 @@ typedef struct hs_fix {
 /** Whether post_force must fill fix->virial at this step. */
 static inline bool hs_fix_needs_virial(const hs_fix *fix) { return fix->adds_virial && fix->env->with_energy; }
 
+/** Fail when the step of the next sample has passed without one, which only a rerun of snapshots at other steps brings about. */
+HS_MUST_USE hs_status hs_fix_need_sample(const hs_fix *fix, int64_t next, hs_error *err);
 /** The fix's own stream of noise: another for each style, ID and seed. */
 HS_MUST_USE hs_status hs_fix_noise(const hs_fix *fix, int64_t seed, hs_noise *noise, hs_error *err);
 /** Step number for noise: it counts on where reset_timestep sets the step back, so that noise never repeats. */
