@@ -6,6 +6,7 @@
 #include "base/memory.h"
 #include "cli/cli.h"
 #include "deck/frames.h"
+#include "sim/saving.h"
 
 /** The log goes on where it was: in the file of -log, or in the one that the checkpoint names. */
 static hs_status open_log(hs_deck *deck, hs_error *err)
@@ -28,6 +29,7 @@ static hs_status resume(const hs_cli *cli, const hs_cli_settings *settings, hs_d
     if (settings->log != NULL) HS_TRY(hs_memory_strdup(&deck->log_name, settings->log, err));
     HS_TRY(hs_deck_resume(deck, settings->deck, err));
     *exit_code = deck->exit_code;
+    hs_sim_remove_automatic(deck->sim);
     return hs_cli_flush(deck->out->log, "log file", err);
 }
 

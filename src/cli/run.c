@@ -1,11 +1,13 @@
 /* halfshell run: a deck from its first line to its last, or to its first error. */
 #include <errno.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
 #include "base/machine.h"
 #include "base/memory.h"
+#include "base/text.h"
 #include "base/timer.h"
 #include "cli/cli.h"
 #include "sim/saving.h"
@@ -60,6 +62,10 @@ void hs_cli_prepare_stop(const hs_cli *cli, const hs_cli_settings *settings, hs_
 {
     deck->sim->stop_requested = cli->stop_requested;
     deck->sim->saving->on_stop = true;
+    const char *const autosave = getenv("HALFSHELL_AUTOSAVE");
+    double minutes = 15.0;
+    if (autosave == NULL || hs_text_to_double(autosave, &minutes))
+        hs_saving_be_automatic(deck->sim->saving, minutes * SECONDS_A_MINUTE);
     if (settings->walltime_s > 0.0) deck->sim->saving->deadline_s = hs_time_now_s() + settings->walltime_s;
 }
 
@@ -88,7 +94,10 @@ static hs_status run_deck(const hs_cli *cli, const hs_cli_settings *settings, hs
     HS_TRY(hs_deck_create(&deck, &settings->options, out, err));
     hs_status status = prepare(cli, settings, deck, err);
     if (status == HS_OK) status = hs_deck_run(deck, settings->deck, err);
-    if (status == HS_OK) *exit_code = deck->exit_code;
+    if (status == HS_OK) {
+        *exit_code = deck->exit_code;
+        hs_sim_remove_automatic(deck->sim);
+    }
     hs_progress_wipe(out);
     if (status != HS_OK)
         hs_say_log(out, "%s%s (%s:%ld)\n", status == HS_INTERRUPTED ? "" : "ERROR: ", err->text,

@@ -1,5 +1,6 @@
 #include "neighbor/cells.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -84,6 +85,13 @@ hs_status hs_cells_set_grid(hs_cells *cells, const double brick_lo[3], const dou
         extent[a] = brick_hi[axis] - brick_lo[axis] + 2.0 * margin;
         pitch[a] = is_flat ? extent[a] : a == 2 ? width / 3.0 : width;
     }
+    for (int a = 0; a < 3; ++a)
+        if (!(pitch[a] > 0.0 && pitch[a] <= DBL_MAX && extent[a] / pitch[a] <= DBL_MAX))
+            return hs_fail(
+                err, HS_ERROR_RUN,
+                "the box, %g long in %c here, cannot be cut into cells: lengths must be of a size that their "
+                "cube is a number",
+                extent[a], "xyz"[axes[is_3d][a]]);
     const int64_t most = 4 * n_atoms + 4096;
     while (count_cells(extent, pitch, n) > most)
         for (int a = 0; a < 3; ++a) pitch[a] *= 1.25;

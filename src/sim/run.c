@@ -2,6 +2,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/memory.h"
 #include "sim/report.h"
 #include "sim/saving.h"
 #include "sim/sim.h"
@@ -86,8 +87,10 @@ static hs_status write_dumps(hs_sim *sim, bool is_first, hs_error *err)
     for (int k = 0; k < sim->n_dumps; ++k) {
         hs_dump *dump = sim->dump[k];
         if (!is_dump_due(dump, sim->env.step, is_first)) continue;
-        HS_TRY(dump->style->write(dump, err));
-        dump->last_written = sim->env.step;
+        const int64_t before = dump->last_written;
+        const hs_status status = dump->style->write(dump, err);
+        dump->last_written = status == HS_OK ? sim->env.step : before;
+        HS_TRY(status);
     }
     return HS_OK;
 }
@@ -119,6 +122,8 @@ static hs_status begin_run(hs_sim *sim, const hs_run_plan *plan, hs_error *err)
 {
     if (plan->is_resumed) { /* all is as it was at this step, and its output is written */
         hs_thermo_header(sim->thermo);
+        if (sim->is_output_due) HS_TRY(hs_sim_write_due(sim, false, err));
+        sim->is_output_due = false;
         hs_timer_reset(&sim->timer);
         return HS_OK;
     }
@@ -139,10 +144,24 @@ static hs_status begin_run(hs_sim *sim, const hs_run_plan *plan, hs_error *err)
     return HS_OK;
 }
 
+/** A file could not be written, but the step is whole: a checkpoint, perhaps on another disk, loses nothing. */
+static hs_status rescue(hs_sim *sim, hs_status status)
+{
+    hs_error ignored = {0};
+    char *path = NULL;
+    if (status != HS_ERROR_IO || !sim->saving->on_stop) return status;
+    sim->is_output_due = true;
+    if (hs_sim_save_now(sim, &path, &ignored) == HS_OK) sim->saving->is_rescued = true;
+    sim->is_output_due = false;
+    HS_FREE(path);
+    return status;
+}
+
 static hs_status write_output(hs_sim *sim, hs_error *err)
 {
     hs_timer_mark(&sim->timer);
-    HS_TRY(hs_sim_write_due(sim, false, err));
+    const hs_status status = hs_sim_write_due(sim, false, err);
+    if (status != HS_OK) return rescue(sim, status);
     hs_timer_add(&sim->timer, HS_PHASE_OUTPUT);
     return HS_OK;
 }
@@ -196,10 +215,21 @@ static void warn_of_late_lists(hs_sim *sim)
 static hs_status tell_last_checkpoint(const hs_sim *sim, hs_status status, hs_error *err)
 {
     const hs_saving *saving = sim->saving;
-    const size_t n = strlen(err->text);
-    if (status != HS_INTERRUPTED && saving->last_path != NULL)
-        snprintf(err->text + n, sizeof err->text - n, ". The last checkpoint is '%s', of step %lld", saving->last_path,
-                 (long long)saving->last_step);
+    char *const end = err->text + strlen(err->text);
+    const size_t n = sizeof err->text - strlen(err->text);
+    const char *const path = saving->last_path;
+    if (status == HS_INTERRUPTED || path == NULL) return status;
+    if (saving->is_rescued)
+        snprintf(end, n, ". Nothing is lost: '%s' is of this step, and 'halfshell resume %s' goes on from there", path,
+                 path);
+    else if (status == HS_ERROR_IO)
+        snprintf(end, n, ". The last checkpoint is '%s', of step %lld: 'halfshell resume %s' goes on from there", path,
+                 (long long)saving->last_step, path);
+    else /* it would end in the same way */
+        snprintf(end, n,
+                 ". The last checkpoint is '%s', of step %lld: a deck with 'read_restart %s' goes on from there "
+                 "with other settings",
+                 path, (long long)saving->last_step, path);
     return status;
 }
 

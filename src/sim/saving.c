@@ -10,6 +10,7 @@
 #include "io/writer.h"
 
 const char hs_saving_pattern[] = "checkpoint.*.h5";
+static const char automatic_pattern[] = "autosave.*.h5";
 
 void hs_saving_fini(hs_saving *saving)
 {
@@ -22,8 +23,38 @@ void hs_saving_fini(hs_saving *saving)
     HS_FREE(saving->last_path);
 }
 
-void hs_saving_inherit(hs_saving *saving, const hs_saving *from)
+void hs_saving_be_automatic(hs_saving *saving, double every_s)
 {
+    saving->is_automatic = every_s > 0.0;
+    saving->every_s = every_s;
+    saving->keep = 1;
+}
+
+void hs_saving_be_asked(hs_saving *saving)
+{
+    if (!saving->is_automatic) return;
+    saving->is_automatic = false;
+    saving->every_s = 0.0;
+    saving->keep = 0;
+}
+
+void hs_sim_remove_automatic(hs_sim *sim)
+{
+    hs_saving *saving = sim->saving;
+    for (int k = 0; k < saving->n_recent && saving->is_automatic && sim->parallel.rank == 0; ++k)
+        unlink(saving->recent[k]);
+}
+
+void hs_saving_inherit(hs_saving *saving, hs_saving *from)
+{
+    if (from->is_automatic) {
+        hs_saving_be_automatic(saving, from->every_s);
+        saving->recent = from->recent;
+        saving->n_recent = from->n_recent;
+        saving->last_s = from->last_s;
+        from->recent = NULL;
+        from->n_recent = 0;
+    }
     saving->on_stop = from->on_stop;
     saving->deadline_s = from->deadline_s;
     saving->write = from->write;
@@ -72,20 +103,36 @@ static hs_status keep(hs_sim *sim, const char *path, hs_error *err)
     return HS_OK;
 }
 
-hs_status hs_sim_save_now(hs_sim *sim, char **path, hs_error *err)
+static hs_status save_as(hs_sim *sim, const char *pattern, char **path, hs_error *err)
 {
-    const char *pattern = sim->saving->pattern != NULL ? sim->saving->pattern : hs_saving_pattern;
     HS_TRY(hs_writer_step_name(path, pattern, sim->env.step, 0, err));
     HS_TRY(write_file(sim, *path, err));
     return keep(sim, *path, err);
 }
 
+hs_status hs_sim_save_now(hs_sim *sim, char **path, hs_error *err)
+{
+    return save_as(sim, sim->saving->pattern != NULL ? sim->saving->pattern : hs_saving_pattern, path, err);
+}
+
+/** A checkpoint that nobody asked for must do no harm. */
+static void save_automatically(hs_sim *sim)
+{
+    hs_error err = {0};
+    char *path = NULL;
+    if (save_as(sim, automatic_pattern, &path, &err) != HS_OK) {
+        hs_warn(sim->env.out, "%s; the run goes on without automatic checkpoints", err.text);
+        hs_saving_be_asked(sim->saving);
+    }
+    HS_FREE(path);
+}
+
 /** Whether a checkpoint by wall time is due. Rank 0's clock decides, and is asked every few steps only. */
 static bool is_due_by_time(hs_sim *sim)
 {
-    enum { STEPS_BETWEEN = 8 };
     hs_saving *saving = sim->saving;
-    if (saving->every_s <= 0.0 || (sim->parallel.n_ranks > 1 && sim->env.step % STEPS_BETWEEN != 0)) return false;
+    const int steps_between = saving->is_automatic ? 64 : 8;
+    if (saving->every_s <= 0.0 || (sim->parallel.n_ranks > 1 && sim->env.step % steps_between != 0)) return false;
     if (saving->last_s == 0.0) saving->last_s = hs_time_now_s();
     bool is_due = hs_time_now_s() - saving->last_s >= saving->every_s;
     hs_parallel_broadcast(&sim->parallel, 0, &is_due, sizeof is_due);
@@ -98,7 +145,10 @@ hs_status hs_sim_save_if_due(hs_sim *sim, hs_error *err)
     const int64_t step = sim->env.step;
     char *path = NULL;
     hs_status status = HS_OK;
-    if ((saving->every_steps > 0 && step % saving->every_steps == 0) || is_due_by_time(sim))
+    if (saving->is_automatic && is_due_by_time(sim))
+        save_automatically(sim);
+    else if (!saving->is_automatic &&
+             ((saving->every_steps > 0 && step % saving->every_steps == 0) || is_due_by_time(sim)))
         status = hs_sim_save_now(sim, &path, err);
     HS_FREE(path);
     HS_TRY(status);

@@ -22,6 +22,8 @@ typedef struct hs_saving {
     char *last_path; /**< owned; NULL: none yet */
     int64_t last_step;
 
+    bool is_rescued;   /**< the last one was written because output failed */
+    bool is_automatic; /**< nobody asked for these: see hs_saving_be_automatic */
     bool on_stop;      /**< write one when the run is stopped by a signal or by its time limit */
     double deadline_s; /**< time of hs_time_now_s at which the run must be over; 0: no limit */
     /** Writes a checkpoint; set by the deck. */
@@ -32,8 +34,15 @@ typedef struct hs_saving {
 extern const char hs_saving_pattern[];
 
 void hs_saving_fini(hs_saving *saving);
+/** For runs whose deck says nothing of checkpoints: one each so many seconds, autosave.STEP.h5, each in place of the one
+ *  before; when it cannot be written, the run goes on without. 0 or less: none. */
+void hs_saving_be_automatic(hs_saving *saving, double every_s);
+/** The deck says how it wants checkpoints. */
+void hs_saving_be_asked(hs_saving *saving);
+/** The deck has come to its end: automatic checkpoints have served (collective). */
+void hs_sim_remove_automatic(hs_sim *sim);
 /** Settings of the program, kept over `clear`. */
-void hs_saving_inherit(hs_saving *saving, const hs_saving *from);
+void hs_saving_inherit(hs_saving *saving, hs_saving *from);
 /** After a step (collective): write what is due. */
 HS_MUST_USE hs_status hs_sim_save_if_due(hs_sim *sim, hs_error *err);
 /** A checkpoint under the default name, for a run that stops now; *path is the caller's (collective). */
