@@ -184,7 +184,9 @@ const hs_command hs_commands_restart[] = {
           .details =
               "Takes over units, dimension, boundary, atom style, box, atoms, masses, groups, pair style and its "
               "coefficients, step, timestep and simulated time. Fixes, computes, regions, neighbor and output settings "
-              "are the new deck's. To go on with the same deck, use `halfshell resume FILE` instead. Only files of "
+              "are the new deck's; a fix of the same ID and style as one of the old deck's goes on from its state "
+              "(averages, thermostats, starting places), as far as its words allow, and this is told when the run "
+              "begins. To go on with the same deck, use `halfshell resume FILE` instead. Only files of "
               "this "
               "program can be read.",
           .example = "read_restart equilibrated.h5"},

@@ -10,6 +10,7 @@
 #include "deck/source.h"
 #include "io/checkpoint.h"
 #include "io/part_file.h"
+#include "sim/restored.h"
 #include "sim/saving.h"
 
 /** Words of a joined text: cut in place. The caller frees words->word (the array). */
@@ -75,6 +76,17 @@ static hs_status get_variables(hs_checkpoint *checkpoint, hs_deck *deck, hs_erro
 
 /* ---- The simulation ---- */
 
+/** The number of types decides how much memory is taken: another value must confirm it first. */
+static hs_status check_types(hs_checkpoint *checkpoint, int n_types, hs_error *err)
+{
+    hs_state state;
+    HS_TRY(hs_checkpoint_get(checkpoint, "run", &state, err));
+    const hs_state_value *mass = hs_state_find(&state, "mass");
+    const bool is_fine = mass != NULL && mass->n == (int64_t)n_types + 1;
+    hs_state_fini(&state);
+    return is_fine ? HS_OK : hs_fail(err, HS_ERROR_INPUT, "there are not as many masses as types");
+}
+
 /** Box, types and atoms, as far as what there is knows of their fields. */
 static hs_status get_atoms(hs_checkpoint *checkpoint, hs_sim *sim, bool all_fields, hs_error *err)
 {
@@ -84,6 +96,7 @@ static hs_status get_atoms(hs_checkpoint *checkpoint, hs_sim *sim, bool all_fiel
     hs_status status = hs_sim_keep_box(sim, &state, err);
     hs_state_fini(&state);
     HS_TRY(status);
+    HS_TRY(check_types(checkpoint, sim->atoms.n_types, err));
     if (n_types != sim->atoms.n_types || sim->atoms.mass == NULL)
         HS_TRY(hs_atoms_set_types(&sim->atoms, sim->atoms.n_types, err));
     HS_TRY(hs_domain_divide(&sim->domain, &sim->box, err));
@@ -367,6 +380,48 @@ hs_status hs_deck_resume(hs_deck *deck, const char *path, hs_error *err)
     return status;
 }
 
+/** Call keep for each of the names that a text joins. */
+static hs_status keep_each(hs_checkpoint *checkpoint, hs_sim *sim, hs_state *state, const char *list,
+                           hs_status (*keep)(hs_checkpoint *, hs_sim *, const char *, hs_error *), hs_error *err)
+{
+    char *names = NULL;
+    const hs_state_value *value = hs_state_find(state, list); /* older files have none */
+    if (value == NULL || value->kind != HS_STATE_TEXT) return HS_OK;
+    hs_status status = hs_state_text(state, list, &names, err);
+    for (char *at = names; at != NULL && *at != '\0' && status == HS_OK;) {
+        char *end = strchr(at, HS_SAVED_COMMAND);
+        if (end != NULL) *end++ = '\0';
+        status = keep(checkpoint, sim, at, err);
+        at = end;
+    }
+    HS_FREE(names);
+    return status;
+}
+
+static hs_status keep_field(hs_checkpoint *checkpoint, hs_sim *sim, const char *words, hs_error *err)
+{
+    unsigned size = 0;
+    int n = 0;
+    (void)checkpoint;
+    if (sscanf(words, "%u %n", &size, &n) < 1 || n == 0 || size < 4 || size > 4096 || (size != 4 && size % 8 != 0))
+        return hs_fail(err, HS_ERROR_INPUT, "a field of the atoms has no size");
+    return hs_restored_keep_field(sim, words + n, size, err);
+}
+
+static hs_status keep_fix(hs_checkpoint *checkpoint, hs_sim *sim, const char *id, hs_error *err)
+{
+    char section[300];
+    hs_state state = {0};
+    char *style = NULL;
+    snprintf(section, sizeof section, "fix/%s", id);
+    HS_TRY(hs_checkpoint_get(checkpoint, section, &state, err));
+    hs_status status = hs_state_text(&state, "style", &style, err);
+    if (status == HS_OK && style != NULL) status = hs_restored_keep_fix(sim, id, style, &state, err);
+    HS_FREE(style);
+    hs_state_fini(&state);
+    return status;
+}
+
 hs_status hs_deck_read_restart(hs_deck *deck, const char *path, hs_error *err)
 {
     hs_checkpoint *checkpoint = NULL;
@@ -377,6 +432,8 @@ hs_status hs_deck_read_restart(hs_deck *deck, const char *path, hs_error *err)
     hs_status status = hs_checkpoint_get(checkpoint, "deck", &state, err);
     if (status == HS_OK) status = hs_state_text(&state, "commands", &commands, err);
     if (status == HS_OK) status = repeat_all(checkpoint, deck, commands, true, err);
+    if (status == HS_OK) status = keep_each(checkpoint, sim, &state, "fixes", keep_fix, err);
+    if (status == HS_OK) status = keep_each(checkpoint, sim, &state, "fields of fixes", keep_field, err);
     if (status == HS_OK) status = get_atoms(checkpoint, sim, false, err);
     if (status == HS_OK) status = get_run(checkpoint, sim, err);
     sim->is_initialized = false;

@@ -12,6 +12,7 @@
 #include "deck/source.h"
 #include "deck/variables.h"
 #include "io/checkpoint.h"
+#include "sim/restored.h"
 #include "sim/saving.h"
 
 void hs_frame_push(hs_deck *deck, hs_frame *frame)
@@ -184,11 +185,10 @@ static hs_status put_styles(hs_checkpoint *checkpoint, hs_sim *sim, hs_error *er
         hs_status status;
         if (k < sim->n_fixes) {
             hs_fix *fix = sim->fix[k];
-            if (fix->style->keep_state == NULL) continue;
             snprintf(section, sizeof section, "fix/%s", fix->id);
             char *name = (char *)(uintptr_t)fix->style->about.name;
             status = hs_state_text(&state, "style", &name, err);
-            if (status == HS_OK) status = fix->style->keep_state(fix, &state, err);
+            if (status == HS_OK && fix->style->keep_state != NULL) status = fix->style->keep_state(fix, &state, err);
         } else {
             hs_compute *compute = sim->compute[k - sim->n_fixes];
             if (compute->style->keep_state == NULL) continue;
@@ -217,6 +217,24 @@ hs_status hs_saved_keep_dump(hs_dump *dump, hs_state *state, hs_error *err)
     return hs_state_int64(state, "file size", &dump->resume_at, 1, err);
 }
 
+/** IDs of the fixes, and what fields they have of the atoms: for read_restart, which knows no fix yet. */
+static hs_status keep_names(const hs_sim *sim, hs_state *state, hs_error *err)
+{
+    hs_text ids = {0}, fields = {0};
+    hs_status status = HS_OK;
+    for (int k = 0; k < sim->n_fixes && status == HS_OK; ++k)
+        status = hs_text_printf(&ids, err, "%s%c", sim->fix[k]->id, HS_SAVED_COMMAND);
+    for (int k = 0; k < sim->atoms.n_fields && status == HS_OK; ++k)
+        if (strncmp(sim->atoms.field[k].name, "fix ", 4) == 0)
+            status = hs_text_printf(&fields, err, "%zu %s%c", sim->atoms.field[k].size, sim->atoms.field[k].name,
+                                    HS_SAVED_COMMAND);
+    if (status == HS_OK) status = hs_state_text(state, "fixes", &ids.data, err);
+    if (status == HS_OK) status = hs_state_text(state, "fields of fixes", &fields.data, err);
+    hs_text_fini(&ids);
+    hs_text_fini(&fields);
+    return status;
+}
+
 static hs_status put_settings(hs_checkpoint *checkpoint, hs_deck *deck, int n_places, hs_error *err)
 {
     hs_state state = {0};
@@ -227,6 +245,7 @@ static hs_status put_settings(hs_checkpoint *checkpoint, hs_deck *deck, int n_pl
     if (status == HS_OK) status = hs_state_text(&state, "precision", &precision, err);
     if (status == HS_OK) status = hs_state_text(&state, "log", &deck->log_name, err);
     if (status == HS_OK) status = hs_state_bool(&state, "jump is skipped", &deck->jump_skipped, err);
+    if (status == HS_OK) status = keep_names(deck->sim, &state, err);
     if (status == HS_OK) status = hs_checkpoint_put(checkpoint, "deck", &state, err);
     hs_state_fini(&state);
     return status;
@@ -250,6 +269,7 @@ hs_status hs_deck_save(void *context, const char *path, hs_error *err)
     hs_deck *deck = context;
     hs_checkpoint *checkpoint = NULL;
     int n_places = 0;
+    hs_restored_forget(deck->sim); /* fixes that were to get it are there now, or are no part of this deck's state */
     HS_TRY(hs_checkpoint_create(&checkpoint, path, &deck->sim->parallel, err));
     hs_status status = put_places(checkpoint, deck, &n_places, err);
     if (status == HS_OK) status = put_settings(checkpoint, deck, n_places, err);

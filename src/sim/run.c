@@ -4,6 +4,7 @@
 
 #include "base/memory.h"
 #include "sim/report.h"
+#include "sim/restored.h"
 #include "sim/saving.h"
 #include "sim/sim.h"
 #include "sim/thermo.h"
@@ -27,6 +28,7 @@ static hs_status init_styles(hs_sim *sim, hs_error *err)
         if (sim->fix[k]->style->init != NULL) HS_TRY(sim->fix[k]->style->init(sim->fix[k], err));
         n_integrators += sim->fix[k]->style->is_integrator;
     }
+    HS_TRY(hs_restored_give_states(sim, err));
     if (n_integrators == 0 && !sim->is_rerunning)
         hs_warn(&*sim->env.out, "no fix moves the atoms: a time integrator such as 'fix nve' is missing");
     hs_env_changed(&sim->env);

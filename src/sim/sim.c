@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "base/memory.h"
+#include "sim/restored.h"
 #include "sim/saving.h"
 #include "sim/thermo.h"
 #include "style/pair_scan.h"
@@ -80,6 +81,7 @@ void hs_sim_destroy(hs_sim **sim_pointer)
     hs_sim *sim = *sim_pointer;
     if (sim == NULL) return;
     if (sim->thermo != NULL) hs_thermo_destroy(&sim->thermo);
+    hs_restored_forget(sim);
     hs_sim_destroy_styles(sim);
     for (int k = 0; k < sim->n_pair_tables; ++k) HS_FREE(sim->pair_table[k].values);
     HS_FREE(sim->pair_table);

@@ -77,6 +77,7 @@ typedef struct hs_sim {
     int64_t *n_of_type;  /**< owned [n_types + 1]: atoms of each type on all ranks, counted at set-up */
     volatile sig_atomic_t *stop_requested; /**< borrowed: set by a signal handler; NULL without one */
     struct hs_saving *saving;              /**< owned; checkpoints and when they are due: sim/saving.h */
+    struct hs_restored *restored;          /**< owned; states for fixes to come: sim/restored.h; NULL: none */
     bool is_stopping;                      /**< some rank was asked to stop; agreed once a step */
     bool is_output_due;                    /**< the output of the present step failed: a resumed run begins with it */
     bool is_rerunning;                     /**< atoms come from a file: no fix needs to move them */

@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "base/memory.h"
+#include "sim/restored.h"
 #include "sim/sim.h"
 
 /* The kinds of named styles are kept in arrays of pointers alike; one set of macros serves their lists. */
@@ -197,6 +198,7 @@ hs_status hs_sim_add_fix(hs_sim *sim, const char *id, const char *group, const c
         ++sim->n_fixes;
     sim->fix[place] = fix;
     sim->is_initialized = false;
+    hs_restored_give_fields(sim, id);
     return HS_OK;
 }
 

@@ -1,0 +1,52 @@
+#!/bin/bash
+# read_restart in another deck: fixes of the same ID and style go on from their states (starting places of springs, running
+# averages, thermostats), to the bits of the run that was not interrupted; what does not fit is told and begins anew.
+set -eu
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cd "$folder"
+fail() { echo "FAILED: $*" >&2; exit 1; }
+
+cat >fixes.in <<'END'
+fix move all nve
+fix heat all langevin 1.2 1.0 0.7 4711
+fix tie all spring/self 2.0
+fix mean all ave/time 2 3 10 c_thermo_temp c_thermo_pe ave running
+fix list all vector 20 c_thermo_press
+variable sum equal trap(f_list)
+thermo_style custom step temp pe f_mean[1] f_mean[2] f_tie v_sum
+thermo_modify format float %.17g
+thermo 10
+END
+cat >first.in <<'END'
+units lj
+lattice fcc 0.8442
+region box block 0 4 0 4 0 4
+create_box 1 box
+create_atoms 1 box
+mass 1 1.0
+velocity all create 1.44 87287
+pair_style lj/cut 2.5
+pair_coeff 1 1 1.0 1.0
+include fixes.in
+run 100
+write_restart middle.h5
+run 60
+END
+printf 'read_restart middle.h5\ninclude fixes.in\nrun 60\n' >second.in
+rows() { awk '/^ *Step /{++on;next} /^Loop time/{on=0} on && /^ *[0-9]/ && $1 >= 100' "$1" | tail -7; }
+
+"$HALFSHELL" first.in -log first.log >/dev/null
+"$HALFSHELL" second.in -log second.log >out 2>err || fail "$(cat err)"
+rows first.log >expected
+[ "$(wc -l <expected)" -eq 7 ] || fail "rows: $(cat expected)"
+rows second.log | cmp - expected >&2 || { rows second.log; cat expected; fail "fixes did not go on from their states"; } >&2
+[ "$(grep -c 'fix style: .*, fix ID: ' out)" -eq 3 ] || fail "not told: $(cat out)"
+
+# Another thermostat under the same ID, an average of other length, and no springs.
+sed 's/^fix heat.*/fix heat all temp\/rescale 10 1.0 1.0 0.1 0.5/; s/c_thermo_temp c_thermo_pe ave/c_thermo_temp ave/; /^fix tie/d; s/f_mean\[1\] f_mean\[2\] f_tie/f_mean/' \
+    fixes.in >other.in
+printf 'read_restart middle.h5\ninclude other.in\nrun 20\n' >third.in
+"$HALFSHELL" third.in -log none >out 2>err || fail "$(cat err)"
+grep -q "fix 'mean' (ave/time): its state in the restart file does not fit" out || fail "no warning: $(cat out)"
+grep -q 'fix style: vector, fix ID: list' out || fail "list: $(cat out)"
