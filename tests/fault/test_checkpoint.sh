@@ -1,6 +1,6 @@
 #!/bin/bash
-# A run that is interrupted, killed, or cannot write goes on from its last checkpoint to the bits of the run left alone; what is
-# damaged is never taken for whole.
+# A run that is interrupted or cannot write leaves a checkpoint to go on from; what is damaged is never taken for whole. Runs that
+# are killed: test_kills.sh.
 # shellcheck disable=SC2012,SC2015,SC2059
 set -eu
 folder=$(mktemp -d)
@@ -36,23 +36,7 @@ write_data end.data
 END
 run() { "$HALFSHELL" "$@" >out 2>err; }
 run run.in || fail "the run itself: $(cat err)"
-mkdir whole && mv end.data s.dump said.txt whole/
 [ "$(ls checkpoint.*.h5 | wc -l)" = 3 ] || fail "not the last three checkpoints were kept"
-same() { cmp end.data whole/end.data && cmp s.dump whole/s.dump || fail "$1 did not end in the same bits"; }
-
-# Killed by kill -9 at moments of a fixed sequence; the last checkpoint is always whole.
-for round in 1 2 3 4 5; do
-    rm -f checkpoint.* s.dump end.data said.txt
-    "$HALFSHELL" run.in >out 2>&1 &
-    pid=$!
-    sleep "$(awk -v r="$round" 'BEGIN { printf "%.4f", 0.04 + 0.2 * ((r * 0.6180339887) % 1) }')"
-    { kill -9 "$pid" && wait "$pid"; } 2>/dev/null || true
-    last=$(ls checkpoint.*.h5 2>/dev/null | sort -t. -k2 -n | tail -1)
-    [ -n "$last" ] || continue # killed before the first one
-    run resume "$last" || fail "resume after a kill in round $round: $(cat err)"
-    same "round $round ($last)"
-done
-
 # What a killed run leaves of an unfinished file goes when the file, or one of its series, is written again; what a living run is
 # writing, and what is not ours, stays.
 rm -f checkpoint.*
