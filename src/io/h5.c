@@ -115,6 +115,20 @@ bool hs_h5_write_block(hid_t dataset, hid_t type, int rank, const hsize_t *start
     return move_block(dataset, type, rank, start, count, NULL, values);
 }
 
+bool hs_h5_is_plain(hid_t dataset, hid_t type)
+{
+    const hid_t create = H5Dget_create_plist(dataset), in_file = H5Dget_type(dataset);
+    const bool is_plain = H5Pget_nfilters(create) == 0 && H5Tequal(in_file, type) > 0;
+    H5Tclose(in_file);
+    H5Pclose(create);
+    return is_plain;
+}
+
+bool hs_h5_write_chunk(hid_t dataset, const hsize_t *start, size_t n_bytes, const void *values)
+{
+    return H5Dwrite_chunk(dataset, H5P_DEFAULT, 0, start, n_bytes, values) >= 0;
+}
+
 bool hs_h5_read_block(hid_t dataset, hid_t type, int rank, const hsize_t *start, const hsize_t *count, void *values)
 {
     return move_block(dataset, type, rank, start, count, values, NULL);

@@ -32,6 +32,10 @@ hid_t hs_h5_dataset(hid_t at, const char *name, const hs_h5_shape *shape);
 /** Write a block at @p start of @p count elements. */
 bool hs_h5_write_block(hid_t dataset, hid_t type, int rank, const hsize_t *start, const hsize_t *count,
                        const void *values);
+/** Whether hs_h5_write_chunk can be used: the dataset is not compressed, and numbers in memory are as in the file. */
+bool hs_h5_is_plain(hid_t dataset, hid_t type);
+/** Write a whole chunk as it is, past HDF5's own buffers: parts beyond the dataset's extents must hold fill values. */
+bool hs_h5_write_chunk(hid_t dataset, const hsize_t *start, size_t n_bytes, const void *values);
 bool hs_h5_read_block(hid_t dataset, hid_t type, int rank, const hsize_t *start, const hsize_t *count, void *values);
 /** Extents of a dataset; its rank, or -1. At most 3 dimensions. */
 int hs_h5_extents(hid_t dataset, hsize_t *extents);

@@ -230,15 +230,40 @@ hs_status hs_h5md_begin_frame(hs_h5md *self, int64_t step, double time, const hs
     return HS_OK;
 }
 
+/** Rows of an element as whole chunks, as far as they are: HDF5 would copy each into a new buffer, after having filled it. *n_done
+ *  rows were written. */
+static bool put_chunks(const hs_h5md *self, int element, hsize_t first, hsize_t n, const char *values, hsize_t *n_done)
+{
+    const hs_h5md_element *kind = &self->element[element];
+    const hid_t dataset = self->value[element], type = kind->is_integer ? H5T_NATIVE_INT32 : H5T_NATIVE_DOUBLE;
+    const hid_t create = H5Dget_create_plist(dataset);
+    hsize_t chunk[3] = {0, 0, 0};
+    const int rank = kind->n_columns > 1 ? 3 : 2;
+    const bool is_chunked = H5Pget_chunk(create, rank, chunk) == rank;
+    const size_t row = (size_t)kind->n_columns * (kind->is_integer ? sizeof(int32_t) : sizeof(double));
+    H5Pclose(create);
+    *n_done = 0;
+    if (!is_chunked || chunk[0] != 1 || first % chunk[1] != 0 || !hs_h5_is_plain(dataset, type)) return true;
+    while (*n_done + chunk[1] <= n) {
+        const hsize_t start[3] = {self->n_frames - 1, first + *n_done, 0};
+        if (!hs_h5_write_chunk(dataset, start, row * (size_t)chunk[1], values + row * (size_t)*n_done)) return false;
+        *n_done += chunk[1];
+    }
+    return true;
+}
+
 hs_status hs_h5md_put_rows(hs_h5md *self, int element, int64_t first, int64_t n, const void *values, hs_error *err)
 {
     const hs_h5md_element *kind = &self->element[element];
-    const hsize_t start[3] = {self->n_frames - 1, (hsize_t)first, 0},
-                  count[3] = {1, (hsize_t)n, (hsize_t)kind->n_columns};
+    const size_t row = (size_t)kind->n_columns * (kind->is_integer ? sizeof(int32_t) : sizeof(double));
+    hsize_t n_done;
     hs_h5_quiet quiet = hs_h5_be_quiet();
-    const bool is_fine =
-        hs_h5_write_block(self->value[element], kind->is_integer ? H5T_NATIVE_INT32 : H5T_NATIVE_DOUBLE,
-                          kind->n_columns > 1 ? 3 : 2, start, count, values);
+    bool is_fine = put_chunks(self, element, (hsize_t)first, (hsize_t)n, values, &n_done);
+    const hsize_t start[3] = {self->n_frames - 1, (hsize_t)first + n_done, 0},
+                  count[3] = {1, (hsize_t)n - n_done, (hsize_t)kind->n_columns};
+    if (is_fine && count[1] > 0)
+        is_fine = hs_h5_write_block(self->value[element], kind->is_integer ? H5T_NATIVE_INT32 : H5T_NATIVE_DOUBLE,
+                                    kind->n_columns > 1 ? 3 : 2, start, count, (const char *)values + row * n_done);
     hs_h5_end_quiet(&quiet);
     return is_fine ? HS_OK : hs_h5md_fail(self, "written", err);
 }

@@ -17,42 +17,50 @@ static int compare_ids(const void *a, const void *b)
 }
 
 /** Order by a table with a place for each id between the least and the greatest. */
-static hs_status order_by_table(int32_t *order, const keyed *atom, int n, int64_t least, int64_t greatest,
+static hs_status order_by_table(int32_t *order, const hs_atoms *atoms, uint32_t mask, int64_t least, int64_t greatest,
                                 hs_error *err)
 {
     const size_t n_places = (size_t)(greatest - least) + 1;
     int32_t *table, n_ordered = 0;
     HS_TRY(HS_ALLOC(table, n_places, err));
-    for (int k = 0; k < n; ++k) table[atom[k].id - least] = atom[k].index + 1;
+#pragma omp parallel for schedule(static)
+    for (int i = 0; i < atoms->n_local; ++i)
+        if (atoms->mask[i] & mask) table[atoms->id[i] - least] = i + 1;
     for (size_t place = 0; place < n_places; ++place)
         if (table[place] != 0) order[n_ordered++] = table[place] - 1;
     HS_FREE(table);
     return HS_OK;
 }
 
+static hs_status order_by_sorting(int32_t *order, const hs_atoms *atoms, uint32_t mask, int n, hs_error *err)
+{
+    keyed *atom;
+    int n_found = 0;
+    HS_TRY(HS_ALLOC(atom, (size_t)n, err));
+    for (int i = 0; i < atoms->n_local; ++i)
+        if (atoms->mask[i] & mask) atom[n_found++] = (keyed){.id = atoms->id[i], .index = i};
+    if (n > 0) qsort(atom, (size_t)n, sizeof *atom, compare_ids);
+    for (int k = 0; k < n; ++k) order[k] = atom[k].index;
+    HS_FREE(atom);
+    return HS_OK;
+}
+
 /** Fill rows->order with this rank's atoms. */
 static hs_status order_mine(hs_rows *rows, const hs_atoms *atoms, uint32_t mask, hs_error *err)
 {
-    keyed *atom;
     int n = 0;
     int64_t least = INT64_MAX, greatest = 0;
-    HS_TRY(HS_ALLOC(atom, (size_t)atoms->n_local, err));
-    hs_status status = HS_ALLOC(rows->order, (size_t)atoms->n_local, err);
-    for (int i = 0; i < atoms->n_local && status == HS_OK; ++i) {
+#pragma omp parallel for schedule(static) reduction(+ : n) reduction(min : least) reduction(max : greatest)
+    for (int i = 0; i < atoms->n_local; ++i) {
         if ((atoms->mask[i] & mask) == 0) continue;
-        atom[n++] = (keyed){.id = atoms->id[i], .index = i};
+        ++n;
         if (atoms->id[i] < least) least = atoms->id[i];
         if (atoms->id[i] > greatest) greatest = atoms->id[i];
     }
+    HS_TRY(HS_ALLOC(rows->order, (size_t)n, err));
     rows->n_local = n;
-    if (status == HS_OK && n > 0 && (greatest - least) / 8 < n) {
-        status = order_by_table(rows->order, atom, n, least, greatest, err);
-    } else if (status == HS_OK) {
-        qsort(atom, (size_t)n, sizeof *atom, compare_ids);
-        for (int k = 0; k < n; ++k) rows->order[k] = atom[k].index;
-    }
-    HS_FREE(atom);
-    return status;
+    if (n > 0 && (greatest - least) / 8 < n) return order_by_table(rows->order, atoms, mask, least, greatest, err);
+    return order_by_sorting(rows->order, atoms, mask, n, err);
 }
 
 hs_status hs_rows_begin(hs_rows *rows, const hs_parallel *parallel, const hs_atoms *atoms, uint32_t mask, hs_error *err)
