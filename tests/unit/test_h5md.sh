@@ -105,6 +105,59 @@ assert one['position/value'].shape == (1, two.sum(), 3)
 END
 "$python" look.py
 
+# Atoms that leave and atoms that come: fill values where a frame has not an atom, new rows at the end.
+cat >gas.in <<END
+boundary f f f
+region box block 0 8 0 8 0 8
+lattice sc 0.3
+create_box 1 box
+create_atoms 1 box
+mass 1 1.0
+velocity all create 9.0 4711
+pair_style lj/cut 2.5
+pair_coeff * * 1.0 1.0
+fix 1 all nve
+thermo_style custom step atoms
+thermo_modify lost ignore
+thermo 20
+dump g all h5md 20 gas.h5md position velocity image
+run 60
+create_atoms 1 single 0.1 0.1 0.1 units box
+create_atoms 1 single 7.9 7.9 7.9 units box
+dump_modify g every 4
+run 4
+write_data gas.data
+END
+"$HALFSHELL" gas.in -log gas.log >/dev/null
+cat >gas.py <<END
+import h5py, numpy as np
+counts = {}
+for words in map(str.split, open('gas.log')): # step 60 has a row before and one after atoms come
+    if len(words) == 2 and words[0].isdigit() and words[1].isdigit(): counts.setdefault(int(words[0]), int(words[1]))
+p = h5py.File('gas.h5md', 'r')['particles/all']
+x, v, image, ids = p['position/value'][:], p['velocity/value'][:], p['image/value'][:], p['id'][:]
+n = [int(np.isfinite(frame[:, 0]).sum()) for frame in x]
+assert list(p['position/step'][:]) == [0, 20, 40, 60, 64] and n[:4] == [counts[s] for s in (0, 20, 40, 60)], (n, counts)
+assert n[0] > n[3] and n[4] <= n[3] + 2 and len(ids) == n[0] + 2 and len(set(ids)) == len(ids)
+assert np.isnan(x[:4, n[0]:]).all() and np.isfinite(x[0, :n[0]]).all()
+for k in range(5): # all elements of a frame have the same atoms
+    here = np.isfinite(x[k, :, 0])
+    assert (np.isfinite(x[k]).all(1) == here).all() and (np.isfinite(v[k]).all(1) == here).all()
+    assert ((image[k] == -2**31).all(1) == ~here).all()
+try:
+    import warnings
+    warnings.simplefilter('ignore')
+    import MDAnalysis
+except ImportError:
+    raise SystemExit
+u = MDAnalysis.Universe.empty(len(ids), trajectory=True)
+u.load_new('gas.h5md', convert_units=False)
+for k in range(5):
+    u.trajectory[k]
+    assert (np.isnan(u.atoms.positions[:, 0]) == np.isnan(x[k, :, 0])).all()
+END
+"$python" -W ignore gas.py 2>gas.err || { cat gas.err >&2; exit 1; }
+
 if command -v h5dump >/dev/null; then h5dump -d /particles/all/position/step run.h5md | grep -q '0, 10, 20'; fi
 if "$python" -c 'import MDAnalysis' 2>/dev/null; then
     cat >mda.py <<END
