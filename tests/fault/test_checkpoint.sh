@@ -75,6 +75,22 @@ run long.in -walltime 2 || code=$?
 [ "$code" = 3 ] || fail "-walltime gave exit code $code: $(cat err)"
 grep -q 'walltime' err
 
+# A deck that asks for no checkpoints has automatic ones, which go at its end.
+grep -v '^checkpoint' run.in >auto.in
+HALFSHELL_AUTOSAVE=0.0005 run auto.in || fail "automatic checkpoints: $(cat err)"
+[ -z "$(ls autosave.* 2>/dev/null)" ] || fail "an automatic checkpoint was left"
+mv end.data whole.data
+HALFSHELL_AUTOSAVE=0.0005 "$HALFSHELL" auto.in >out 2>err &
+pid=$!
+while [ -z "$(ls autosave.*.h5 2>/dev/null)" ] && kill -0 "$pid" 2>/dev/null; do sleep 0.01; done
+{ kill -9 "$pid" && wait "$pid"; } 2>/dev/null || true
+file=$(ls autosave.*.h5 2>/dev/null || true)
+if [ -n "$file" ]; then # else the run was quicker
+    run resume "$file" || fail "resume of an automatic checkpoint: $(cat err)"
+    cmp end.data whole.data || fail "an automatic checkpoint did not go on to the same bits"
+fi
+rm -f autosave.*
+
 # Damage: a bit, the end, the version; each refused with its reason and exit code 1.
 run run.in
 good=$(ls checkpoint.*.h5 | tail -1)
