@@ -28,3 +28,10 @@ void hs_timer_add(hs_timer *timer, hs_phase phase)
     timer->phase_s[phase] += now_s - timer->last_s;
     timer->last_s = now_s;
 }
+
+void hs_timer_add_comm(hs_timer *timer, hs_comm_part part)
+{
+    const double before_s = timer->phase_s[HS_PHASE_COMM];
+    hs_timer_add(timer, HS_PHASE_COMM);
+    timer->comm_s[part] += timer->phase_s[HS_PHASE_COMM] - before_s;
+}

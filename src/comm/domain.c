@@ -31,18 +31,19 @@ static bool is_allowed(const hs_domain *domain, const hs_box *box, const int n[3
     return box->dimension == 3 || n[2] == 1;
 }
 
-/** The allowed grid of least surface; the one with fewer bricks along x when two are equal. */
+/** The allowed grid of least surface. When several are equal, the one with the fewest cuts across z, then y: columns of cells,
+ *  which stand along z, stay long. */
 static bool choose_grid(hs_domain *domain, const hs_box *box)
 {
     double least = INFINITY;
-    for (int nx = 1; nx <= domain->n_ranks; ++nx) {
-        if (domain->n_ranks % nx != 0) continue;
-        const int rest = domain->n_ranks / nx;
+    for (int nz = 1; nz <= domain->n_ranks; ++nz) {
+        if (domain->n_ranks % nz != 0) continue;
+        const int rest = domain->n_ranks / nz;
         for (int ny = 1; ny <= rest; ++ny) {
-            const int n[3] = {nx, ny, rest / ny};
+            const int n[3] = {rest / ny, ny, nz};
             if (rest % ny != 0 || !is_allowed(domain, box, n)) continue;
             const double area = surface(box, n);
-            if (area >= least) continue;
+            if (area >= least * (1.0 - 1e-12)) continue;
             least = area;
             memcpy(domain->n, n, sizeof n);
         }

@@ -208,6 +208,7 @@ static hs_status reserve_atoms(hs_halo *halo, hs_atoms *atoms, hs_error *err)
     if (n > halo->capacity) {
         const size_t capacity = (size_t)(n + n / 8 + 64);
         HS_TRY(HS_GROW(halo->slot, 0, capacity, err));
+        HS_TRY(HS_GROW(halo->is_remote, 0, capacity, err));
         halo->capacity = (int)capacity;
     }
     if (n > atoms->capacity_halo) return hs_atoms_reserve(atoms, atoms->n_local, n + n / 8 + 64, err);
@@ -228,7 +229,10 @@ static void place_atoms(hs_halo *halo, hs_atoms *atoms)
     atoms->n_halo = halo->n;
     halo->generation = atoms->generation;
 #pragma omp parallel for schedule(static)
-    for (int k = 0; k < halo->n; ++k) halo->slot[k] = k;
+    for (int k = 0; k < halo->n; ++k) {
+        halo->slot[k] = k;
+        halo->is_remote[k] = k >= halo->in.n_self_atoms;
+    }
     clear_padding(atoms);
     hs_halo_forward(halo, atoms);
 }
@@ -272,5 +276,6 @@ void hs_halo_fini(hs_halo *halo)
     fini_side(&halo->in);
     HS_FREE(halo->source);
     HS_FREE(halo->slot);
+    HS_FREE(halo->is_remote);
     memset(halo, 0, sizeof *halo);
 }

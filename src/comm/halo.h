@@ -35,11 +35,13 @@ enum { HS_HALO_WORDS = 3 }; /**< words of 8 bytes that a message carries for eac
 typedef struct hs_halo {
     int n; /**< halo atoms */
     hs_halo_side out, in;
-    int32_t *source; /**< owned [out.n]: local index of the atom copied */
-    int32_t *slot;   /**< owned [n]: halo atom k stands at index n_local + slot[k] */
+    int32_t *source;          /**< owned [out.n]: local index of the atom copied */
+    int32_t *slot;            /**< owned [n]: halo atom k stands at index n_local + slot[k] */
+    unsigned char *is_remote; /**< owned [n]: the one at index n_local + q comes from another rank */
     hs_messages forward, reverse;
     int capacity, capacity_source;
     uint64_t generation; /**< of the atoms this halo belongs to */
+    bool is_awaited;     /**< positions are under way: between hs_halo_forward_send and _wait */
 } hs_halo;
 
 /** Choose the halo of the local atoms (which must lie in this rank's brick), sized to reach, and fill positions, in order
@@ -57,6 +59,11 @@ void hs_halo_follow(hs_halo *halo, hs_atoms *atoms, const int32_t *place);
 void hs_halo_forward_fields(const hs_halo *halo, hs_atoms *atoms);
 /** Positions of halo atoms from those of their sources. Collective. */
 void hs_halo_forward(const hs_halo *halo, hs_atoms *atoms);
+/* The same in parts, between which there may be work that needs no other rank's atoms: messages are sent, and own images made;
+   messages have come; positions are taken from them. Collective. */
+void hs_halo_forward_send(hs_halo *halo, hs_atoms *atoms);
+void hs_halo_forward_wait(hs_halo *halo);
+void hs_halo_forward_receive(const hs_halo *halo, hs_atoms *atoms);
 /** The same for any per-atom array of positions [3] with room for the halo (reference positions of lists). Collective. */
 void hs_halo_forward_positions(const hs_halo *halo, const hs_atoms *atoms, double *const position[3]);
 /** Copy any per-atom array of @p size bytes an atom, with room for the halo, to the halo. Collective. */
@@ -64,6 +71,12 @@ void hs_halo_forward_array(const hs_halo *halo, const hs_atoms *atoms, void *val
 /** Add forces of halo atoms to their sources. The order of additions does not depend on the number of threads. Collective.
  *  @p is_fixed: the forces are 64-bit integers in the place of doubles (fixed point). */
 void hs_halo_reverse(const hs_halo *halo, hs_atoms *atoms, bool is_fixed);
+/* The same in parts: forces on halo atoms are sent, which must be complete; those of own images are added, so all forces must be
+   complete; messages have come; their forces are added. Collective. */
+void hs_halo_reverse_send(const hs_halo *halo, const hs_atoms *atoms);
+void hs_halo_reverse_own(const hs_halo *halo, hs_atoms *atoms, bool is_fixed);
+void hs_halo_reverse_wait(const hs_halo *halo);
+void hs_halo_reverse_receive(const hs_halo *halo, hs_atoms *atoms, bool is_fixed);
 /** The same for any three per-atom arrays (torques). Collective. */
 void hs_halo_reverse_arrays(const hs_halo *halo, const hs_atoms *atoms, double *const values[3], bool is_fixed);
 /** The other way, without adding: collected[k] of @p size bytes, k < out.n, is the value of the copy of local atom source[k]

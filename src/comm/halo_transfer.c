@@ -59,10 +59,32 @@ void hs_halo_forward_positions(const hs_halo *halo, const hs_atoms *atoms, doubl
 
 void hs_halo_forward(const hs_halo *halo, hs_atoms *atoms) { hs_halo_forward_positions(halo, atoms, atoms->x); }
 
+void hs_halo_forward_send(hs_halo *halo, hs_atoms *atoms)
+{
+    if (halo->out.n > halo->out.n_self_atoms) pack_positions(halo, atoms->x);
+    hs_messages_start(&halo->forward);
+    copy_own_positions(halo, atoms->n_local, atoms->x);
+    halo->is_awaited = true;
+}
+
+void hs_halo_forward_wait(hs_halo *halo)
+{
+    hs_messages_wait(&halo->forward);
+    halo->is_awaited = false;
+}
+
+void hs_halo_forward_receive(const hs_halo *halo, hs_atoms *atoms)
+{
+    if (halo->n > halo->in.n_self_atoms) unpack_positions(halo, atoms->n_local, atoms->x);
+}
+
 void hs_halo_reorder(hs_halo *halo, hs_atoms *atoms, const int32_t *order)
 {
 #pragma omp parallel for schedule(static)
-    for (int q = 0; q < halo->n; ++q) halo->slot[order[q]] = q;
+    for (int q = 0; q < halo->n; ++q) {
+        halo->slot[order[q]] = q;
+        halo->is_remote[q] = order[q] >= halo->in.n_self_atoms;
+    }
     copy_own_positions(halo, atoms->n_local, atoms->x);
     unpack_positions(halo, atoms->n_local, atoms->x); /* those of the build are in the buffer still */
 }
@@ -155,14 +177,17 @@ static inline void add_back(double *to, const double *value, bool is_fixed)
         *to += *value;
 }
 
-void hs_halo_reverse_arrays(const hs_halo *halo, const hs_atoms *atoms, double *const values[3], bool is_fixed)
+static void pack_back(const hs_halo *halo, int n_local, double *const values[3])
 {
-    const int n_local = atoms->n_local;
 #pragma omp parallel for schedule(static)
     for (int k = halo->in.n_self_atoms; k < halo->n; ++k)
         for (int axis = 0; axis < 3; ++axis) words_of(&halo->in, k)[axis] = values[axis][n_local + halo->slot[k]];
-    hs_messages_start(&halo->reverse);
-    /* Within one block a source occurs once at most, so threads never meet; blocks follow one another. */
+}
+
+/* Within one block a source occurs once at most, so threads never meet; blocks follow one another. */
+
+static void add_own(const hs_halo *halo, int n_local, double *const values[3], bool is_fixed)
+{
 #pragma omp parallel
     for (int b = 0; b < halo->out.n_self; ++b) {
         const hs_halo_block *block = &halo->out.block[b];
@@ -171,7 +196,10 @@ void hs_halo_reverse_arrays(const hs_halo *halo, const hs_atoms *atoms, double *
             for (int axis = 0; axis < 3; ++axis)
                 add_back(&values[axis][halo->source[k]], &values[axis][n_local + halo->slot[k]], is_fixed);
     }
-    hs_messages_wait(&halo->reverse);
+}
+
+static void add_received(const hs_halo *halo, double *const values[3], bool is_fixed)
+{
     if (halo->out.n == halo->out.n_self_atoms) return;
 #pragma omp parallel
     for (int b = halo->out.n_self; b < halo->out.n_blocks; ++b) {
@@ -183,9 +211,36 @@ void hs_halo_reverse_arrays(const hs_halo *halo, const hs_atoms *atoms, double *
     }
 }
 
+void hs_halo_reverse_arrays(const hs_halo *halo, const hs_atoms *atoms, double *const values[3], bool is_fixed)
+{
+    pack_back(halo, atoms->n_local, values);
+    hs_messages_start(&halo->reverse);
+    add_own(halo, atoms->n_local, values, is_fixed);
+    hs_messages_wait(&halo->reverse);
+    add_received(halo, values, is_fixed);
+}
+
 void hs_halo_reverse(const hs_halo *halo, hs_atoms *atoms, bool is_fixed)
 {
     hs_halo_reverse_arrays(halo, atoms, atoms->f, is_fixed);
+}
+
+void hs_halo_reverse_send(const hs_halo *halo, const hs_atoms *atoms)
+{
+    pack_back(halo, atoms->n_local, atoms->f);
+    hs_messages_start(&halo->reverse);
+}
+
+void hs_halo_reverse_own(const hs_halo *halo, hs_atoms *atoms, bool is_fixed)
+{
+    add_own(halo, atoms->n_local, atoms->f, is_fixed);
+}
+
+void hs_halo_reverse_wait(const hs_halo *halo) { hs_messages_wait(&halo->reverse); }
+
+void hs_halo_reverse_receive(const hs_halo *halo, hs_atoms *atoms, bool is_fixed)
+{
+    add_received(halo, atoms->f, is_fixed);
 }
 
 /** Bytes [at, at + length) of each value. */

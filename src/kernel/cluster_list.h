@@ -11,6 +11,9 @@ typedef struct hs_list_chunk {
     int32_t *start; /**< owned [end - begin + 1]: first entry of each cluster, from begin on */
     int64_t capacity_start;
     hs_entry_list entries;
+    int32_t *outer; /**< owned [n_outer]: clusters with other ranks' atoms in their lists, ascending */
+    int n_outer;
+    int64_t capacity_outer;
     unsigned char *touched; /**< owned: blocks of atoms that the chunk's forces act on */
     int64_t capacity_touched;
     int64_t n_pairs; /**< pairs of atoms in the list */

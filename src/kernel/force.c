@@ -76,6 +76,7 @@ static void reduce_block(hs_force_space *space, int64_t block, int64_t n_room, b
             if (space->buffer[t].touched[block]) add_forces(f, space->buffer[t].f[axis], begin, end, is_fixed);
         }
     }
+    for (int t = 0; t < space->n_threads; ++t) space->buffer[t].touched[block] = t == 0;
 }
 
 void hs_force_result_add(hs_force_result *sum, const hs_force_result *added)
@@ -102,22 +103,46 @@ static void add_output(hs_force_result *result, const hs_kernel_output *out)
     result->peak_energy = fmax(result->peak_energy, out->peak_energy);
 }
 
-hs_status hs_force_run_threads(hs_force_space *space, const hs_force_job *job, hs_force_work work,
-                               hs_force_result *result, hs_error *err)
+/** One stage on all threads, then the reduction of the blocks [begin, end) of forces. */
+static void run_stage(hs_force_space *space, const hs_force_job *job, hs_force_work work, hs_force_stage stage,
+                      int64_t begin, int64_t end)
 {
-    const hs_atoms *atoms = job->atoms;
-    HS_TRY(hs_force_space_reserve(space, atoms, err));
-    const int64_t n_atoms = (int64_t)atoms->n_local + atoms->n_halo, n_room = n_atoms + HS_ATOMS_PAD;
+    const int64_t n_room = (int64_t)job->atoms->n_local + job->atoms->n_halo + HS_ATOMS_PAD;
+    const bool is_first = stage == HS_STAGE_ALL || stage == HS_STAGE_BEFORE;
 #pragma omp parallel num_threads(space->n_threads)
     {
         hs_force_buffer *buffer = &space->buffer[hs_thread_number()];
-        begin_thread(buffer, n_room, job->is_added && hs_thread_number() == 0);
-        (void)work(space, job, hs_thread_number());
+        if (is_first) begin_thread(buffer, n_room, job->is_added && hs_thread_number() == 0);
+        if (buffer->error.status == HS_OK) (void)work(space, job, stage, hs_thread_number());
 #pragma omp barrier
 #pragma omp for schedule(static)
-        for (int64_t block = 0; block < n_blocks(n_room); ++block)
+        for (int64_t block = begin; block < end; ++block)
             reduce_block(space, block, n_room, job->precision == HS_PRECISION_FIXED);
     }
+}
+
+static void run_stages(hs_force_space *space, const hs_force_job *job, hs_force_work work, bool is_staged)
+{
+    const hs_force_halo *halo = job->halo;
+    const int64_t n_all = n_blocks((int64_t)job->atoms->n_local + job->atoms->n_halo + HS_ATOMS_PAD);
+    if (is_staged && halo != NULL && halo->is_remote) {
+        run_stage(space, job, work, HS_STAGE_BEFORE, 0, 0);
+        halo->await(halo->context);
+        run_stage(space, job, work, HS_STAGE_MAIN, job->atoms->n_local >> HS_FORCE_BLOCK_BITS, n_all);
+        if (halo->send != NULL) halo->send(halo->context);
+        run_stage(space, job, work, HS_STAGE_AFTER, 0, n_all);
+        return;
+    }
+    if (halo != NULL) halo->await(halo->context);
+    run_stage(space, job, work, HS_STAGE_ALL, 0, n_all);
+    if (halo != NULL && halo->send != NULL) halo->send(halo->context);
+}
+
+hs_status hs_force_run_threads(hs_force_space *space, const hs_force_job *job, hs_force_work work, bool is_staged,
+                               hs_force_result *result, hs_error *err)
+{
+    HS_TRY(hs_force_space_reserve(space, job->atoms, err));
+    run_stages(space, job, work, is_staged);
     memset(result, 0, sizeof *result);
     for (int t = 0; t < space->n_threads; ++t) {
         const hs_force_buffer *buffer = &space->buffer[t];
@@ -168,8 +193,9 @@ static inline void touch_entries(hs_force_buffer *buffer, int first, const hs_en
     }
 }
 
-static hs_status work_cell(hs_force_space *space, const hs_force_job *job, int thread)
+static hs_status work_cell(hs_force_space *space, const hs_force_job *job, hs_force_stage stage, int thread)
 {
+    (void)stage;
     hs_force_buffer *buffer = &space->buffer[thread];
     const hs_cluster_part *local = &job->clusters->local;
     const int64_t n_room = (int64_t)job->atoms->n_local + job->atoms->n_halo + HS_ATOMS_PAD;
@@ -197,7 +223,7 @@ static hs_status work_cell(hs_force_space *space, const hs_force_job *job, int t
 
 hs_status hs_force_cell(hs_force_space *space, const hs_force_job *job, hs_force_result *result, hs_error *err)
 {
-    const hs_status status = hs_force_run_threads(space, job, work_cell, result, err);
+    const hs_status status = hs_force_run_threads(space, job, work_cell, false, result, err);
     hs_force_keep_weights(space);
     return status;
 }
@@ -266,8 +292,9 @@ static hs_status nsq_in_fixed_point(hs_force_space *space, const hs_force_job *j
     return HS_OK;
 }
 
-static hs_status work_nsq(hs_force_space *space, const hs_force_job *job, int thread)
+static hs_status work_nsq(hs_force_space *space, const hs_force_job *job, hs_force_stage stage, int thread)
 {
+    (void)stage;
     hs_force_buffer *buffer = &space->buffer[thread];
     const int n_local = job->atoms->n_local, n_all = n_local + job->atoms->n_halo;
     for (int64_t i = 0; i < n_all; i += HS_FORCE_BLOCK) hs_force_touch(buffer, i, n_all + HS_ATOMS_PAD);
@@ -279,7 +306,7 @@ static hs_status work_nsq(hs_force_space *space, const hs_force_job *job, int th
 
 hs_status hs_force_nsq(hs_force_space *space, const hs_force_job *job, hs_force_result *result, hs_error *err)
 {
-    return hs_force_run_threads(space, job, work_nsq, result, err);
+    return hs_force_run_threads(space, job, work_nsq, false, result, err);
 }
 
 int hs_fixed_exponent(double value, int bits)

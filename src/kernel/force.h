@@ -48,6 +48,14 @@ struct hs_cluster_list;
 struct hs_verlet_list;
 struct hs_force_job;
 
+/** Exchange with other ranks during an evaluation. Called outside of parallel regions. */
+typedef struct hs_force_halo {
+    void (*await)(void *context); /**< halo atoms must have their positions when this returns; may be called again */
+    void (*send)(void *context);  /**< forces on halo atoms are complete now; NULL: not yet, they are added to */
+    void *context;                /**< borrowed */
+    bool is_remote;               /**< there are messages, and work may be done while they travel */
+} hs_force_halo;
+
 /** What to compute with. In fixed point (precision HS_PRECISION_FIXED) see hs_force_job_set_grid. */
 typedef struct hs_force_job {
     hs_atoms *atoms;
@@ -62,7 +70,9 @@ typedef struct hs_force_job {
     hs_kernel_input input;               /**< x, type and table must be set; see hs_kernel_input */
     double cutoff_max;
     bool with_energy;
-    bool is_added; /**< add to the forces that the atoms have, not overwrite them */
+    bool is_added;                  /**< add to the forces that the atoms have, not overwrite them */
+    const hs_force_halo *halo;      /**< borrowed; NULL: the halo is there, and the caller sends its forces */
+    const unsigned char *is_remote; /**< borrowed [n_halo]: halo atoms of other ranks; NULL: there are none */
 } hs_force_job;
 
 /** Energy and virial of this rank's pairs. In fixed point they, and the atoms' forces, are integers: multiples of the grid
@@ -100,11 +110,16 @@ static inline void hs_force_touch(hs_force_buffer *buffer, int64_t i, int64_t n_
     for (int axis = 0; axis < 3; ++axis) memset(buffer->f[axis] + begin, 0, (size_t)(end - begin) * sizeof(double));
 }
 
-/** Work of one thread: fill its buffer. */
-typedef hs_status (*hs_force_work)(hs_force_space *space, const hs_force_job *job, int thread);
-/** Run `work` on all threads and reduce their buffers to the atoms' forces, touched blocks only. */
+/** Stages of an evaluation. Where there are messages, some inner work, which needs no other rank's atoms, is done while they
+ *  travel: a part while positions come; then all outer work, and most of the rest; a part while forces go. */
+typedef enum { HS_STAGE_ALL, HS_STAGE_BEFORE, HS_STAGE_MAIN, HS_STAGE_AFTER } hs_force_stage;
+
+/** Work of one thread in a stage: fill its buffer. */
+typedef hs_status (*hs_force_work)(hs_force_space *space, const hs_force_job *job, hs_force_stage stage, int thread);
+/** Run `work` on all threads and reduce their buffers to the atoms' forces, touched blocks only. Work that knows no inner and
+ *  outer part (@p is_staged false) has the one stage HS_STAGE_ALL. */
 HS_MUST_USE hs_status hs_force_run_threads(hs_force_space *space, const hs_force_job *job, hs_force_work work,
-                                           hs_force_result *result, hs_error *err);
+                                           bool is_staged, hs_force_result *result, hs_error *err);
 /** Room for the atoms in the buffers of all threads. */
 HS_MUST_USE hs_status hs_force_space_reserve(hs_force_space *space, const hs_atoms *atoms, hs_error *err);
 /** Share [*begin, *end) of a thread in n clusters or cells: of equal weight, where a chunk of them weighs as many pairs as

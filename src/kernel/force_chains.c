@@ -105,8 +105,9 @@ static int find_neighbors(hs_candidates *candidates, const hs_force_job *job, in
     return n;
 }
 
-static hs_status work_chains(hs_force_space *space, const hs_force_job *job, int thread)
+static hs_status work_chains(hs_force_space *space, const hs_force_job *job, hs_force_stage stage, int thread)
 {
+    (void)stage;
     hs_force_buffer *buffer = &space->buffer[thread];
     hs_candidates *candidates = &buffer->candidates;
     const int64_t n_room = (int64_t)job->atoms->n_local + job->atoms->n_halo + HS_ATOMS_PAD;
@@ -133,7 +134,7 @@ static hs_status work_chains(hs_force_space *space, const hs_force_job *job, int
 
 hs_status hs_force_chains(hs_force_space *space, const hs_force_job *job, hs_force_result *result, hs_error *err)
 {
-    const hs_status status = hs_force_run_threads(space, job, work_chains, result, err);
+    const hs_status status = hs_force_run_threads(space, job, work_chains, false, result, err);
     hs_force_keep_weights(space);
     return status;
 }

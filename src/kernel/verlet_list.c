@@ -193,8 +193,9 @@ static void chunks_of_thread(const hs_verlet_list *list, int thread, int n_threa
     if (*begin > *end) *begin = *end;
 }
 
-static hs_status work_verlet(hs_force_space *space, const hs_force_job *job, int thread)
+static hs_status work_verlet(hs_force_space *space, const hs_force_job *job, hs_force_stage stage, int thread)
 {
+    (void)stage;
     hs_force_buffer *buffer = &space->buffer[thread];
     const hs_verlet_list *list = job->verlet;
     const hs_verlet_kernel kernel =
@@ -218,5 +219,5 @@ hs_status hs_force_verlet(hs_force_space *space, const hs_verlet_list *list, con
     hs_force_job listed = *job;
     assert(list->generation == job->atoms->generation);
     listed.verlet = list;
-    return hs_force_run_threads(space, &listed, work_verlet, result, err);
+    return hs_force_run_threads(space, &listed, work_verlet, false, result, err);
 }

@@ -58,9 +58,7 @@ void hs_neighbor_continue(hs_neighbor *neighbor)
     neighbor->counters.first_late_step = -1;
 }
 
-/** Round the positions to their grid, if there is one. Returns the largest squared displacement from the listed positions;
- *  infinite when a coordinate is not a number. */
-static double settle_positions(const hs_neighbor *neighbor, hs_atoms *atoms, double magic)
+double hs_neighbor_settle(const hs_neighbor *neighbor, hs_atoms *atoms, double magic)
 {
     double largest = 0.0;
 #pragma omp parallel for schedule(static) reduction(max : largest)
@@ -88,13 +86,12 @@ static hs_status report_bad_position(const hs_atoms *atoms, int64_t step, hs_err
     return hs_fail(err, HS_ERROR_RUN, "at step %lld an atom has moved out of the range of numbers", (long long)step);
 }
 
-hs_status hs_neighbor_is_due(hs_neighbor *neighbor, hs_atoms *atoms, double position_magic, const hs_parallel *parallel,
-                             int64_t step, bool *is_due, bool *stop, hs_error *err)
+hs_status hs_neighbor_is_due(hs_neighbor *neighbor, const hs_atoms *atoms, double displacement2,
+                             const hs_parallel *parallel, int64_t step, bool *is_due, bool *stop, hs_error *err)
 {
     const hs_neighbor_settings *settings = &neighbor->settings;
-    double largest2 = settle_positions(neighbor, atoms, position_magic);
-    if (largest2 == INFINITY) (void)report_bad_position(atoms, step, err);
-    double most[3] = {largest2, err->status != HS_OK, *stop};
+    if (displacement2 == INFINITY) (void)report_bad_position(atoms, step, err);
+    double most[3] = {displacement2, err->status != HS_OK, *stop};
     hs_parallel_max_double(parallel, most, 3);
     if (most[1] > 0.0) HS_TRY(hs_parallel_agree(parallel, err));
     *stop = most[2] > 0.0;

@@ -85,11 +85,13 @@ HS_MUST_USE hs_status hs_neighbor_set_method(hs_neighbor *neighbor, const char *
 void hs_neighbor_start(hs_neighbor *neighbor);
 /** Start of a run without set-up: schedule, lists and counters of builds go on, as in LAMMPS; late steps are counted anew. */
 void hs_neighbor_continue(hs_neighbor *neighbor);
-/** Once per step after the drift (collective): round positions to their grid (@p position_magic, see hs_env), measure
- *  displacements, bring is_late up to date, and tell whether lists are due: by LAMMPS's schedule, or with `pairs exact` when
- *  an atom has moved more than half the skin. An error when a position is not a number, or when a rank holds one in @p err
- *  already. The one agreement of all ranks in a step, so *stop, whether this rank was asked to stop, becomes whether any was. */
-HS_MUST_USE hs_status hs_neighbor_is_due(hs_neighbor *neighbor, hs_atoms *atoms, double position_magic,
+/** Once per step after the drift: round the positions to their grid, if there is one (@p position_magic, see hs_env). Returns the
+ *  largest squared displacement from the listed positions; infinite when a coordinate is not a number. Not collective. */
+double hs_neighbor_settle(const hs_neighbor *neighbor, hs_atoms *atoms, double position_magic);
+/** Then (collective), with what this rank has measured: bring is_late up to date, and tell whether lists are due: by LAMMPS's
+ *  schedule, or with `pairs exact` when an atom has moved more than half the skin. An error when a position is not a number, or
+ *  when a rank holds one in @p err already. Also agrees on *stop: whether this rank was asked to stop becomes whether any was. */
+HS_MUST_USE hs_status hs_neighbor_is_due(hs_neighbor *neighbor, const hs_atoms *atoms, double displacement2,
                                          const hs_parallel *parallel, int64_t step, bool *is_due, bool *stop,
                                          hs_error *err);
 /** A scheduled build happens now: remember the positions. */

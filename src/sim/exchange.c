@@ -139,7 +139,7 @@ hs_status hs_sim_make_halo(hs_sim *sim, double reach, hs_error *err)
     HS_TRY(hs_halo_build(&sim->halo, &sim->domain, &sim->parallel, &sim->box, &sim->atoms, reach, err));
     hs_halo_forward_fields(&sim->halo, &sim->atoms);
     renew_kernel_types(sim);
-    hs_timer_add(&sim->timer, HS_PHASE_COMM);
+    hs_timer_add_comm(&sim->timer, HS_COMM_EXCHANGE);
     return HS_OK;
 }
 
@@ -187,7 +187,7 @@ hs_status hs_sim_sort_and_cluster(hs_sim *sim, double reach, hs_error *err)
     (void)sort_local(sim, reach, err); /* the ranks agree on errors when they make the halo */
     hs_timer_add(&sim->timer, HS_PHASE_NEIGH);
     HS_TRY(hs_halo_build(&sim->halo, &sim->domain, &sim->parallel, &sim->box, atoms, reach, err));
-    hs_timer_add(&sim->timer, HS_PHASE_COMM);
+    hs_timer_add_comm(&sim->timer, HS_COMM_EXCHANGE);
     return cluster(sim, err);
 }
 
@@ -208,7 +208,7 @@ hs_status hs_sim_sort_again(hs_sim *sim, hs_error *err)
     HS_TRY(hs_parallel_agree(&sim->parallel, err));
     hs_timer_add(&sim->timer, HS_PHASE_NEIGH);
     hs_halo_follow(&sim->halo, atoms, places(cells, atoms->n_local));
-    hs_timer_add(&sim->timer, HS_PHASE_COMM);
+    hs_timer_add_comm(&sim->timer, HS_COMM_EXCHANGE);
     return cluster(sim, err);
 }
 
@@ -238,7 +238,7 @@ hs_status hs_sim_exchange(hs_sim *sim, hs_error *err)
     hs_neighbor_list_now(&sim->neighbor, &sim->atoms);
     memcpy(sim->neighbor.lo_listed, sim->box.lo, sizeof sim->box.lo);
     memcpy(sim->neighbor.hi_listed, sim->box.hi, sizeof sim->box.hi);
-    hs_timer_add(&sim->timer, HS_PHASE_COMM);
+    hs_timer_add_comm(&sim->timer, HS_COMM_EXCHANGE);
     if (sim->pair->cutoff_max <= 0.0) return HS_OK;
 
     HS_TRY(hs_sim_method(sim)->renew(sim, err));

@@ -25,7 +25,8 @@ hs_force_job hs_sim_make_job(hs_sim *sim, bool with_energy)
                         .isa = sim->isa,
                         .precision = sim->kernel_precision,
                         .cutoff_max = sim->pair->cutoff_max,
-                        .with_energy = with_energy};
+                        .with_energy = with_energy,
+                        .is_remote = sim->halo.is_remote};
     job.input = (hs_kernel_input){.x = {atoms->x[0], atoms->x[1], atoms->x[2]},
                                   .x_listed = {neighbor->x_listed[0], neighbor->x_listed[1], neighbor->x_listed[2]},
                                   .listed_only = neighbor->is_late && !neighbor->settings.exact,
@@ -62,10 +63,48 @@ static void clear_forces(hs_atoms *atoms)
         memset(atoms->f[axis], 0, (size_t)(atoms->n_local + atoms->n_halo) * sizeof(double));
 }
 
-/** One evaluation for each part of the pair style, each added to the forces of those before. */
+void hs_sim_await_halo(hs_sim *sim)
+{
+    if (!sim->halo.is_awaited) return;
+    hs_halo_forward_wait(&sim->halo);
+    hs_timer_add_comm(&sim->timer, HS_COMM_WAIT);
+    hs_halo_forward_receive(&sim->halo, &sim->atoms);
+    hs_timer_add_comm(&sim->timer, HS_COMM_UNPACK);
+}
+
+/* What an evaluation calls between its stages: hs_force_halo. */
+
+static void await_halo(void *context)
+{
+    hs_sim *sim = context;
+    hs_timer_add(&sim->timer, HS_PHASE_PAIR);
+    hs_sim_await_halo(sim);
+}
+
+static void send_halo(void *context)
+{
+    hs_sim *sim = context;
+    hs_timer_add(&sim->timer, HS_PHASE_PAIR);
+    hs_halo_reverse_send(&sim->halo, &sim->atoms);
+    hs_timer_add_comm(&sim->timer, HS_COMM_PACK);
+}
+
+/** The last part of the pair style that exerts forces. */
+static int last_part(const hs_pair *pair)
+{
+    int k = pair->n_parts - 1;
+    while (pair->part[k]->style->evaluator == NULL) --k;
+    return k;
+}
+
+/** One evaluation for each part of the pair style, each added to the forces of those before. The first waits for the halo's
+ *  positions, the last sends the forces on it. */
 static hs_status add_parts(hs_sim *sim, bool with_energy, hs_force_result *sum, hs_error *err)
 {
     hs_force_job job = hs_sim_make_job(sim, with_energy);
+    const int last = last_part(sim->pair);
+    hs_force_halo halo = {.await = await_halo, .context = sim, .is_remote = sim->halo.forward.n > 0};
+    job.halo = &halo;
     memset(sum, 0, sizeof *sum);
     hs_force_job_set_grid(&job, sim->grid);
     for (int k = 0; k < sim->pair->n_parts; ++k) {
@@ -73,11 +112,22 @@ static hs_status add_parts(hs_sim *sim, bool with_energy, hs_force_result *sum, 
         job.evaluator = sim->pair->part[k]->style->evaluator;
         job.input.table = &sim->pair_table[k];
         if (job.evaluator == NULL) continue;
+        if (k == last) halo.send = send_halo;
         HS_TRY(hs_sim_method(sim)->forces(sim, &job, &result, err));
         job.is_added = true;
         hs_force_result_add(sum, &result);
     }
     return HS_OK;
+}
+
+static void take_halo_forces(hs_sim *sim, bool is_fixed)
+{
+    hs_halo_reverse_own(&sim->halo, &sim->atoms, is_fixed);
+    hs_timer_add_comm(&sim->timer, HS_COMM_PACK);
+    hs_halo_reverse_wait(&sim->halo);
+    hs_timer_add_comm(&sim->timer, HS_COMM_WAIT);
+    hs_halo_reverse_receive(&sim->halo, &sim->atoms, is_fixed);
+    hs_timer_add_comm(&sim->timer, HS_COMM_UNPACK);
 }
 
 /** Evaluate all parts; in fixed point again on a coarser grid when a force was too large for it. */
@@ -89,10 +139,10 @@ static hs_status evaluate(hs_sim *sim, bool with_energy, hs_force_result *result
         HS_TRY(add_parts(sim, with_energy, result, err));
         fits = true;
         if (is_fixed) HS_TRY(hs_sim_fit_grid(sim, result, &fits, err));
+        if (!fits) hs_halo_reverse_wait(&sim->halo);
     }
     hs_timer_add(&sim->timer, HS_PHASE_PAIR);
-    hs_halo_reverse(&sim->halo, &sim->atoms, is_fixed);
-    hs_timer_add(&sim->timer, HS_PHASE_COMM);
+    take_halo_forces(sim, is_fixed);
     if (!is_fixed) return HS_OK;
     hs_force_settle(&sim->atoms, sim->grid.force);
     hs_timer_add(&sim->timer, HS_PHASE_PAIR);
@@ -115,13 +165,16 @@ hs_status hs_sim_pair_forces(hs_sim *sim, bool with_energy, hs_error *err)
     hs_env *env = &sim->env;
     hs_force_result result = {0};
     hs_timer_mark(&sim->timer);
-    if (!hs_pair_has_forces(sim->pair) || sim->pair->cutoff_max <= 0.0)
+    if (!hs_pair_has_forces(sim->pair) || sim->pair->cutoff_max <= 0.0) {
+        hs_sim_await_halo(sim);
         clear_forces(&sim->atoms);
-    else
+    } else {
         HS_TRY(evaluate(sim, with_energy, &result, err));
+    }
     if (!with_energy) return HS_OK;
     double sums[7];
     sum_energy(sim, &result, sums);
+    hs_timer_add_comm(&sim->timer, HS_COMM_AGREE);
     env->pair_energy = sums[0];
     memcpy(env->pair_virial, sums + 1, sizeof env->pair_virial);
     env->energy_step = env->step;

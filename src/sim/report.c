@@ -74,27 +74,49 @@ static void say_performance(const hs_sim *sim, int64_t n_steps, double loop_s)
            steps_per_s);
 }
 
+static void say_table_head(const hs_sim *sim, const char *title)
+{
+    hs_say(sim->env.out,
+           "%s:\nSection |  min time  |  avg time  |  max time  |%%varavg| %%total\n"
+           "---------------------------------------------------------------\n",
+           title);
+}
+
+/** One row of a table of times; returns the mean of all ranks (collective). */
+static double say_time(const hs_sim *sim, const char *name, double seconds, double loop_s)
+{
+    const spread time = spread_of(&sim->parallel, seconds);
+    /* 100 * sqrt(<t^2>/<t>^2 - 1): how unevenly the ranks were busy */
+    const spread square = spread_of(&sim->parallel, seconds * seconds);
+    const double excess = time.mean > 0.0 ? square.mean / (time.mean * time.mean) - 1.0 : 0.0;
+    const double uneven = sim->parallel.n_ranks > 1 && excess > 0.0 ? 100.0 * sqrt(excess) : 0.0;
+    hs_say(sim->env.out, "%-7s | %-10.5g | %-10.5g | %-10.5g |%6.1f |%6.2f\n", name, time.min, time.mean, time.max,
+           uneven, loop_s > 0.0 ? 100.0 * time.mean / loop_s : 0.0);
+    return time.mean;
+}
+
 static void say_timing(const hs_sim *sim, double loop_s)
 {
     static const char *const names[HS_N_PHASES] = {"Pair", "Neigh", "Comm", "Output", "Modify"};
-    hs_sink *out = sim->env.out;
     double other_s = loop_s;
-    hs_say(out, "\nMPI task timing breakdown:\n"
-                "Section |  min time  |  avg time  |  max time  |%%varavg| %%total\n"
-                "---------------------------------------------------------------\n");
-    for (int phase = 0; phase < HS_N_PHASES; ++phase) {
-        const spread time = spread_of(&sim->parallel, sim->timer.phase_s[phase]);
-        /* 100 * sqrt(<t^2>/<t>^2 - 1): how unevenly the ranks were busy */
-        const spread square = spread_of(&sim->parallel, sim->timer.phase_s[phase] * sim->timer.phase_s[phase]);
-        const double excess = time.mean > 0.0 ? square.mean / (time.mean * time.mean) - 1.0 : 0.0;
-        const double uneven = sim->parallel.n_ranks > 1 && excess > 0.0 ? 100.0 * sqrt(excess) : 0.0;
-        hs_say(out, "%-7s | %-10.5g | %-10.5g | %-10.5g |%6.1f |%6.2f\n", names[phase], time.min, time.mean, time.max,
-               uneven, loop_s > 0.0 ? 100.0 * time.mean / loop_s : 0.0);
-        other_s -= time.mean;
-    }
+    hs_say(sim->env.out, "\n");
+    say_table_head(sim, "MPI task timing breakdown");
+    for (int phase = 0; phase < HS_N_PHASES; ++phase)
+        other_s -= say_time(sim, names[phase], sim->timer.phase_s[phase], loop_s);
     if (other_s < 0.0) other_s = 0.0;
-    hs_say(out, "Other   |            | %-10.4g |            |       |%6.2f\n\n", other_s,
+    hs_say(sim->env.out, "Other   |            | %-10.4g |            |       |%6.2f\n\n", other_s,
            loop_s > 0.0 ? 100.0 * other_s / loop_s : 0.0);
+}
+
+/** The parts of Comm. */
+static void say_comm_timing(const hs_sim *sim, double loop_s)
+{
+    static const char *const names[HS_N_COMM_PARTS] = {"Pack", "Wait", "Unpack", "Agree", "Exchange"};
+    if (sim->parallel.n_ranks <= 1) return;
+    say_table_head(sim, "Parts of Comm (halo: Pack, Wait, Unpack; all ranks: Agree; new lists: Exchange)");
+    for (int part = 0; part < HS_N_COMM_PARTS; ++part)
+        (void)say_time(sim, names[part], sim->timer.comm_s[part], loop_s);
+    hs_say(sim->env.out, "\n");
 }
 
 /** One line with a number per rank and its histogram over ranks (collective). */
@@ -167,6 +189,7 @@ void hs_report_finish(hs_sim *sim, int64_t n_steps, double loop_s, double cpu_s)
     hs_say(out, "%.1f%% CPU use with %d MPI tasks x %d OpenMP threads\n", loop_s > 0.0 ? 100.0 * cpu_s / loop_s : 0.0,
            n_ranks, n_threads);
     say_timing(sim, loop_s);
+    say_comm_timing(sim, loop_s);
     say_histogram(sim, "Nlocal:", sim->atoms.n_local);
     say_histogram(sim, "Nghost:", sim->atoms.n_halo);
     const hs_neighbor_counters *counters = &sim->neighbor.counters;

@@ -179,6 +179,8 @@ void hs_sim_begin_grid(hs_sim *sim);
  *  the present forces allow. An error when a force is infinite. */
 HS_MUST_USE hs_status hs_sim_fit_grid(hs_sim *sim, const hs_force_result *result, bool *fits, hs_error *err);
 
+/** Take the positions of halo atoms that are under way, if they are.  sim/pair_forces.c */
+void hs_sim_await_halo(hs_sim *sim);
 /** Pair forces on all local atoms, and with_energy also env.pair_energy and pair_virial (collective).  sim/pair_forces.c */
 HS_MUST_USE hs_status hs_sim_pair_forces(hs_sim *sim, bool with_energy, hs_error *err);
 /** What fixes add to, or change about, the forces; with env.with_energy also env.fix_energy and fix_virial (collective).

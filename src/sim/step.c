@@ -19,14 +19,17 @@ static bool is_wanted(const hs_sim *sim)
     return false;
 }
 
-/** New cells, halo and lists when they are due; else only new positions of halo atoms. */
+/** New cells, halo and lists when they are due; else only new positions of halo atoms, which may still be under way when this
+ *  returns. */
 static hs_status bring_neighbors_up_to_date(hs_sim *sim, hs_error *err)
 {
     bool is_due;
     sim->is_stopping = hs_sim_is_asked_to_stop(sim);
-    HS_TRY(hs_neighbor_is_due(&sim->neighbor, &sim->atoms, sim->env.position_magic, &sim->parallel, sim->env.step,
-                              &is_due, &sim->is_stopping, err));
-    hs_timer_add(&sim->timer, sim->parallel.n_ranks > 1 ? HS_PHASE_COMM : HS_PHASE_NEIGH); /* waiting, mostly */
+    const double displacement2 = hs_neighbor_settle(&sim->neighbor, &sim->atoms, sim->env.position_magic);
+    hs_timer_add(&sim->timer, HS_PHASE_NEIGH);
+    HS_TRY(hs_neighbor_is_due(&sim->neighbor, &sim->atoms, displacement2, &sim->parallel, sim->env.step, &is_due,
+                              &sim->is_stopping, err));
+    hs_timer_add_comm(&sim->timer, HS_COMM_AGREE);
     is_due = is_due || is_wanted(sim);
     if (is_due) {
         ++sim->neighbor.counters.n_builds;
@@ -35,9 +38,11 @@ static hs_status bring_neighbors_up_to_date(hs_sim *sim, hs_error *err)
     const hs_method *method = hs_sim_method(sim);
     if (is_due) return hs_sim_exchange(sim, err);
     if (sim->pair->cutoff_max <= 0.0) return HS_OK;
-    hs_halo_forward(&sim->halo, &sim->atoms);
-    hs_timer_add(&sim->timer, HS_PHASE_COMM);
-    if (method->update != NULL) HS_TRY(method->update(sim, err));
+    hs_halo_forward_send(&sim->halo, &sim->atoms);
+    hs_timer_add_comm(&sim->timer, HS_COMM_PACK);
+    if (method->update == NULL) return HS_OK;
+    hs_sim_await_halo(sim);
+    HS_TRY(method->update(sim, err));
     hs_timer_add(&sim->timer, HS_PHASE_NEIGH);
     return HS_OK;
 }
