@@ -70,24 +70,50 @@ hs_status hs_balance_predict(const hs_domain *domain, const hs_box *box, const h
     return HS_OK;
 }
 
-static int ascending(const void *a, const void *b)
+/** Numbers from 0 to 1, sorted into so many drawers of equal width, in any order within. */
+typedef struct drawers {
+    double *value;  /**< owned [n] */
+    int64_t *start; /**< owned [n_drawers + 1]: first value of each */
+    int64_t n, n_drawers;
+} drawers;
+
+static int64_t drawer_of(const drawers *d, double value)
 {
-    const double p = *(const double *)a, q = *(const double *)b;
-    return (p > q) - (p < q);
+    const int64_t drawer = (int64_t)(value * (double)d->n_drawers);
+    return drawer < d->n_drawers ? drawer : d->n_drawers - 1;
 }
 
-/** Numbers below a place, of n sorted ones. */
-static int64_t count_below(const double *sorted, int64_t n, double place)
+static void fini_drawers(drawers *d)
 {
-    int64_t lo = 0, hi = n;
-    while (lo < hi) {
-        const int64_t middle = lo + (hi - lo) / 2;
-        if (sorted[middle] < place)
-            lo = middle + 1;
-        else
-            hi = middle;
+    HS_FREE(d->value);
+    HS_FREE(d->start);
+}
+
+/** Places of the local atoms along an axis as fractions of the box. */
+static hs_status fill_drawers(drawers *d, const hs_box *box, const hs_atoms *atoms, int axis, hs_error *err)
+{
+    enum { VALUES_A_DRAWER = 16 };
+    d->n = atoms->n_local;
+    d->n_drawers = d->n / VALUES_A_DRAWER + 1;
+    HS_TRY(HS_ALLOC(d->value, (size_t)d->n, err));
+    HS_TRY(HS_ALLOC(d->start, (size_t)d->n_drawers + 2, err)); /* zeroed; one place on while they are filled */
+    int64_t *next = d->start + 1;
+    for (int i = 0; i < d->n; ++i) ++next[drawer_of(d, fraction_of(box, axis, atoms->x[axis][i])) + 1];
+    for (int64_t k = 0; k < d->n_drawers; ++k) next[k + 1] += next[k];
+    for (int i = 0; i < d->n; ++i) {
+        const double value = fraction_of(box, axis, atoms->x[axis][i]);
+        d->value[next[drawer_of(d, value)]++] = value;
     }
-    return lo;
+    return HS_OK;
+}
+
+/** Numbers below a place. */
+static int64_t count_below(const drawers *d, double place)
+{
+    const int64_t drawer = drawer_of(d, place);
+    int64_t n = d->start[drawer];
+    for (int64_t k = d->start[drawer]; k < d->start[drawer + 1]; ++k) n += d->value[k] < place;
+    return n;
 }
 
 /** One plane on its way: it is between lo and hi, with so much work below them. */
@@ -97,8 +123,7 @@ typedef struct bracket {
 
 /** The planes of one axis on their way. */
 typedef struct search {
-    const double *place; /**< owned elsewhere [n]: sorted fractions of the local atoms */
-    int64_t n;
+    drawers place; /**< of the local atoms */
     double weight, total;
     bracket *plane; /**< owned [n_planes]: those within the box */
     double *work;   /**< owned [n_planes * N_TRIES] */
@@ -112,7 +137,7 @@ static void narrow(search *s, const hs_parallel *parallel)
         for (int t = 0; t < N_TRIES; ++t) {
             const bracket *b = &s->plane[k];
             const double place = b->lo + (b->hi - b->lo) * (t + 1) / (N_TRIES + 1);
-            s->work[k * N_TRIES + t] = s->weight * (double)count_below(s->place, s->n, place);
+            s->work[k * N_TRIES + t] = s->weight * (double)count_below(&s->place, place);
         }
     hs_parallel_sum_double(parallel, s->work, s->n_planes * N_TRIES);
     for (int k = 0; k < s->n_planes; ++k) {
@@ -149,9 +174,9 @@ static void place_planes(const search *s, double *cut, double least)
     for (int k = n - 1; k > 0; --k) cut[k] = fmin(cut[k], cut[k + 1] - least);
 }
 
-static hs_status reserve(search *s, const hs_atoms *atoms, double **place, hs_error *err)
+static hs_status begin_search(search *s, const hs_box *box, const hs_atoms *atoms, int axis, hs_error *err)
 {
-    HS_TRY(HS_ALLOC(*place, (size_t)atoms->n_local, err));
+    HS_TRY(fill_drawers(&s->place, box, atoms, axis, err));
     HS_TRY(HS_ALLOC(s->plane, (size_t)s->n_planes, err));
     return HS_ALLOC(s->work, (size_t)s->n_planes * N_TRIES, err);
 }
@@ -159,14 +184,10 @@ static hs_status reserve(search *s, const hs_atoms *atoms, double **place, hs_er
 static hs_status shift_axis(const hs_balance *balance, hs_domain *domain, const hs_box *box, const hs_atoms *atoms,
                             int axis, double weight, const hs_parallel *parallel, int *n_iterations, hs_error *err)
 {
-    search s = {.n = atoms->n_local, .weight = weight, .n_planes = domain->n[axis] - 1};
-    double *place = NULL;
-    HS_UNLESS_FAILED(err, reserve(&s, atoms, &place, err));
+    search s = {.weight = weight, .n_planes = domain->n[axis] - 1};
+    HS_UNLESS_FAILED(err, begin_search(&s, box, atoms, axis, err));
     if (hs_parallel_agree(parallel, err) == HS_OK) {
-        for (int i = 0; i < atoms->n_local; ++i) place[i] = fraction_of(box, axis, atoms->x[axis][i]);
-        qsort(place, (size_t)atoms->n_local, sizeof *place, ascending);
-        s.place = place;
-        s.total = weight * (double)s.n;
+        s.total = weight * (double)s.place.n;
         hs_parallel_sum_double(parallel, &s.total, 1);
         for (int k = 0; k < s.n_planes; ++k) s.plane[k] = (bracket){.hi = 1.0, .work_hi = s.total};
         for (int iteration = 0; iteration < balance->n_iterations; ++iteration) {
@@ -176,7 +197,7 @@ static hs_status shift_axis(const hs_balance *balance, hs_domain *domain, const 
         }
         if (s.total > 0.0) place_planes(&s, domain->cut[axis], balance->least_width / hs_box_length(box, axis));
     }
-    HS_FREE(place);
+    fini_drawers(&s.place);
     HS_FREE(s.plane);
     HS_FREE(s.work);
     return err->status;

@@ -5,6 +5,7 @@
 
 #include "base/memory.h"
 #include "comm/migrate.h"
+#include "neighbor/occupied.h"
 #include "sim/methods.h"
 #include "sim/thermo.h"
 
@@ -144,25 +145,25 @@ hs_status hs_sim_make_halo(hs_sim *sim, double reach, hs_error *err)
 }
 
 /** Width of columns: the deck's, or the one that makes clusters cubic. */
-static double column_width(const hs_sim *sim, const double lo[3], const double hi[3], double reach)
+static double column_width(const hs_sim *sim, const hs_occupied *occupied, double reach)
 {
     const double fraction = sim->neighbor.settings.cell;
     if (fraction > 0.0) return fraction * sim->pair->cutoff_max;
-    const double area = (hi[0] - lo[0]) * (hi[1] - lo[1]),
-                 volume = sim->box.dimension == 2 ? area : area * (hi[2] - lo[2]);
-    return hs_clusters_width(sim->box.dimension, (double)sim->atoms.n_local / volume, reach);
+    return hs_clusters_width(sim->box.dimension, (double)sim->atoms.n_local / occupied->volume, reach);
 }
 
-/** Sort the local atoms into cells laid over this rank's brick. */
+/** Sort the local atoms into cells laid over the part of this rank's brick where they are. */
 static hs_status sort_local(hs_sim *sim, double reach, hs_error *err)
 {
     hs_neighbor *neighbor = &sim->neighbor;
     hs_atoms *atoms = &sim->atoms;
+    hs_occupied occupied;
     double lo[3], hi[3];
     hs_domain_brick(&sim->domain, &sim->box, lo, hi);
+    HS_TRY(hs_occupied_find(&occupied, lo, hi, sim->box.dimension, reach, atoms, err));
     neighbor->cells.curve = neighbor->settings.order;
-    HS_TRY(hs_cells_set_grid(&neighbor->cells, lo, hi, sim->box.dimension, reach, column_width(sim, lo, hi, reach),
-                             atoms->n_local, err));
+    HS_TRY(hs_cells_set_grid(&neighbor->cells, occupied.lo, occupied.hi, sim->box.dimension, reach,
+                             column_width(sim, &occupied, reach), atoms->n_local, err));
     HS_TRY(hs_cells_sort_local(&neighbor->cells, atoms, err));
     return hs_atoms_permute(atoms, neighbor->cells.order, err);
 }

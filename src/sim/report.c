@@ -175,6 +175,17 @@ void hs_report_loop(hs_sim *sim, int64_t n_steps, double loop_s)
            spread_of(&sim->parallel, loop_s).mean, n_ranks * hs_threads_get(), (long long)n_steps, (long long)n_atoms);
 }
 
+/** What the processes of all ranks hold (collective). */
+static void say_memory(const hs_sim *sim, int64_t n_atoms)
+{
+    const double mib = 1024.0 * 1024.0;
+    double bytes[2] = {(double)hs_memory_resident(), (double)hs_memory_resident_peak()};
+    hs_parallel_sum_double(&sim->parallel, bytes, 2);
+    if (n_atoms > 0)
+        hs_say(sim->env.out, "Memory = %.4g Mbytes, at its peak %.4g; %.4g bytes an atom\n", bytes[0] / mib,
+               bytes[1] / mib, bytes[0] / (double)n_atoms);
+}
+
 void hs_report_finish(hs_sim *sim, int64_t n_steps, double loop_s, double cpu_s)
 {
     hs_sink *out = sim->env.out;
@@ -209,6 +220,7 @@ void hs_report_finish(hs_sim *sim, int64_t n_steps, double loop_s, double cpu_s)
         hs_say(out, "Dangerous builds = %lld\n", (long long)counters->n_dangerous);
     else
         hs_say(out, "Dangerous builds not checked\n");
+    say_memory(sim, n_atoms);
     say_tuning(sim);
     if (out->log != NULL) fflush(out->log);
 }

@@ -1,0 +1,74 @@
+#include "neighbor/occupied.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "base/memory.h"
+
+/** Bounds of the local atoms along an axis, within the brick, and all of the brick where they come within `edge` of its face:
+ *  a liquid that fills its brick has the same grid at every list build. */
+static void bound(hs_occupied *o, const hs_atoms *atoms, int axis, double lo, double hi, double edge)
+{
+    const double *x = atoms->x[axis];
+    double least = hi, most = lo;
+#pragma omp parallel for schedule(static) reduction(min : least) reduction(max : most)
+    for (int i = 0; i < atoms->n_local; ++i) {
+        least = fmin(least, x[i]);
+        most = fmax(most, x[i]);
+    }
+    o->lo[axis] = least - edge <= lo || !(least <= most) ? lo : least;
+    o->hi[axis] = most + edge >= hi || !(least <= most) ? hi : most;
+}
+
+/** Boxes along each axis: as long as `edge` or a little shorter, longer where there would be many more of them than atoms. */
+static size_t count_boxes(const hs_occupied *o, int dimension, double edge, int n_atoms, int n[3])
+{
+    const double most = 4.0 * n_atoms + 4096.0;
+    for (;; edge *= 1.25) {
+        double total = 1.0;
+        for (int axis = 0; axis < 3; ++axis) {
+            const double wanted = axis < dimension ? fmax(ceil((o->hi[axis] - o->lo[axis]) / edge), 1.0) : 1.0;
+            n[axis] = wanted < 1e9 ? (int)wanted : 1;
+            total *= wanted;
+        }
+        if (total <= most) return (size_t)total;
+    }
+}
+
+static inline int64_t box_of(const hs_occupied *o, const double scale[3], const int n[3], const hs_atoms *atoms, int i)
+{
+    int64_t box = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+        const double place = (atoms->x[axis][i] - o->lo[axis]) * scale[axis];
+        box = box * n[axis] + (place <= 0.0 ? 0 : place >= n[axis] ? n[axis] - 1 : (int)place);
+    }
+    return box;
+}
+
+hs_status hs_occupied_find(hs_occupied *o, const double lo[3], const double hi[3], int dimension, double edge,
+                           const hs_atoms *atoms, hs_error *err)
+{
+    int n[3];
+    double scale[3] = {0.0, 0.0, 0.0}, box_volume = 1.0;
+    unsigned char *is_occupied;
+    for (int axis = 0; axis < 3; ++axis) bound(o, atoms, axis, lo[axis], hi[axis], edge);
+    const size_t n_boxes = count_boxes(o, dimension, edge, atoms->n_local, n);
+    for (int axis = 0; axis < 3; ++axis) {
+        if (axis >= dimension) continue;
+        const double extent = o->hi[axis] - o->lo[axis], side = n[axis] > 1 ? extent / n[axis] : fmax(extent, edge);
+        scale[axis] = 1.0 / side;
+        box_volume *= side;
+    }
+    HS_TRY(HS_ALLOC(is_occupied, n_boxes, err));
+#pragma omp parallel for schedule(static)
+    for (int i = 0; i < atoms->n_local; ++i) {
+        unsigned char *flag = &is_occupied[box_of(o, scale, n, atoms, i)];
+#pragma omp atomic write
+        *flag = 1;
+    }
+    int64_t count = 0;
+    for (size_t k = 0; k < n_boxes; ++k) count += is_occupied[k];
+    HS_FREE(is_occupied);
+    o->volume = box_volume * (double)(count > 0 ? count : 1);
+    return HS_OK;
+}
