@@ -61,6 +61,7 @@ typedef struct hs_cli_settings {
     int rank_counts[HS_CLI_RANK_COUNTS_MAX]; /**< check -ranks */
     int n_rank_counts;
     double speed;                                /**< check -speed: million atom-steps/s of a core */
+    double latency_us, bandwidth;                /**< check -latency: of a message; -bandwidth: GB/s of a rank */
     const char *no_effect[HS_CLI_NO_EFFECT_MAX]; /**< LAMMPS options that were accepted and change nothing */
     const char *last_value; /**< last value of the last -var with several: it may have been meant as the deck */
     const char *last_variable;

@@ -48,7 +48,10 @@ const hs_cli_option hs_cli_options[] = {
     {"-ranks", NULL, "LIST", CHECK,
      "predict memory, halo, messages and speed for these numbers of ranks, as in 1,64,4096"},
     {"-speed", NULL, "X", CHECK,
-     "million atom-steps/s of one core for that prediction, as `halfshell bench` tells (default: 15)"},
+     "million atom-steps/s of one core for that prediction, as `halfshell bench` tells (default: 9)"},
+    {"-latency", NULL, "X", CHECK,
+     "microseconds that a message takes, for that prediction (default: 2, shared memory)"},
+    {"-bandwidth", NULL, "X", CHECK, "GB/s that a rank sends, for that prediction (default: 5, shared memory)"},
     {"-suffix", "-sf", "STYLE", RUN | CHECK, "accepted for LAMMPS's sake; has no effect"},
     {"-package", "-pk", "WORD...", RUN | CHECK, "accepted for LAMMPS's sake; has no effect"},
     {"-size", NULL, "N", BENCH, "cells of four atoms along each edge of the box (default: 20, which is 32,000 atoms)"},
@@ -213,10 +216,10 @@ static hs_status parse_ranks(const char *list, hs_cli_settings *settings, hs_err
     return HS_OK;
 }
 
-static hs_status parse_speed(const char *word, hs_cli_settings *settings, hs_error *err)
+static hs_status parse_positive(const char *option, const char *word, double *value, hs_error *err)
 {
-    if (hs_text_to_double(word, &settings->speed) && settings->speed > 0.0) return HS_OK;
-    return hs_fail(err, HS_ERROR_INPUT, "-speed: '%s' is not a number above 0", word);
+    if (hs_text_to_double(word, value) && *value > 0.0) return HS_OK;
+    return hs_fail(err, HS_ERROR_INPUT, "%s: '%s' is not a number above 0", option, word);
 }
 
 static hs_status set_deck(const char *word, hs_cli_settings *settings, hs_error *err)
@@ -254,7 +257,9 @@ static hs_status parse_option(const hs_cli *cli, const hs_cli_option *option, in
     if (strcmp(option->name, "-reproducible") == 0) return hs_cli_parse_reproducible(value, &settings->options, err);
     if (strcmp(option->name, "-isa") == 0) return hs_cli_parse_isa(value, &settings->options, err);
     if (strcmp(option->name, "-ranks") == 0) return parse_ranks(value, settings, err);
-    if (strcmp(option->name, "-speed") == 0) return parse_speed(value, settings, err);
+    if (strcmp(option->name, "-speed") == 0) return parse_positive("-speed", value, &settings->speed, err);
+    if (strcmp(option->name, "-latency") == 0) return parse_positive("-latency", value, &settings->latency_us, err);
+    if (strcmp(option->name, "-bandwidth") == 0) return parse_positive("-bandwidth", value, &settings->bandwidth, err);
     if (strcmp(option->name, "-var") == 0) {
         if (first + 1 >= cli->n) return hs_fail(err, HS_ERROR_INPUT, "-var %s: a value is missing", value);
         end = hs_cli_values_end(cli, first + 2);
@@ -273,7 +278,7 @@ static hs_status parse_option(const hs_cli *cli, const hs_cli_option *option, in
 
 hs_status hs_cli_parse(const hs_cli *cli, unsigned command, hs_cli_settings *settings, hs_error *err)
 {
-    *settings = (hs_cli_settings){.echo_log = true, .speed = 15.0};
+    *settings = (hs_cli_settings){.echo_log = true, .speed = 9.0, .latency_us = 2.0, .bandwidth = 5.0};
     for (int i = 0; i < cli->n; ++i) {
         const char *word = cli->word[i];
         if (!hs_cli_is_option(word)) {

@@ -27,5 +27,10 @@ for n in 2 8; do
         END { if (!seen || bad) { print "halo atoms: " bad ", predicted " halo; exit 1 } }' log >&2 || fail "$n ranks"
 done
 ranks 0 check -ranks 1000000 in.gas | grep -q '^ *1000000 .*x' || fail "a million ranks"
+if ranks 0 check -ranks 8 -latency 0 in.gas 2>said; then fail "-latency 0 was accepted"; fi
+grep -q "^halfshell: error: -latency: '0' is not a number above 0" said || fail "$(cat said)"
+efficiency() { ranks 0 check -ranks 64 "$@" in.gas | awk '/^Prediction/ { on = 1 } on && $1 == 64 { print $NF }'; }
+awk -v slow="$(efficiency -latency 50 -bandwidth 1)" -v fast="$(efficiency)" \
+    'BEGIN { exit !(slow > 0 && slow < fast && fast < 100) }' || fail "a slower network is no slower"
 if ranks 0 check -ranks 0 in.gas 2>said; then fail "-ranks 0 was accepted"; fi
 grep -q "^halfshell: error: -ranks: '0' is not a whole number" said || fail "$(cat said)"
