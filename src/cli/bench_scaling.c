@@ -33,13 +33,14 @@ typedef struct request {
 typedef struct point {
     bool is_droplet, is_weak;
     int ranks, threads;
-    double n_atoms, seconds, phase_s[HS_N_PHASES];
+    double n_atoms, seconds, phase_s[HS_N_PHASES], comm_s[HS_N_COMM_PARTS];
     double imbalance;                                         /**< most atoms of a rank / mean */
     double halo_atoms, bytes_forward, bytes_back, n_messages; /**< mean of the ranks, in a step */
     double efficiency;                                        /**< 1: as fast as one rank and thread by workers */
 } point;
 
 static const char *const phases[HS_N_PHASES] = {"Pair", "Neigh", "Comm", "Output", "Modify"};
+static const char *const parts[HS_N_COMM_PARTS] = {"Pack", "Wait", "Unpack", "Agree", "Exchange"};
 
 static hs_status read_count(const char *option, const char *word, int64_t max, int64_t *value, hs_error *err)
 {
@@ -154,7 +155,7 @@ static hs_status write_deck(const request *r, const point *p, const char *path, 
                                   "neigh_modify delay 0 every 20 check no\nfix 1 all nve\n%sthermo 100\nrun %d\n",
                                   p->is_droplet ? "1.0" : "1.44",
                                   p->is_droplet ? "balance 1.02 shift xyz 10 1.02\n"
-                                                  "fix even all balance 20 1.02 shift xyz 10 1.02 weight time 1.0\n"
+                                                  "fix even all balance 40 1.02 shift xyz 10 1.02 weight time 1.0\n"
                                                 : "",
                                   WARM_UP_STEPS);
     for (int64_t i = 0; i < r->repeat && status == HS_OK; ++i)
@@ -247,6 +248,8 @@ static hs_status read_log(const char *path, point *p, hs_error *err)
         } else if (sscanf(line, "%31s | %lf | %lf", name, &first, &mean) == 3) {
             for (int k = 0; k < HS_N_PHASES; ++k)
                 if (strcmp(name, phases[k]) == 0) now.phase_s[k] = mean;
+            for (int k = 0; k < HS_N_COMM_PARTS; ++k)
+                if (strcmp(name, parts[k]) == 0) now.comm_s[k] = mean;
         }
         (void)sscanf(line, "Nghost: %lf", &now.halo_atoms);
         (void)sscanf(line, "Load imbalance (largest/mean) = %lf", &now.imbalance);
@@ -301,15 +304,19 @@ static hs_status write_csv(const request *r, const point *all, int n, hs_error *
         status =
             hs_writer_printf(csv, err,
                              "scaling,system,ranks,threads,atoms,steps,seconds,million_atom_steps_per_s,efficiency,"
-                             "pair_s,neigh_s,comm_s,output_s,modify_s,imbalance,halo_atoms,bytes_forward_per_step,"
+                             "pair_s,neigh_s,comm_s,output_s,modify_s,pack_s,wait_s,unpack_s,agree_s,exchange_s,"
+                             "imbalance,halo_atoms,bytes_forward_per_step,"
                              "bytes_back_per_step,messages_per_step\n");
     for (int k = 0; k < n && status == HS_OK; ++k) {
         const point *p = &all[k];
-        status = hs_writer_printf(
-            csv, err, "%s,%s,%d,%d,%.0f,%lld,%.6g,%.5g,%.4f,%.5g,%.5g,%.5g,%.5g,%.5g,%.4f,%.6g,%.6g,%.6g,%.4g\n",
-            kind_of(p), system_of(p), p->ranks, p->threads, p->n_atoms, (long long)r->steps, p->seconds, speed_of(r, p),
-            p->efficiency, p->phase_s[0], p->phase_s[1], p->phase_s[2], p->phase_s[3], p->phase_s[4], p->imbalance,
-            p->halo_atoms, p->bytes_forward, p->bytes_back, p->n_messages);
+        status =
+            hs_writer_printf(csv, err,
+                             "%s,%s,%d,%d,%.0f,%lld,%.6g,%.5g,%.4f,%.5g,%.5g,%.5g,%.5g,%.5g,%.5g,%.5g,%.5g,%.5g,%.5g,%."
+                             "4f,%.6g,%.6g,%.6g,%.4g\n",
+                             kind_of(p), system_of(p), p->ranks, p->threads, p->n_atoms, (long long)r->steps,
+                             p->seconds, speed_of(r, p), p->efficiency, p->phase_s[0], p->phase_s[1], p->phase_s[2],
+                             p->phase_s[3], p->phase_s[4], p->comm_s[0], p->comm_s[1], p->comm_s[2], p->comm_s[3],
+                             p->comm_s[4], p->imbalance, p->halo_atoms, p->bytes_forward, p->bytes_back, p->n_messages);
     }
     if (status == HS_OK) status = hs_writer_close(&csv, err);
     hs_writer_abandon(&csv);
