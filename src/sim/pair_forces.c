@@ -138,8 +138,9 @@ static hs_status evaluate(hs_sim *sim, bool with_energy, hs_force_result *result
     for (bool fits = false; !fits;) {
         HS_TRY(add_parts(sim, with_energy, result, err));
         fits = true;
-        if (is_fixed) HS_TRY(hs_sim_fit_grid(sim, result, &fits, err));
-        if (!fits) hs_halo_reverse_wait(&sim->halo);
+        const hs_status status = is_fixed ? hs_sim_fit_grid(sim, result, &fits, err) : HS_OK;
+        if (status != HS_OK || !fits) hs_halo_reverse_wait(&sim->halo); /* what is under way is of no use */
+        HS_TRY(status);
     }
     hs_timer_add(&sim->timer, HS_PHASE_PAIR);
     take_halo_forces(sim, is_fixed);
