@@ -3,7 +3,7 @@ _halfshell() {
     local commands="run resume check bench plot report help"
     local options_run=" -in -var -log -walltime -screen -echo -threads -neigh -precision -reproducible -isa -suffix -package --help --version"
     local options_resume=" -log -walltime -threads -neigh -precision -reproducible -isa"
-    local options_check=" -in -var -threads -neigh -precision -reproducible -isa -ranks -speed -suffix -package"
+    local options_check=" -in -var -threads -neigh -precision -reproducible -isa -ranks -speed -latency -bandwidth -suffix -package"
     local options_bench=" -precision -reproducible -isa -size -steps -repeat -threads -ranks -neigh -only -out"
     local options_plot=" -out -x -y -errors -block -deck -units -logscale -xrange -yrange -style -title -legend -xlabel -ylabel -size"
     local options_report=" -out"
