@@ -179,7 +179,8 @@ void hs_report_loop(hs_sim *sim, int64_t n_steps, double loop_s)
 static void say_memory(const hs_sim *sim, int64_t n_atoms)
 {
     const double mib = 1024.0 * 1024.0;
-    double bytes[2] = {(double)hs_memory_resident(), (double)hs_memory_resident_peak()};
+    double bytes[2] = {(double)hs_memory_resident(), 0.0};
+    bytes[1] = fmax(bytes[0], (double)hs_memory_resident_peak()); /* the system brings it up to date now and then */
     hs_parallel_sum_double(&sim->parallel, bytes, 2);
     if (n_atoms > 0)
         hs_say(sim->env.out, "Memory = %.4g Mbytes, at its peak %.4g; %.4g bytes an atom\n", bytes[0] / mib,
