@@ -22,6 +22,7 @@ static void catch_signals(void)
     sigemptyset(&action.sa_mask);
     const int numbers[] = {SIGINT, SIGTERM};
     for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; ++i) sigaction(numbers[i], &action, NULL);
+    signal(SIGXFSZ, SIG_IGN); /* a file beyond the limit of the shell: an error of the write, as on a full disk */
 }
 
 static hs_status run_subcommand(const hs_cli *cli, const char *name, int *exit_code, hs_error *err)

@@ -49,6 +49,11 @@ expect 2 "no/such/folder" ranks 2 in.folder -log none
 { cat in.good; echo 'dump 1 all atom 2 /dev/full'; echo 'run 4'; } >in.full
 expect 2 "/dev/full" ranks 3 in.full -log none
 
+# a file beyond the shell's limit is no different
+few_blocks() { (ulimit -f 8 && ranks 0 "$@"); } # MPI needs files of its own
+{ cat in.good; echo 'dump 1 all custom 1 long.dump id x y z'; echo 'run 4'; } >in.long
+expect 2 "long.dump" few_blocks in.long -log none
+
 { cat in.good; echo 'write_data /dev/full'; } >in.data
 expect 2 "/dev/full" ranks 2 in.data -log none
 
