@@ -26,7 +26,7 @@ typedef struct request {
     int n_ranks, n_threads;
     const char *precision, *reproducible, *isa; /**< NULL: the default */
     char program[PATH_MAX];
-    bool has_mpirun;
+    bool has_mpirun, can_bind;
 } request;
 
 /** One run, and what its log tells of the fastest repetition. */
@@ -185,20 +185,60 @@ static hs_status start(char *const words[], const char *said, hs_error *err)
     return hs_fail(err, HS_ERROR_RUN, "bench scaling: a run failed; '%s' tells why", said);
 }
 
+enum { LAUNCH_WORDS_MAX = 32 };
+
+/** The words that start so many ranks, each bound to as many cores as it has threads where that can be done; `count` and `place` hold
+ *  numbers in words. Returns how many words there are. */
+static int launch_words(const request *r, int ranks, int threads, char count[32], char place[32],
+                        char *words[LAUNCH_WORDS_MAX])
+{
+    int n = 0;
+    snprintf(count, 32, "%d", ranks);
+    snprintf(place, 32, "slot:PE=%d", threads);
+    const char *const bound[] = {"mpirun", "--map-by", place, "--bind-to", "core", "-np", count};
+    const char *const loose[] = {"mpirun", "--oversubscribe", "--bind-to", "none", "-np", count};
+    const char *const *choice = r->can_bind ? bound : loose;
+    const size_t n_choice = r->can_bind ? sizeof bound / sizeof bound[0] : sizeof loose / sizeof loose[0];
+    for (size_t k = 0; k < n_choice; ++k) words[n++] = (char *)(uintptr_t)choice[k];
+    return n;
+}
+
+/** Whether mpirun is there, can be used by this user, and this program is built for it: all that it is asked is the version. Some
+ *  machines do not let it bind ranks to cores. */
+static hs_status try_mpirun(request *r, hs_error *err)
+{
+    hs_text said = {0};
+    hs_error reason = {0};
+    HS_TRY(hs_text_printf(&said, err, "%s/mpirun.txt", r->out));
+    r->can_bind = true;
+    for (;;) {
+        char count[32], place[32], *words[LAUNCH_WORDS_MAX];
+        int n = launch_words(r, 2, 1, count, place, words);
+        words[n++] = r->program;
+        words[n++] = (char *)(uintptr_t) "--version";
+        words[n] = NULL;
+        hs_error_clear(&reason);
+        r->has_mpirun = start(words, hs_text_get(&said), &reason) == HS_OK;
+        if (r->has_mpirun || !r->can_bind) break;
+        r->can_bind = false;
+    }
+    if (r->has_mpirun)
+        (void)unlink(hs_text_get(&said));
+    else
+        printf("Threads only, for two ranks could not be started: %s\n", reason.text);
+    hs_text_fini(&said);
+    return HS_OK;
+}
+
 static hs_status run_point(const request *r, const point *p, const char *deck, const char *log, const char *said,
                            hs_error *err)
 {
-    char ranks[16], threads[16];
-    char *words[32];
-    int n = 0;
-    snprintf(ranks, sizeof ranks, "%d", p->ranks);
+    char count[32], place[32], threads[16], *words[LAUNCH_WORDS_MAX];
+    int n = p->ranks > 1 ? launch_words(r, p->ranks, p->threads, count, place, words) : 0;
     snprintf(threads, sizeof threads, "%d", p->threads);
-    const char *const launcher[] = {"mpirun", "--oversubscribe", "--bind-to", "none", "-np", ranks};
     const char *const plain[] = {r->program, "-in", deck, "-log", log, "-screen", "none", "-threads", threads};
     const char *const choices[3][2] = {
         {"-precision", r->precision}, {"-reproducible", r->reproducible}, {"-isa", r->isa}};
-    for (size_t k = 0; p->ranks > 1 && k < sizeof launcher / sizeof launcher[0]; ++k)
-        words[n++] = (char *)(uintptr_t)launcher[k];
     for (size_t k = 0; k < sizeof plain / sizeof plain[0]; ++k) words[n++] = (char *)(uintptr_t)plain[k];
     for (int k = 0; k < 3; ++k) {
         if (choices[k][1] == NULL) continue;
@@ -207,22 +247,6 @@ static hs_status run_point(const request *r, const point *p, const char *deck, c
     }
     words[n] = NULL;
     return start(words, said, err);
-}
-
-/** Whether mpirun is there, can be used by this user, and this program is built for it: all that it is asked is the version. */
-static hs_status try_mpirun(request *r, hs_error *err)
-{
-    hs_text said = {0};
-    hs_error reason = {0};
-    HS_TRY(hs_text_printf(&said, err, "%s/mpirun.txt", r->out));
-    char *words[] = {"mpirun", "--oversubscribe", "--bind-to", "none", "-np", "2", r->program, "--version", NULL};
-    r->has_mpirun = start(words, hs_text_get(&said), &reason) == HS_OK;
-    if (r->has_mpirun)
-        (void)unlink(hs_text_get(&said));
-    else
-        printf("Threads only, for two ranks could not be started: %s\n", reason.text);
-    hs_text_fini(&said);
-    return HS_OK;
 }
 
 /** The fastest of the measured runs in a log. */
