@@ -54,9 +54,11 @@ static hs_status measure_layers(hs_halo_layers *layers, const hs_domain *domain,
 {
     const int n_layers = layers->below + 1 + layers->above, n = domain->n[axis];
     HS_TRY(HS_ALLOC(layers->shift, (size_t)n_layers, err));
+    HS_TRY(HS_ALLOC(layers->image, (size_t)n_layers, err));
     HS_TRY(HS_ALLOC(layers->limit, (size_t)n_layers, err));
     for (int j = -layers->below; j <= layers->above; ++j) {
         const int k = domain->at[axis] + j, away = k >= 0 ? k / n : -((n - 1 - k) / n), within = k - away * n;
+        layers->image[j + layers->below] = -away;
         layers->shift[j + layers->below] = -away * hs_box_length(box, axis);
         layers->limit[j + layers->below] = j < 0 ? hs_domain_plane(domain, box, axis, within + 1) + reach
                                                  : hs_domain_plane(domain, box, axis, within) - reach;
@@ -98,9 +100,11 @@ static hs_status list_blocks(hs_halo_side *side, const hs_halo_plan *plan, const
                 if (!is_positive(block.offset)) continue;
                 const int partner[3] = {domain->at[0] + j0, domain->at[1] + j1, domain->at[2] + j2};
                 block.rank = hs_domain_rank(domain, partner);
-                block.shift[0] = l[0].shift[j0 + l[0].below];
-                block.shift[1] = l[1].shift[j1 + l[1].below];
-                block.shift[2] = l[2].shift[j2 + l[2].below];
+                const int place[3] = {j0 + l[0].below, j1 + l[1].below, j2 + l[2].below};
+                for (int axis = 0; axis < 3; ++axis) {
+                    block.image[axis] = l[axis].image[place[axis]];
+                    block.shift[axis] = l[axis].shift[place[axis]];
+                }
                 if (block.rank == domain->rank) {
                     block.rank = -1; /* sorts first */
                     ++side->n_self;
@@ -145,6 +149,7 @@ void hs_halo_plan_fini(hs_halo_plan *plan)
 {
     for (int axis = 0; axis < 3; ++axis) {
         HS_FREE(plan->layers[axis].shift);
+        HS_FREE(plan->layers[axis].image);
         HS_FREE(plan->layers[axis].limit);
     }
     HS_FREE(plan->block_of);

@@ -8,6 +8,7 @@
 typedef struct hs_halo_layers {
     int below, above;
     double *shift; /**< owned [below + 1 + above]: of positions sent to layer j, at shift[j + below] */
+    int *image;    /**< owned: the same in box lengths */
     double *limit; /**< owned: layers j < 0 need x + shift < limit, layers j > 0 x + shift >= limit */
 } hs_halo_layers;
 

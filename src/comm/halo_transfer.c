@@ -16,6 +16,15 @@ static inline double *words_of(const hs_halo_side *side, int k)
     return side->buffer + (int64_t)(k - side->n_self_atoms) * HS_HALO_WORDS;
 }
 
+void hs_halo_fit_box(hs_halo *halo, const hs_box *box)
+{
+    for (int b = 0; b < halo->out.n_blocks; ++b)
+        for (int axis = 0; axis < 3; ++axis) {
+            hs_halo_block *block = &halo->out.block[b];
+            block->shift[axis] = block->image[axis] * hs_box_length(box, axis);
+        }
+}
+
 static void pack_positions(const hs_halo *halo, double *const position[3])
 {
 #pragma omp parallel

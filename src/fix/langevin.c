@@ -251,4 +251,5 @@ const hs_fix_style hs_fix_style_langevin = {
     .scalar = scalar,
     .keep_state = keep_state,
     .has_energy = true,
+    .is_coupling = true,
 };

@@ -11,8 +11,7 @@ typedef struct rescale_state {
     double t_start, t_stop;
     char *t_variable; /**< owned; equal-style variable that gives the temperature; NULL: the ramp */
     double window, fraction;
-    hs_compute *own;      /**< owned; temperature of the group */
-    char *temperature_id; /**< owned; compute of fix_modify temp; NULL: own */
+    char *temperature_id; /**< owned; compute of fix_modify temp; NULL: the fix's own */
     double energy;        /**< taken from the atoms so far; energy */
 } rescale_state;
 
@@ -30,13 +29,12 @@ static hs_status create(hs_fix *fix, const hs_args *args, hs_error *err)
     HS_TRY(hs_arg_not_negative(args, 3, &state->window, err));
     HS_TRY(hs_arg_not_negative(args, 4, &state->fraction, err));
     if (state->fraction > 1.0) return hs_arg_refuse(args, 4, "a fraction from 0 to 1", NULL, err);
-    return hs_compute_create(&state->own, fix->env, hs_compute_style_find("temp"), fix->id, fix->group, &none, err);
+    return hs_fix_own_compute(fix, 0, "temp", "temp", fix->group, &none, err);
 }
 
 static void destroy(hs_fix *fix)
 {
     rescale_state *state = fix->state;
-    hs_compute_destroy(&state->own);
     HS_FREE(state->t_variable);
     HS_FREE(state->temperature_id);
 }
@@ -51,7 +49,7 @@ static hs_status set_temperature(hs_fix *fix, const char *id, hs_error *err)
 static hs_status find_temperature(const hs_fix *fix, hs_compute **temperature, hs_error *err)
 {
     const rescale_state *state = fix->state;
-    *temperature = state->temperature_id != NULL ? fix->env->find_compute(fix->env, state->temperature_id) : state->own;
+    *temperature = state->temperature_id != NULL ? fix->env->find_compute(fix->env, state->temperature_id) : fix->own[0];
     if (*temperature != NULL) return HS_OK;
     return hs_fail(err, HS_ERROR_INPUT, "fix '%s' (temp/rescale): there is no compute '%s' any more", fix->id,
                    state->temperature_id);
@@ -67,7 +65,7 @@ static hs_status init(hs_fix *fix, hs_error *err)
         return hs_fail(err, HS_ERROR_INPUT, "fix '%s' (temp/rescale): there is no equal-style variable '%s'", fix->id,
                        state->t_variable);
     HS_TRY(find_temperature(fix, &temperature, err));
-    return state->own->style->init(state->own, err);
+    return fix->own[0]->style->init(fix->own[0], err);
 }
 
 static hs_status target_of(const hs_fix *fix, double *t, hs_error *err)
@@ -137,7 +135,7 @@ const hs_fix_style hs_fix_style_temp_rescale = {
                   "`run stop`); Tstart may be an equal-style variable `v_name`, which then is the temperature at every "
                   "step. The fix moves nothing: use it with `fix nve` or another integrator. It does not give the "
                   "canonical ensemble; it serves to bring a system to a temperature.\n\nThe temperature is that of the "
-                  "group, with dim N - dim degrees of freedom, or that of `fix_modify temp`; of a temperature that "
+                  "group, the compute `ID_temp` that the fix makes, or that of `fix_modify temp`; of a temperature that "
                   "leaves out a part of the velocities only the thermal part is scaled. The scalar `f_ID` is the "
                   "energy taken from the atoms so far; `fix_modify energy yes` adds it to the potential energy.",
               .example =
@@ -153,4 +151,5 @@ const hs_fix_style hs_fix_style_temp_rescale = {
     .scalar = scalar,
     .is_extensive = true,
     .has_energy = true,
+    .is_coupling = true,
 };

@@ -86,7 +86,20 @@ static hs_status report_bad_position(const hs_atoms *atoms, int64_t step, hs_err
     return hs_fail(err, HS_ERROR_RUN, "at step %lld an atom has moved out of the range of numbers", (long long)step);
 }
 
-hs_status hs_neighbor_is_due(hs_neighbor *neighbor, const hs_atoms *atoms, double displacement2,
+/** How far atoms may move before two of them can have come nearer by the skin: half of it, less when the box has changed, for
+ *  periodic images move with its corners. */
+static double room_to_move(const hs_neighbor *neighbor, const hs_box *box)
+{
+    double lo2 = 0.0, hi2 = 0.0;
+    for (int axis = 0; axis < 3; ++axis) {
+        const double dlo = box->lo[axis] - neighbor->lo_listed[axis], dhi = box->hi[axis] - neighbor->hi_listed[axis];
+        lo2 += dlo * dlo;
+        hi2 += dhi * dhi;
+    }
+    return fmax(0.0, 0.5 * (neighbor->settings.skin - (sqrt(lo2) + sqrt(hi2))));
+}
+
+hs_status hs_neighbor_is_due(hs_neighbor *neighbor, const hs_atoms *atoms, const hs_box *box, double displacement2,
                              const hs_parallel *parallel, int64_t step, bool *is_due, bool *stop, hs_error *err)
 {
     const hs_neighbor_settings *settings = &neighbor->settings;
@@ -96,7 +109,8 @@ hs_status hs_neighbor_is_due(hs_neighbor *neighbor, const hs_atoms *atoms, doubl
     if (most[1] > 0.0) HS_TRY(hs_parallel_agree(parallel, err));
     *stop = most[2] > 0.0;
 
-    const bool has_moved = most[0] > 0.25 * settings->skin * settings->skin;
+    const double room = room_to_move(neighbor, box);
+    const bool has_moved = most[0] > room * room;
     ++neighbor->ago;
     if (settings->exact) {
         *is_due = has_moved;

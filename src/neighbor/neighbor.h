@@ -88,12 +88,13 @@ void hs_neighbor_continue(hs_neighbor *neighbor);
 /** Once per step after the drift: round the positions to their grid, if there is one (@p position_magic, see hs_env). Returns the
  *  largest squared displacement from the listed positions; infinite when a coordinate is not a number. Not collective. */
 double hs_neighbor_settle(const hs_neighbor *neighbor, hs_atoms *atoms, double position_magic);
-/** Then (collective), with what this rank has measured: bring is_late up to date, and tell whether lists are due: by LAMMPS's
+/** Then (collective), with what this rank has measured: bring is_late up to date (in a box that changes, the displacements
+ *  of its corners count, too), and tell whether lists are due: by LAMMPS's
  *  schedule, or with `pairs exact` when an atom has moved more than half the skin. An error when a position is not a number, or
  *  when a rank holds one in @p err already. Also agrees on *stop: whether this rank was asked to stop becomes whether any was. */
-HS_MUST_USE hs_status hs_neighbor_is_due(hs_neighbor *neighbor, const hs_atoms *atoms, double displacement2,
-                                         const hs_parallel *parallel, int64_t step, bool *is_due, bool *stop,
-                                         hs_error *err);
+HS_MUST_USE hs_status hs_neighbor_is_due(hs_neighbor *neighbor, const hs_atoms *atoms, const hs_box *box,
+                                         double displacement2, const hs_parallel *parallel, int64_t step, bool *is_due,
+                                         bool *stop, hs_error *err);
 /** A scheduled build happens now: remember the positions. */
 void hs_neighbor_list_now(hs_neighbor *neighbor, const hs_atoms *atoms);
 

@@ -213,6 +213,16 @@ hs_status hs_sim_sort_again(hs_sim *sim, hs_error *err)
     return cluster(sim, err);
 }
 
+void hs_sim_forward_listed(hs_sim *sim)
+{
+    hs_box listed = sim->box;
+    memcpy(listed.lo, sim->neighbor.lo_listed, sizeof listed.lo);
+    memcpy(listed.hi, sim->neighbor.hi_listed, sizeof listed.hi);
+    hs_halo_fit_box(&sim->halo, &listed);
+    hs_halo_forward_positions(&sim->halo, &sim->atoms, sim->neighbor.x_listed);
+    hs_halo_fit_box(&sim->halo, &sim->box);
+}
+
 static hs_status before_exchange(hs_sim *sim, hs_error *err)
 {
     for (int k = 0; k < sim->n_fixes; ++k)

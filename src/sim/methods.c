@@ -118,7 +118,7 @@ static hs_status renew_cell(hs_sim *sim, hs_error *err) { return hs_sim_sort_and
 static hs_status update_cell(hs_sim *sim, hs_error *err)
 {
     HS_TRY(hs_sim_sort_again(sim, err));
-    if (sim->neighbor.is_late) hs_halo_forward_positions(&sim->halo, &sim->atoms, sim->neighbor.x_listed);
+    if (sim->neighbor.is_late) hs_sim_forward_listed(sim);
     return HS_OK;
 }
 

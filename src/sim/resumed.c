@@ -141,6 +141,7 @@ hs_status hs_sim_setup_resumed(hs_sim *sim, hs_error *err)
     give_back(sim, sim->atoms.x, arrays.x);
     sim->neighbor.counters = counters;
     if (status == HS_OK && has_halo) {
+        hs_halo_fit_box(&sim->halo, &sim->box);
         hs_halo_forward(&sim->halo, &sim->atoms);
         if (method->update != NULL) status = method->update(sim, err);
     }

@@ -108,7 +108,18 @@ void hs_sim_destroy(hs_sim **sim_pointer)
     } while (0)
 
 hs_fix *hs_sim_find_fix(hs_sim *sim, const char *id) { FIND(sim->fix, sim->n_fixes, id); }
-hs_compute *hs_sim_find_compute(hs_sim *sim, const char *id) { FIND(sim->compute, sim->n_computes, id); }
+
+/** The deck's, and those that fixes have made for themselves. */
+hs_compute *hs_sim_find_compute(hs_sim *sim, const char *id)
+{
+    for (int k = 0; k < sim->n_fixes; ++k)
+        for (int own = 0; own < HS_FIX_OWN_MAX; ++own) {
+            hs_compute *compute = sim->fix[k]->own[own];
+            if (compute != NULL && strcmp(compute->id, id) == 0) return compute;
+        }
+    FIND(sim->compute, sim->n_computes, id);
+}
+
 hs_region *hs_sim_find_region(hs_sim *sim, const char *id) { FIND(sim->region, sim->n_regions, id); }
 hs_dump *hs_sim_find_dump(hs_sim *sim, const char *id) { FIND(sim->dump, sim->n_dumps, id); }
 

@@ -168,6 +168,8 @@ HS_MUST_USE hs_status hs_sim_sort_and_cluster(hs_sim *sim, double reach, hs_erro
 HS_MUST_USE hs_status hs_sim_sort_again(hs_sim *sim, hs_error *err);
 /** The halo alone, to `reach`, with its kernel types.  sim/exchange.c */
 HS_MUST_USE hs_status hs_sim_make_halo(hs_sim *sim, double reach, hs_error *err);
+/** Listed positions of the halo, in the box of that time (collective).  sim/exchange.c */
+void hs_sim_forward_listed(hs_sim *sim);
 /* Reproducible runs (sim/reproducible.c). */
 /** Choose the kernels' precision, and round box and positions to the grid; part of every set-up. */
 HS_MUST_USE hs_status hs_sim_setup_reproducible(hs_sim *sim, hs_error *err);

@@ -27,8 +27,8 @@ static hs_status bring_neighbors_up_to_date(hs_sim *sim, hs_error *err)
     sim->is_stopping = hs_sim_is_asked_to_stop(sim);
     const double displacement2 = hs_neighbor_settle(&sim->neighbor, &sim->atoms, sim->env.position_magic);
     hs_timer_add(&sim->timer, HS_PHASE_NEIGH);
-    HS_TRY(hs_neighbor_is_due(&sim->neighbor, &sim->atoms, displacement2, &sim->parallel, sim->env.step, &is_due,
-                              &sim->is_stopping, err));
+    HS_TRY(hs_neighbor_is_due(&sim->neighbor, &sim->atoms, &sim->box, displacement2, &sim->parallel, sim->env.step,
+                              &is_due, &sim->is_stopping, err));
     hs_timer_add_comm(&sim->timer, HS_COMM_AGREE);
     is_due = is_due || is_wanted(sim);
     if (is_due) {
@@ -38,6 +38,7 @@ static hs_status bring_neighbors_up_to_date(hs_sim *sim, hs_error *err)
     const hs_method *method = hs_sim_method(sim);
     if (is_due) return hs_sim_exchange(sim, err);
     if (sim->pair->cutoff_max <= 0.0) return HS_OK;
+    hs_halo_fit_box(&sim->halo, &sim->box);
     hs_halo_forward_send(&sim->halo, &sim->atoms);
     hs_timer_add_comm(&sim->timer, HS_COMM_PACK);
     if (method->update == NULL) return HS_OK;

@@ -15,6 +15,14 @@
         HS_FREE(item);                                                                                                 \
     } while (0)
 
+static void destroy_fix(hs_fix *fix)
+{
+    hs_compute *own[HS_FIX_OWN_MAX];
+    memcpy(own, fix->own, sizeof own);
+    DESTROY_STYLE(fix);
+    for (int k = 0; k < HS_FIX_OWN_MAX; ++k) hs_compute_destroy(&own[k]);
+}
+
 static void destroy_dump(hs_dump *dump)
 {
     HS_FREE(dump->file);
@@ -24,7 +32,7 @@ static void destroy_dump(hs_dump *dump)
 void hs_sim_destroy_styles(hs_sim *sim)
 {
     for (int k = 0; k < sim->n_dumps; ++k) destroy_dump(sim->dump[k]);
-    for (int k = 0; k < sim->n_fixes; ++k) DESTROY_STYLE(sim->fix[k]);
+    for (int k = 0; k < sim->n_fixes; ++k) destroy_fix(sim->fix[k]);
     for (int k = 0; k < sim->n_computes; ++k) hs_compute_destroy(&sim->compute[k]);
     for (int k = sim->n_regions; k-- > 0;) hs_region_destroy(&sim->region[k]);
     HS_FREE(sim->dump);
@@ -189,11 +197,11 @@ hs_status hs_sim_add_fix(hs_sim *sim, const char *id, const char *group, const c
     if (status == HS_OK && style->create != NULL) status = style->create(fix, &named, err);
     if (status == HS_OK && place == sim->n_fixes) status = HS_GROW(sim->fix, (size_t)place, (size_t)place + 1, err);
     if (status != HS_OK) {
-        DESTROY_STYLE(fix);
+        destroy_fix(fix);
         return status;
     }
     if (place < sim->n_fixes)
-        DESTROY_STYLE(sim->fix[place]);
+        destroy_fix(sim->fix[place]);
     else
         ++sim->n_fixes;
     sim->fix[place] = fix;
@@ -283,7 +291,7 @@ hs_status hs_sim_remove_fix(hs_sim *sim, const char *id, hs_error *err)
 {
     int place;
     PLACE_OF(sim->fix, sim->n_fixes, "fix", id, place, err);
-    DESTROY_STYLE(sim->fix[place]);
+    destroy_fix(sim->fix[place]);
     CLOSE_GAP(sim->fix, sim->n_fixes, place);
     return HS_OK;
 }

@@ -92,6 +92,7 @@ hs_status hs_thermo_set_standard_columns(hs_thermo *thermo, hs_error *err)
         for (int side = 0; side < 2; ++side)
             can_change |=
                 box->boundary[axis][side] == HS_BOUNDARY_SHRINK || box->boundary[axis][side] == HS_BOUNDARY_SHRINK_MIN;
+    for (int k = 0; k < thermo->sim->n_fixes; ++k) can_change |= thermo->sim->fix[k]->style->changes_box;
     /* Formats of thermo_modify belong to columns by number: keep what stays. */
     int n = 0;
     for (; name[n] != NULL; ++n)

@@ -113,6 +113,30 @@ static hs_status get_etotal(T *t, double *value, hs_error *err)
     return HS_OK;
 }
 
+/** What thermostats and barostats have given away. */
+static hs_status get_ecouple(T *t, double *value, hs_error *err)
+{
+    double sum = 0.0;
+    for (int k = 0; k < t->sim->n_fixes; ++k) {
+        hs_fix *fix = t->sim->fix[k];
+        double energy;
+        if (!fix->style->is_coupling) continue;
+        HS_TRY(fix->style->scalar(fix, &energy, err));
+        sum += energy;
+    }
+    *value = per_atom(t, sum);
+    return HS_OK;
+}
+
+static hs_status get_econserve(T *t, double *value, hs_error *err)
+{
+    double energy, coupled;
+    HS_TRY(get_etotal(t, &energy, err));
+    HS_TRY(get_ecouple(t, &coupled, err));
+    *value = energy + coupled;
+    return HS_OK;
+}
+
 static hs_status get_enthalpy(T *t, double *value, hs_error *err)
 {
     double energy, pressure;
@@ -222,8 +246,8 @@ static hs_status get_density(T *t, double *value, hs_error *err)
     KEYWORD(elong, zero, "E_long", "energy", false, false, "long-range Coulomb energy: 0")                             \
     KEYWORD(etail, etail, "E_tail", "energy", false, true, "long-range correction of pair_modify tail yes")            \
     KEYWORD(enthalpy, enthalpy, "Enthalpy", "energy", false, true, "enthalpy, etotal + press * vol")                   \
-    KEYWORD(ecouple, zero, "Ecouple", "energy", false, false, "energy exchanged with thermostats and barostats: 0")    \
-    KEYWORD(econserve, etotal, "Econserve", "energy", false, true, "conserved energy, etotal + ecouple")               \
+    KEYWORD(ecouple, ecouple, "Ecouple", "energy", false, false, "energy given to thermostats and barostats")          \
+    KEYWORD(econserve, econserve, "Econserve", "energy", false, true, "conserved energy, etotal + ecouple")            \
     KEYWORD(vol, vol, "Volume", "volume", false, false, "volume (area in two dimensions)")                             \
     KEYWORD(density, density, "Density", "density", false, false, "mass density")                                      \
     KEYWORD(lx, lx, "Lx", "distance", false, false, "box length in x")                                                 \

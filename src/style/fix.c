@@ -2,6 +2,19 @@
 
 #include "base/memory.h"
 #include "style/atom_sum.h"
+#include "style/compute.h"
+
+hs_status hs_fix_own_compute(hs_fix *fix, int k, const char *style, const char *suffix, int group, const hs_args *args,
+                             hs_error *err)
+{
+    hs_text id = {0};
+    hs_status status = hs_text_printf(&id, err, "%s_%s", fix->id, suffix);
+    if (status == HS_OK)
+        status =
+            hs_compute_create(&fix->own[k], fix->env, hs_compute_style_find(style), hs_text_get(&id), group, args, err);
+    hs_text_fini(&id);
+    return status;
+}
 
 hs_status hs_fix_noise(const hs_fix *fix, int64_t seed, hs_noise *noise, hs_error *err)
 {

@@ -55,7 +55,11 @@ typedef struct hs_fix_style {
     bool is_integrator;     /**< moves its atoms: two of them on one atom are warned about */
     bool has_energy;        /**< `fix_modify energy yes` adds the scalar to the potential energy */
     bool has_virial;        /**< `fix_modify virial yes` adds virial[] to the pressure */
+    bool is_coupling;       /**< the scalar is the energy that a thermostat or barostat has given away: ecouple */
+    bool changes_box;       /**< the lengths of the box may change at every step */
 } hs_fix_style;
+
+enum { HS_FIX_OWN_MAX = 2 };
 
 /** One fix of a simulation. */
 typedef struct hs_fix {
@@ -68,6 +72,8 @@ typedef struct hs_fix {
     bool adds_energy, adds_virial; /**< fix_modify energy, virial */
     double virial[6];              /**< sum of r_a F_b over all atoms: xx yy zz xy xz yz; energy. Set by
                                         post_force when hs_fix_needs_virial. */
+    /** Computes that the fix has made for itself, c_<ID>_temp and the like; owned, freed after destroy. */
+    struct hs_compute *own[HS_FIX_OWN_MAX];
     int n_vector;
     int n_rows, n_columns; /**< of the array */
     int n_atom_columns;    /**< 0: one value per atom, f_ID; n: f_ID[1] ... f_ID[n] */
@@ -81,6 +87,10 @@ static inline bool hs_fix_needs_virial(const hs_fix *fix) { return fix->adds_vir
 
 /** Fail when the step of the next sample has passed without one, which only a rerun of snapshots at other steps brings about. */
 HS_MUST_USE hs_status hs_fix_need_sample(const hs_fix *fix, int64_t next, hs_error *err);
+/** Make own[k]: a compute of that style with the ID <fix ID>_<suffix>, which the deck can use like any other. The fix calls its
+ *  init. */
+HS_MUST_USE hs_status hs_fix_own_compute(hs_fix *fix, int k, const char *style, const char *suffix, int group,
+                                         const hs_args *args, hs_error *err);
 /** The fix's own stream of noise: another for each style, ID and seed. */
 HS_MUST_USE hs_status hs_fix_noise(const hs_fix *fix, int64_t seed, hs_noise *noise, hs_error *err);
 /** Step number for noise: it counts on where reset_timestep sets the step back, so that noise never repeats. */

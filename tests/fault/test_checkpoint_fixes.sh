@@ -52,3 +52,18 @@ fix p all print 10 "$(step) $t" file p.txt screen no
 variable s equal stride(10,1000,15)
 fix q all print v_s "$(step) $t" file q.txt screen no
 D
+
+check nvt <<'D'
+fix 1 all nvt temp 1.0 1.2 0.5 tchain 2
+D
+
+check npt <<'D'
+fix 1 all npt temp 1.0 1.2 0.5 x 1.0 3.0 2.0 y 2.0 1.0 1.5 z -1 0 1 nreset 20
+fix p all print 10 "$(lx:%.17g) $(f_1:%.17g) $(f_1[15]:%.17g)" file p.txt screen no
+D
+
+check nph <<'D'
+fix 1 all nph iso 1.0 3.0 0.3
+fix 2 all langevin 1.0 1.0 1.0 4711
+fix p all print 10 "$(lx:%.17g) $(f_1:%.17g)" file p.txt screen no
+D

@@ -210,6 +210,27 @@ fix 2 all enforce2d
 fix h two ave/histo 2 3 10 0 12 7 c_p[1] c_c vx mode vector ave running
 fix w all ave/histo/weight 2 2 10 0 12 7 x c_k mode vector
 D
+    system squeezed 30 'f_1' <<D
+lattice fcc 0.7
+region box block 0 6 0 5 0 4
+create_box 1 box
+create_atoms 1 box
+mass 1 1.0
+velocity all create 1.5 12345
+$liquid
+neigh_modify every 5 delay 0 check no
+fix 1 all npt temp 1.0 1.0 0.5 x 8.0 8.0 0.2 y 1.0 1.0 0.5 z -1 -1 0.5
+D
+    system warmed 20 'c_1_temp' <<D
+lattice fcc 0.8442
+region box block 0 4 0 5 0 4
+create_box 1 box
+create_atoms 1 box
+mass 1 1.0
+velocity all create 1.5 12345
+$liquid
+fix 1 all nvt temp 1.0 2.0 0.2
+D
 } >in.fixes
 
 # bits DECK RANKS THREADS WORDS...: the same bits as on one rank, which runs first and without mpirun.
@@ -233,7 +254,7 @@ bits bits 0 1
 bits more 0 1
 [ "$(cat bits/thermo more/thermo | wc -l)" -eq 39 ] || fail "$(cat bits/thermo more/thermo | wc -l) rows"
 bits fixes 0 1
-[ "$(wc -l <fixes/thermo)" -eq 3 ] || fail "$(wc -l <fixes/thermo) rows of fixes"
+[ "$(wc -l <fixes/thermo)" -eq 10 ] || fail "$(wc -l <fixes/thermo) rows of fixes"
 for threads in 1 2; do
     for n in 1 2 3 4 6 8; do bits bits "$n" "$threads"; done
 done

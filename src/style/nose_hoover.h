@@ -1,0 +1,83 @@
+/** Integration at constant temperature and pressure: what fix nvt, fix npt and fix nph share.
+ *
+ *  Nose-Hoover chains for the temperature, a barostat of Martyna, Tobias and Klein with a chain of its own for the pressure:
+ *
+ *      x' = v + w (x - x0)         V' = V tr(w)
+ *      v' = f/m - (w + tr(w)/(d N)) v - (p_eta/Q) v
+ *      W w' = V (P - P0) + (kinetic energy term) - (chain)
+ *
+ *  with the strain rates w of the axes. Every step is a product of exactly solved parts, symmetric in time. Sources:
+ *  G. J. Martyna, D. J. Tobias, M. L. Klein, J. Chem. Phys. 101, 4177 (1994), doi:10.1063/1.467468;
+ *  G. J. Martyna et al., Mol. Phys. 87, 1117 (1996), doi:10.1080/00268979600100761;
+ *  M. E. Tuckerman et al., J. Phys. A 39, 5629 (2006), doi:10.1088/0305-4470/39/19/S18. */
+#ifndef HS_STYLE_NOSE_HOOVER_H
+#define HS_STYLE_NOSE_HOOVER_H
+
+#include "style/compute.h"
+#include "style/fix.h"
+#include "style/nh_chain.h"
+
+typedef enum { HS_NH_NONE, HS_NH_XYZ, HS_NH_XY, HS_NH_YZ, HS_NH_XZ } hs_nh_coupling;
+
+/** State of such a fix. */
+typedef struct hs_nose_hoover {
+    bool has_thermostat, has_barostat;
+    char *temperature_id, *pressure_id; /**< owned; of fix_modify temp, press; NULL: the fix's own */
+    double dt;
+
+    double t_start, t_stop, t_rate; /**< temperature, and 1/damping time */
+    double t_fixed;         /**< ptemp: sets the barostat's masses without a thermostat; 0: the first temperature */
+    double t_target, t_now; /**< temperature */
+    double n_dof;
+    double drag;
+    hs_nh_chain chain;
+
+    bool axis[3]; /**< that the barostat acts on */
+    int n_axes;
+    bool is_iso; /**< one strain for all axes, from the scalar pressure */
+    hs_nh_coupling coupling;
+    bool has_strain_energy;                  /**< x, y or z was given: targets may be unequal */
+    double p_start[3], p_stop[3], p_rate[3]; /**< pressure, and 1/damping time */
+    double p_target[3], p_mean;              /**< of the present step */
+    double p_now[3];
+    double strain[3], strain_rate[3]; /**< integral of w; w, 1/time */
+    double mass[3];                   /**< W, energy time^2 */
+    double kinetic_term;              /**< tr(w)/(d N) of the last update */
+    hs_nh_chain barostat_chain;
+    bool is_mtk;                          /**< with the terms that make the ensemble right */
+    int64_t reset_every;                  /**< steps after which the reference box is set anew; 0: never */
+    double v_reference, inv_reference[3]; /**< volume and 1/lengths of the reference box; 0: not set yet */
+    bool has_fixed_point;
+    double fixed_point[3];
+    uint32_t dilate; /**< group bits of the atoms that follow the box */
+} hs_nose_hoover;
+
+/** Keywords of nvt, and of npt and nph. */
+extern const hs_keyword hs_nose_hoover_nvt_keywords[], hs_nose_hoover_npt_keywords[];
+
+HS_MUST_USE hs_status hs_nose_hoover_create(hs_fix *fix, const hs_args *args, bool has_thermostat, bool has_barostat,
+                                            hs_error *err);
+void hs_nose_hoover_destroy(hs_fix *fix);
+HS_MUST_USE hs_status hs_nose_hoover_init(hs_fix *fix, hs_error *err);
+HS_MUST_USE hs_status hs_nose_hoover_setup(hs_fix *fix, hs_error *err);
+HS_MUST_USE hs_status hs_nose_hoover_initial_integrate(hs_fix *fix, hs_error *err);
+HS_MUST_USE hs_status hs_nose_hoover_final_integrate(hs_fix *fix, hs_error *err);
+HS_MUST_USE hs_status hs_nose_hoover_scalar(hs_fix *fix, double *value, hs_error *err);
+HS_MUST_USE hs_status hs_nose_hoover_vector(hs_fix *fix, int i, double *value, hs_error *err);
+HS_MUST_USE hs_status hs_nose_hoover_keep_state(hs_fix *fix, hs_state *kept, hs_error *err);
+HS_MUST_USE hs_status hs_nose_hoover_set_temperature(hs_fix *fix, const char *id, hs_error *err);
+HS_MUST_USE hs_status hs_nose_hoover_set_pressure(hs_fix *fix, const char *id, hs_error *err);
+bool hs_nose_hoover_needs_energy(const hs_fix *fix, int64_t step);
+
+/* Between the files style/nose_hoover*.c. */
+/** Pressure times volume that unequal targets add along an axis, relative to the reference box.
+ *  M. Parrinello, A. Rahman, J. Appl. Phys. 52, 7182 (1981), doi:10.1063/1.328693. */
+double hs_nose_hoover_deviatoric(const hs_nose_hoover *nh, const hs_box *box, int axis);
+/** What the chain of the barostat keeps, energy. */
+double hs_nose_hoover_barostat_target(const hs_nose_hoover *nh, double kt);
+/** Length of the vector f_ID. */
+int hs_nose_hoover_n_vector(const hs_nose_hoover *nh);
+/** Read the words; part of create. */
+HS_MUST_USE hs_status hs_nose_hoover_read(hs_fix *fix, const hs_args *args, hs_error *err);
+
+#endif
