@@ -4,6 +4,7 @@
 #include "base/text.h"
 #include "core/atom_style.h"
 #include "deck/command.h"
+#include "deck/place_atoms.h"
 
 static hs_status need_no_box(const hs_deck *deck, const char *command, hs_error *err)
 {
@@ -54,29 +55,13 @@ static hs_status dimension_run(hs_deck *deck, const hs_args *args, hs_error *err
     return HS_OK;
 }
 
-/** One axis: "p", or one or two of f, s, m for the lower and the upper face. */
-static hs_status read_faces(const hs_args *args, int axis, hs_boundary faces[2], hs_error *err)
-{
-    const char *word = args->word[axis];
-    const size_t n = strlen(word);
-    if (n < 1 || n > 2 || strspn(word, "pfsm") != n)
-        return hs_arg_refuse(args, axis, "p, f, s or m, or two of these letters for the lower and the upper face", NULL,
-                             err);
-    faces[0] = (hs_boundary)word[0];
-    faces[1] = (hs_boundary)word[n - 1];
-    if ((faces[0] == HS_BOUNDARY_PERIODIC) != (faces[1] == HS_BOUNDARY_PERIODIC))
-        return hs_fail(err, HS_ERROR_INPUT, "%s: '%s' for %c: both faces of an axis must be periodic, or neither",
-                       args->command, word, "xyz"[axis]);
-    return HS_OK;
-}
-
 static hs_status boundary_check(const hs_args *args, bool has_variables, hs_error *err)
 {
     (void)has_variables;
     hs_boundary faces[2];
     for (int axis = 0; axis < 3; ++axis) {
         if (is_variable(args->word[axis])) return HS_OK;
-        HS_TRY(read_faces(args, axis, faces, err));
+        HS_TRY(hs_boundary_read(args, axis, axis, faces, err));
     }
     return HS_OK;
 }
@@ -87,7 +72,7 @@ static hs_status boundary_run(hs_deck *deck, const hs_args *args, hs_error *err)
     hs_box *box = &deck->sim->box;
     HS_TRY(boundary_check(args, false, err));
     for (int axis = 0; axis < 3; ++axis) {
-        HS_TRY(read_faces(args, axis, box->boundary[axis], err));
+        HS_TRY(hs_boundary_read(args, axis, axis, box->boundary[axis], err));
         box->periodic[axis] = box->boundary[axis][0] == HS_BOUNDARY_PERIODIC;
     }
     return HS_OK;

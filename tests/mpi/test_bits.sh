@@ -231,6 +231,28 @@ velocity all create 1.5 12345
 $liquid
 fix 1 all nvt temp 1.0 2.0 0.2
 D
+    system changed 20 '' <<D
+lattice fcc 0.8442
+region box block 0 3 0 2 0 3
+create_box 2 box
+create_atoms 1 box
+set type 1 type/fraction 2 0.4 1234
+mass * 1.0
+displace_atoms all random 0.05 0.05 0.05 4711
+replicate 2 2 1
+region ball sphere 2 2 2 1.2
+delete_atoms region ball
+region half block 0 3 INF INF INF INF
+delete_atoms porosity half 0.1 4711
+group two type 2
+displace_atoms two rotate 3 3 1 0 0 1 40
+delete_atoms overlap 0.85 all all
+change_box all x scale 1.02 y volume remap
+velocity all create 1.0 12345
+pair_style lj/cut 2.5
+pair_coeff * * 1.0 1.0
+fix 1 all nve/limit 0.02
+D
 } >in.fixes
 
 # bits DECK RANKS THREADS WORDS...: the same bits as on one rank, which runs first and without mpirun.
@@ -254,7 +276,7 @@ bits bits 0 1
 bits more 0 1
 [ "$(cat bits/thermo more/thermo | wc -l)" -eq 39 ] || fail "$(cat bits/thermo more/thermo | wc -l) rows"
 bits fixes 0 1
-[ "$(wc -l <fixes/thermo)" -eq 10 ] || fail "$(wc -l <fixes/thermo) rows of fixes"
+[ "$(wc -l <fixes/thermo)" -eq 13 ] || fail "$(wc -l <fixes/thermo) rows of fixes"
 for threads in 1 2; do
     for n in 1 2 3 4 6 8; do bits bits "$n" "$threads"; done
 done

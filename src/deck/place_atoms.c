@@ -1,0 +1,56 @@
+#include "deck/place_atoms.h"
+
+#include <math.h>
+#include <string.h>
+
+/** Box lengths away from the box that images can count. */
+static const double farthest = 1e9;
+
+hs_status hs_atoms_wrap_all(hs_sim *sim, const char *command, hs_error *err)
+{
+    hs_atoms *atoms = &sim->atoms;
+    for (int axis = 0; axis < 3; ++axis) {
+        const double lo = sim->box.lo[axis], length = hs_box_length(&sim->box, axis);
+        for (int i = 0; i < atoms->n_local && sim->box.periodic[axis] && err->status == HS_OK; ++i) {
+            double *x = &atoms->x[axis][i];
+            const double away = floor((*x - lo) / length);
+            if (!(fabs(away) < farthest)) {
+                (void)hs_fail(err, HS_ERROR_INPUT, "%s: atom %lld would be at %g in %c, more than 1e9 box lengths away",
+                              command, (long long)atoms->id[i], *x, "xyz"[axis]);
+                break;
+            }
+            *x -= away * length;
+            atoms->image[axis][i] += (int32_t)away;
+        }
+    }
+    for (int i = 0; i < atoms->n_local; ++i) { /* what rounding has left on the face */
+        double x[3];
+        int32_t image[3];
+        for (int axis = 0; axis < 3; ++axis) {
+            x[axis] = atoms->x[axis][i];
+            image[axis] = atoms->image[axis][i];
+        }
+        hs_box_wrap(&sim->box, x, image);
+        for (int axis = 0; axis < 3; ++axis) {
+            atoms->x[axis][i] = x[axis];
+            atoms->image[axis][i] = image[axis];
+        }
+    }
+    return hs_parallel_agree(&sim->parallel, err);
+}
+
+hs_status hs_boundary_read(const hs_args *args, int i, int axis, hs_boundary faces[2], hs_error *err)
+{
+    HS_TRY(hs_arg_need(args, i, "p, f, s or m", err));
+    const char *word = args->word[i];
+    const size_t n = strlen(word);
+    if (n < 1 || n > 2 || strspn(word, "pfsm") != n)
+        return hs_arg_refuse(args, i, "p, f, s or m, or two of these letters for the lower and the upper face", NULL,
+                             err);
+    faces[0] = (hs_boundary)word[0];
+    faces[1] = (hs_boundary)word[n - 1];
+    if ((faces[0] == HS_BOUNDARY_PERIODIC) != (faces[1] == HS_BOUNDARY_PERIODIC))
+        return hs_fail(err, HS_ERROR_INPUT, "%s: '%s' for %c: both faces of an axis must be periodic, or neither",
+                       args->command, word, "xyz"[axis]);
+    return HS_OK;
+}
