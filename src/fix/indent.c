@@ -1,0 +1,232 @@
+/* A stiff sphere, cylinder or plane that pushes atoms away:  F = K (r - R)^2 within the indenter, E = K/3 |r - R|^3. */
+#include <math.h>
+#include <string.h>
+
+#include "base/memory.h"
+#include "core/lattice.h"
+#include "style/atom_sum.h"
+#include "style/fix.h"
+
+typedef enum { INDENT_SPHERE, INDENT_CYLINDER, INDENT_PLANE } indent_shape;
+
+/** A number, in lattice spacings or distance units, or a variable, in distance units always. */
+typedef struct length {
+    double value;   /**< distance */
+    char *variable; /**< owned; NULL: a constant */
+} length;
+
+typedef struct indent_state {
+    double k; /**< force/distance^2 */
+    indent_shape shape;
+    bool has_shape, is_inside; /**< side in: keeps atoms within */
+    int axis;                  /**< of the cylinder; normal of the plane */
+    int side;                  /**< plane: -1 pushes down what is above, 1 up what is below */
+    length place[3], radius;
+    double sums[4]; /**< energy, and force on the indenter */
+} indent_state;
+
+static const hs_keyword keywords[] = {
+    {"sphere", 4, "<x> <y> <z> <R>", "a sphere; numbers may be equal-style variables v_name"},
+    {"cylinder", 4, "<x|y|z> <c1> <c2> <R>", "a cylinder along an axis, through the place (c1, c2) of the others"},
+    {"plane", 3, "<x|y|z> <position> <lo|hi>", "a plane that pushes atoms from the low or the high side"},
+    {"side", 1, "in|out", "push atoms out (default), or keep them in"},
+    {"units", 1, "lattice|box", "lengths are in lattice spacings (default) or in distance units"},
+    {NULL, 0, NULL, NULL},
+};
+
+static hs_status read_length(length *l, const hs_args *args, int i, double scale, hs_error *err)
+{
+    if (strncmp(args->word[i], "v_", 2) == 0) {
+        HS_FREE(l->variable);
+        return hs_memory_strdup(&l->variable, args->word[i] + 2, err);
+    }
+    HS_TRY(hs_arg_double(args, i, &l->value, err));
+    l->value *= scale;
+    return HS_OK;
+}
+
+static hs_status read_shape(hs_fix *fix, const hs_args *args, int i, const double scale[3], hs_error *err)
+{
+    static const char *const axes[] = {"x", "y", "z", NULL}, *const sides[] = {"lo", "hi", NULL};
+    indent_state *state = fix->state;
+    int side;
+    state->has_shape = true;
+    if (strcmp(args->word[i], "sphere") == 0) {
+        state->shape = INDENT_SPHERE;
+        for (int axis = 0; axis < 3; ++axis)
+            HS_TRY(read_length(&state->place[axis], args, i + 1 + axis, scale[axis], err));
+        return read_length(&state->radius, args, i + 4, scale[0], err);
+    }
+    HS_TRY(hs_arg_choice(args, i + 1, axes, &state->axis, err));
+    if (strcmp(args->word[i], "plane") == 0) {
+        state->shape = INDENT_PLANE;
+        HS_TRY(hs_arg_choice(args, i + 3, sides, &side, err));
+        state->side = side == 0 ? 1 : -1;
+        return read_length(&state->place[state->axis], args, i + 2, scale[state->axis], err);
+    }
+    state->shape = INDENT_CYLINDER;
+    const int first = state->axis == 0 ? 1 : 0, second = state->axis == 2 ? 1 : 2;
+    HS_TRY(read_length(&state->place[first], args, i + 2, scale[first], err));
+    HS_TRY(read_length(&state->place[second], args, i + 3, scale[second], err));
+    return read_length(&state->radius, args, i + 4, scale[first], err);
+}
+
+static hs_status create(hs_fix *fix, const hs_args *args, hs_error *err)
+{
+    indent_state *state = fix->state;
+    double scale[3];
+    bool is_box = false;
+    HS_TRY(hs_syntax_check(&fix->style->about.syntax, args, false, err));
+    HS_TRY(hs_arg_double(args, 0, &state->k, err));
+    for (int i = 1; i + 1 < args->n; ++i)
+        if (strcmp(args->word[i], "units") == 0) is_box = strcmp(args->word[i + 1], "box") == 0;
+    for (int axis = 0; axis < 3; ++axis) scale[axis] = is_box ? 1.0 : fix->env->lattice->spacing[axis];
+    for (int i = 1; i < args->n;) {
+        const char *word = args->word[i];
+        const int n = strcmp(word, "plane") == 0 ? 4 : strcmp(word, "side") == 0 || strcmp(word, "units") == 0 ? 2 : 5;
+        if (n > 2) HS_TRY(read_shape(fix, args, i, scale, err));
+        if (strcmp(word, "side") == 0) state->is_inside = strcmp(args->word[i + 1], "in") == 0;
+        i += n;
+    }
+    if (state->has_shape) return HS_OK;
+    return hs_fail(err, HS_ERROR_INPUT, "%s: what pushes? 'sphere', 'cylinder' or 'plane' must follow", args->command);
+}
+
+static void destroy(hs_fix *fix)
+{
+    indent_state *state = fix->state;
+    for (int axis = 0; axis < 3; ++axis) HS_FREE(state->place[axis].variable);
+    HS_FREE(state->radius.variable);
+}
+
+static hs_status check_length(const hs_fix *fix, const length *l, hs_error *err)
+{
+    const hs_env *env = fix->env;
+    if (l->variable == NULL || (env->variable_kind != NULL && env->variable_kind(env->deck, l->variable) == 1))
+        return HS_OK;
+    return hs_fail(err, HS_ERROR_INPUT, "fix '%s' (indent): there is no equal-style variable '%s'", fix->id,
+                   l->variable);
+}
+
+static hs_status init(hs_fix *fix, hs_error *err)
+{
+    const indent_state *state = fix->state;
+    for (int axis = 0; axis < 3; ++axis) HS_TRY(check_length(fix, &state->place[axis], err));
+    return check_length(fix, &state->radius, err);
+}
+
+static hs_status update_length(const hs_env *env, length *l, hs_error *err)
+{
+    if (l->variable == NULL) return HS_OK;
+    HS_TRY(env->variable_value(env->deck, l->variable, &l->value, err));
+    return HS_OK;
+}
+
+/** Force on local atom i, and its energy. */
+static double force_of(const hs_fix *fix, int i, double f[3])
+{
+    const indent_state *state = fix->state;
+    const hs_env *env = fix->env;
+    double d[3], r2 = 0.0;
+    for (int axis = 0; axis < 3; ++axis) {
+        d[axis] = env->atoms->x[axis][i] - state->place[axis].value;
+        if (state->shape == INDENT_CYLINDER && axis == state->axis) d[axis] = 0.0;
+        if (state->shape == INDENT_PLANE && axis != state->axis) d[axis] = 0.0;
+        const double l = hs_box_length(env->box, axis); /* the nearest image of the indenter */
+        if (state->shape != INDENT_PLANE && env->box->periodic[axis] && fabs(d[axis]) > 0.5 * l)
+            d[axis] -= copysign(l, d[axis]);
+        r2 += d[axis] * d[axis];
+        f[axis] = 0.0;
+    }
+    if (state->shape == INDENT_PLANE) {
+        const double depth = state->side * -d[state->axis]; /* how far it is on the wrong side */
+        if (depth < 0.0) return 0.0;
+        f[state->axis] = state->side * state->k * depth * depth;
+        return state->k / 3.0 * depth * depth * depth;
+    }
+    const double r = sqrt(r2), depth = state->is_inside ? r - state->radius.value : state->radius.value - r;
+    if (depth < 0.0 || r == 0.0) return 0.0;
+    for (int axis = 0; axis < 3; ++axis)
+        f[axis] = (state->is_inside ? -1.0 : 1.0) * state->k * depth * depth * d[axis] / r;
+    return state->k / 3.0 * depth * depth * depth;
+}
+
+static void add_terms(const hs_atoms *atoms, const void *context, int begin, int end, hs_exact_sum *sums)
+{
+    const hs_fix *fix = context;
+    for (int i = begin; i < end; ++i) {
+        double f[3];
+        if (!(atoms->mask[i] & fix->mask)) continue;
+        hs_exact_add(&sums[0], force_of(fix, i, f));
+        for (int axis = 0; axis < 3; ++axis) hs_exact_add(&sums[1 + axis], -f[axis]);
+    }
+}
+
+static hs_status post_force(hs_fix *fix, hs_error *err)
+{
+    indent_state *state = fix->state;
+    const hs_atoms *atoms = fix->env->atoms;
+    for (int axis = 0; axis < 3; ++axis) HS_TRY(update_length(fix->env, &state->place[axis], err));
+    HS_TRY(update_length(fix->env, &state->radius, err));
+    hs_atom_sum(atoms, fix->env->parallel, add_terms, fix, 4, state->sums);
+#pragma omp parallel for schedule(static)
+    for (int i = 0; i < atoms->n_local; ++i) {
+        double f[3];
+        if (!(atoms->mask[i] & fix->mask)) continue;
+        (void)force_of(fix, i, f);
+        for (int axis = 0; axis < 3; ++axis) atoms->f[axis][i] += f[axis];
+    }
+    return HS_OK;
+}
+
+static hs_status scalar(hs_fix *fix, double *value, hs_error *err)
+{
+    (void)err;
+    *value = ((indent_state *)fix->state)->sums[0];
+    return HS_OK;
+}
+
+static hs_status vector(hs_fix *fix, int i, double *value, hs_error *err)
+{
+    (void)err;
+    *value = ((indent_state *)fix->state)->sums[1 + i];
+    return HS_OK;
+}
+
+static hs_status keep_state(hs_fix *fix, hs_state *kept, hs_error *err)
+{
+    return hs_state_double(kept, "sums", ((indent_state *)fix->state)->sums, 4, err);
+}
+
+const hs_fix_style hs_fix_style_indent = {
+    .about =
+        {.name = "indent",
+         .syntax = {.usage = "<K> sphere|cylinder|plane <words> [keyword value ...]",
+                    .n_min = 1,
+                    .n_max = 1,
+                    .keywords = keywords},
+         .summary = "a sphere, cylinder or plane that pushes atoms away",
+         .details =
+             "An atom that is within the indenter by a depth d feels the force K d^2 away from its center (axis, "
+             "plane); the energy is K d^3/3; K has units of force/distance^2. With `side in` the indenter is "
+             "a container, which pushes atoms inward that are outside of it. `plane <axis> <position> hi` pushes atoms "
+             "above the position down, `lo` atoms below it up. Places and radius may be equal-style variables "
+             "`v_name`, evaluated at each step, so that the indenter moves; their values are in distance units.\n\n"
+             "The scalar `f_ID` is the energy, the vector `f_ID[1]` to `f_ID[3]` the force on the indenter. "
+             "`fix_modify "
+             "energy yes` adds the energy to the potential energy.",
+         .example = "variable y equal 13.0-0.02*step*dt\nfix 4 all indent 1000.0 sphere 10 v_y 0 5.0\n"
+                    "fix 5 all indent 10.0 cylinder z 10 10 8.0 side in units box"},
+    .state_size = sizeof(indent_state),
+    .create = create,
+    .destroy = destroy,
+    .init = init,
+    .post_force = post_force,
+    .keep_state = keep_state,
+    .scalar = scalar,
+    .vector = vector,
+    .n_vector = 3,
+    .is_extensive = true,
+    .is_vector_extensive = true,
+    .has_energy = true,
+};
