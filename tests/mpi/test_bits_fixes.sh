@@ -1,0 +1,98 @@
+#!/bin/bash
+# Fixes, computes and commands that sum over atoms, change the box or remove atoms: the same bits on any ranks and threads and for
+# every neighbor method.
+set -eu
+# shellcheck source=tests/mpi/bits.sh
+. "$PROJECT_ROOT/tests/mpi/bits.sh"
+
+{
+    system gas 20 'c_s f_h[1] f_h[3] f_h[4] f_w[3][2] f_w[5][2]' 'c_c c_q[1] c_q[2] c_p[1]' <<D
+dimension 2
+lattice sq2 0.5
+region box block 0 14 0 11 -0.5 0.5
+create_box 2 box
+create_atoms 1 box
+set type 1 type/fraction 2 0.3 77
+mass * 1.0
+velocity all create 3.0 99 loop geom
+$liquid
+neigh_modify every 2 delay 0 check yes
+group two type 2
+compute c two cluster/atom 1.7
+compute s all reduce sum c_c
+compute q all hexorder/atom
+compute p two hexorder/atom degree 5 nnn NULL cutoff 1.6
+compute k all ke/atom
+fix 1 all nve
+fix 2 all enforce2d
+fix h two ave/histo 2 3 10 0 12 7 c_p[1] c_c vx mode vector ave running
+fix w all ave/histo/weight 2 2 10 0 12 7 x c_k mode vector
+D
+    system squeezed 30 'f_1' <<D
+lattice fcc 0.7
+region box block 0 6 0 5 0 4
+create_box 1 box
+create_atoms 1 box
+mass 1 1.0
+velocity all create 1.5 12345
+$liquid
+neigh_modify every 5 delay 0 check no
+fix 1 all npt temp 1.0 1.0 0.5 x 8.0 8.0 0.2 y 1.0 1.0 0.5 z -1 -1 0.5
+D
+    system warmed 20 'c_1_temp' <<D
+lattice fcc 0.8442
+region box block 0 4 0 5 0 4
+create_box 1 box
+create_atoms 1 box
+mass 1 1.0
+velocity all create 1.5 12345
+$liquid
+fix 1 all nvt temp 1.0 2.0 0.2
+D
+    system changed 20 '' <<D
+lattice fcc 0.8442
+region box block 0 3 0 2 0 3
+create_box 2 box
+create_atoms 1 box
+set type 1 type/fraction 2 0.4 1234
+mass * 1.0
+displace_atoms all random 0.05 0.05 0.05 4711
+replicate 2 2 1
+region ball sphere 2 2 2 1.2
+delete_atoms region ball
+region half block 0 3 INF INF INF INF
+delete_atoms porosity half 0.1 4711
+group two type 2
+displace_atoms two rotate 3 3 1 0 0 1 40
+delete_atoms overlap 0.85 all all
+change_box all x scale 1.02 y volume remap
+velocity all create 1.0 12345
+pair_style lj/cut 2.5
+pair_coeff * * 1.0 1.0
+fix 1 all nve/limit 0.02
+D
+    system indented 10 'f_i f_i[2] c_r c_j[1] c_j[5]' <<D
+lattice fcc 0.8442
+region box block 0 4 0 4 0 5
+create_box 1 box
+create_atoms 1 box
+mass 1 1.0
+velocity all create 1.0 12345
+$liquid
+fix 1 all nve
+variable y equal 1.2+step*0.001
+fix i all indent 20 sphere 2 v_y 5.5 1.1
+compute k all ke/atom
+compute p all pe/atom
+compute s all stress/atom NULL virial
+compute j all heat/flux k p s
+compute r all temp/ramp vx 0 1.5 z 1 5
+D
+} >in.fixes
+
+bits fixes 0 1
+[ "$(wc -l <fixes/thermo)" -eq 15 ] || fail "$(wc -l <fixes/thermo) rows"
+bits fixes 0 3 -neigh cell
+bits fixes 2 2 -neigh verlet
+bits fixes 3 1 -neigh linked
+bits fixes 6 1
