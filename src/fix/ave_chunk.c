@@ -2,31 +2,16 @@
 #include <string.h>
 
 #include "base/memory.h"
-#include "core/atom_style.h"
 #include "io/average.h"
-#include "style/attribute.h"
+#include "io/chunk_columns.h"
 #include "style/chunks.h"
 #include "style/value.h"
 
-typedef enum { NORM_ALL, NORM_SAMPLE, NORM_NONE } ave_norm;
-typedef enum { OF_NUMBER, OF_MASS_DENSITY, OF_MASS, OF_TEMPERATURE, OF_ATTRIBUTE, OF_REFERENCE } ave_kind;
-
-typedef struct ave_column {
-    ave_kind kind;
-    hs_attribute attribute;
-    hs_value value;   /**< OF_REFERENCE */
-    const char *name; /**< borrowed: a word of the list below, or value.word */
-} ave_column;
-
 typedef struct ave_state {
     hs_schedule schedule;
-    char *chunk_id;     /**< owned */
-    char *bias_id;      /**< owned; temperature compute whose bias is taken off, or NULL */
-    ave_column *column; /**< owned [n] */
-    int n;
-    ave_norm norm;
-    double adof, cdof; /**< degrees of freedom of each atom, of each chunk */
-    bool is_locking;   /**< a window has begun */
+    char *chunk_id; /**< owned */
+    hs_chunk_columns columns;
+    bool is_locking; /**< a window has begun */
     int64_t n_chunks;
     double *sum;    /**< owned [n_chunks][1 + n]: counts and values of the present window */
     double *sample; /**< owned [1 + n][n_chunks] */
@@ -36,9 +21,6 @@ typedef struct ave_state {
     hs_fold fold;
     hs_average_file file;
 } ave_state;
-
-static const char *const words[] = {
-    "density/number", "density/mass", "mass", "temp", "vx", "vy", "vz", "fx", "fy", "fz", NULL};
 
 static const hs_keyword keywords[] = {
     HS_AVERAGE_KEYWORDS,
@@ -50,68 +32,14 @@ static const hs_keyword keywords[] = {
     {NULL, 0, NULL, NULL},
 };
 
-static hs_status add_columns(hs_fix *fix, const hs_args *args, int i, hs_error *err)
-{
-    ave_state *state = fix->state;
-    hs_value *values = NULL;
-    int n = 1, which = -1;
-    if (hs_value_is_reference(args->word[i])) {
-        HS_TRY(hs_values_create(&values, &n, fix->env, args, i, 1, HS_VALUE_ATOMS, err));
-    } else if (hs_arg_choice(args, i, words, &which, err) != HS_OK) {
-        hs_error_clear(err);
-        return hs_arg_refuse(args, i,
-                             "vx, vy, vz, fx, fy, fz, mass, temp, density/number, density/mass or a value per atom",
-                             words, err);
-    }
-    const hs_status status = HS_GROW(state->column, (size_t)state->n, (size_t)(state->n + n), err);
-    if (status != HS_OK) {
-        hs_values_destroy(&values, n);
-        return status;
-    }
-    for (int k = 0; k < n; ++k) {
-        ave_column *c = &state->column[state->n++];
-        *c = (ave_column){.kind = values != NULL         ? OF_REFERENCE
-                                  : which < OF_ATTRIBUTE ? (ave_kind)which
-                                                         : OF_ATTRIBUTE};
-        if (c->kind == OF_ATTRIBUTE) c->attribute = (hs_attribute)hs_attribute_find(words[which]);
-        if (values != NULL) c->value = values[k];
-        c->name = values != NULL ? c->value.word : words[which];
-    }
-    HS_FREE(values);
-    return HS_OK;
-}
-
-static hs_status find_bias(const hs_fix *fix, hs_compute **bias, hs_error *err)
-{
-    const ave_state *state = fix->state;
-    *bias = state->bias_id != NULL ? fix->env->find_compute(fix->env, state->bias_id) : NULL;
-    if (state->bias_id == NULL || (*bias != NULL && (*bias)->style->is_temperature)) return HS_OK;
-    return hs_fail(err, HS_ERROR_INPUT, "fix '%s' (ave/chunk): there is no temperature compute '%s'", fix->id,
-                   state->bias_id);
-}
-
 static hs_status read_keywords(hs_fix *fix, const hs_args *args, int first, hs_error *err)
 {
-    static const char *const norms[] = {"all", "sample", "none", NULL};
     ave_state *state = fix->state;
-    hs_compute *bias;
     for (int i = first, n_used; i < args->n; i += n_used) {
-        int norm;
         HS_TRY(hs_average_keyword(&state->schedule, &state->fold, &state->file, args, i, &n_used, err));
         if (n_used > 0) continue;
         n_used = 2;
-        if (strcmp(args->word[i], "norm") == 0) {
-            HS_TRY(hs_arg_choice(args, i + 1, norms, &norm, err));
-            state->norm = (ave_norm)norm;
-        } else if (strcmp(args->word[i], "adof") == 0) {
-            HS_TRY(hs_arg_double(args, i + 1, &state->adof, err));
-        } else if (strcmp(args->word[i], "cdof") == 0) {
-            HS_TRY(hs_arg_double(args, i + 1, &state->cdof, err));
-        } else {
-            HS_FREE(state->bias_id);
-            HS_TRY(hs_memory_strdup(&state->bias_id, args->word[i + 1], err));
-            HS_TRY(find_bias(fix, &bias, err));
-        }
+        HS_TRY(hs_chunk_columns_keyword(&state->columns, fix, args, i, err));
     }
     return HS_OK;
 }
@@ -123,7 +51,7 @@ static hs_status reserve(hs_fix *fix, const hs_compute *compute, hs_error *err)
 {
     ave_state *state = fix->state;
     const hs_chunks *chunks = hs_chunks_of(compute);
-    const size_t width = (size_t)state->n + 1, n = (size_t)chunks->n;
+    const size_t width = (size_t)state->columns.n + 1, n = (size_t)chunks->n;
     if (state->fold.mode != HS_FOLD_ONE && state->fold.n_added > 0 && chunks->n != state->n_chunks)
         return hs_fail(
             err, HS_ERROR_RUN,
@@ -141,7 +69,7 @@ static hs_status reserve(hs_fix *fix, const hs_compute *compute, hs_error *err)
     }
     state->n_chunks = chunks->n;
     fix->n_rows = (int)chunks->n;
-    fix->n_columns = n_heads(chunks) + 1 + state->n * (state->fold.has_errors ? 3 : 1);
+    fix->n_columns = n_heads(chunks) + 1 + state->columns.n * (state->fold.has_errors ? 3 : 1);
     return HS_OK;
 }
 
@@ -150,11 +78,11 @@ static hs_status create(hs_fix *fix, const hs_args *args, hs_error *err)
     ave_state *state = fix->state;
     const int first = hs_syntax_first_keyword(&fix->style->about.syntax, args);
     hs_compute *compute;
-    state->adof = fix->env->box->dimension;
+    state->columns.adof = fix->env->box->dimension;
     HS_TRY(hs_schedule_init(&state->schedule, args, 0, err));
     HS_TRY(hs_chunks_find(fix->env, args->word[3], args->command, &compute, err));
     HS_TRY(hs_memory_strdup(&state->chunk_id, args->word[3], err));
-    for (int i = 4; i < first; ++i) HS_TRY(add_columns(fix, args, i, err));
+    for (int i = 4; i < first; ++i) HS_TRY(hs_chunk_columns_add(&state->columns, fix->env, args, i, err));
     HS_TRY(read_keywords(fix, args, first, err));
     HS_TRY(hs_fold_check_errors(&state->fold, &state->schedule, args->command, err));
     HS_TRY(reserve(fix, compute, err));
@@ -173,10 +101,8 @@ static void lock_chunks(hs_fix *fix, bool is_locking)
 static void destroy(hs_fix *fix)
 {
     ave_state *state = fix->state;
-    for (int k = 0; k < state->n; ++k) hs_value_fini(&state->column[k].value);
-    HS_FREE(state->column);
+    hs_chunk_columns_fini(&state->columns);
     HS_FREE(state->chunk_id);
-    HS_FREE(state->bias_id);
     HS_FREE(state->sum);
     HS_FREE(state->sample);
     HS_FREE(state->each);
@@ -185,7 +111,7 @@ static void destroy(hs_fix *fix)
     hs_average_file_fini(&state->file);
 }
 
-static const char *name_of(const void *context, int k) { return ((const ave_state *)context)->column[k].name; }
+static const char *name_of(const void *context, int k) { return ((const ave_state *)context)->columns.column[k].name; }
 
 static hs_status make_head(hs_text *head, const hs_fix *fix, const hs_chunks *chunks, hs_error *err)
 {
@@ -194,8 +120,8 @@ static hs_status make_head(hs_text *head, const hs_fix *fix, const hs_chunks *ch
     if (chunks->is_compressed) HS_TRY(hs_text_printf(head, err, " OrigID"));
     for (int k = 0; k < chunks->n_axes; ++k) HS_TRY(hs_text_printf(head, err, " Coord%d", k + 1));
     HS_TRY(hs_text_printf(head, err, " Ncount"));
-    for (int k = 0; k < state->n; ++k) HS_TRY(hs_text_printf(head, err, " %s", state->column[k].name));
-    return state->fold.has_errors ? hs_average_error_head(head, state->n, name_of, state, err) : HS_OK;
+    for (int k = 0; k < state->columns.n; ++k) HS_TRY(hs_text_printf(head, err, " %s", state->columns.column[k].name));
+    return state->fold.has_errors ? hs_average_error_head(head, state->columns.n, name_of, state, err) : HS_OK;
 }
 
 static hs_status init(hs_fix *fix, hs_error *err)
@@ -203,14 +129,11 @@ static hs_status init(hs_fix *fix, hs_error *err)
     ave_state *state = fix->state;
     hs_schedule_renew(&state->schedule, fix->env->step);
     char command[128], title[256];
-    hs_compute *compute, *bias;
+    hs_compute *compute;
     hs_text head = {0};
     snprintf(command, sizeof command, "fix '%.80s' (ave/chunk)", fix->id);
     HS_TRY(hs_chunks_find(fix->env, state->chunk_id, command, &compute, err));
-    HS_TRY(find_bias(fix, &bias, err));
-    for (int k = 0; k < state->n; ++k)
-        if (state->column[k].kind == OF_REFERENCE)
-            HS_TRY(hs_value_check(fix->env, &state->column[k].value, HS_VALUE_ATOMS, command, err));
+    HS_TRY(hs_chunk_columns_check(&state->columns, fix, command, err));
     snprintf(title, sizeof title, "# Chunk-averaged data for fix %.80s and group %.80s", fix->id,
              fix->env->groups->name[fix->group]);
     hs_status status = make_head(&head, fix, hs_chunks_of(compute), err);
@@ -223,79 +146,20 @@ static hs_status init(hs_fix *fix, hs_error *err)
 static bool needs_energy(const hs_fix *fix, int64_t step)
 {
     const ave_state *state = fix->state;
-    bool is_needed = false;
-    if (!hs_schedule_is_due(&state->schedule, step)) return false;
-    for (int k = 0; k < state->n; ++k)
-        is_needed |= state->column[k].kind == OF_REFERENCE && hs_value_needs_energy(fix->env, &state->column[k].value);
-    return is_needed;
-}
-
-/** state->values: what column k adds up for each local atom; column -1 is the count. */
-static hs_status fill_values(hs_fix *fix, int k, const hs_compute *bias, hs_error *err)
-{
-    const ave_state *state = fix->state;
-    const hs_env *env = fix->env;
-    const hs_atoms *atoms = env->atoms;
-    const ave_kind kind = k < 0 ? OF_NUMBER : state->column[k].kind;
-    double *values = state->values;
-    if (kind == OF_REFERENCE) return hs_value_atoms(fix->env, &state->column[k].value, values, err);
-#pragma omp parallel for schedule(static)
-    for (int i = 0; i < atoms->n_local; ++i) {
-        double b[3] = {0.0}, v2 = 0.0;
-        values[i] = 1.0;
-        if (kind == OF_MASS || kind == OF_MASS_DENSITY) values[i] = hs_atom_mass(atoms, i);
-        if (kind == OF_ATTRIBUTE) values[i] = hs_attribute_value(env, state->column[k].attribute, false, i);
-        if (kind != OF_TEMPERATURE) continue;
-        if (bias != NULL && bias->style->bias != NULL) bias->style->bias(bias, i, b);
-        for (int axis = 0; axis < 3; ++axis) v2 += (atoms->v[axis][i] - b[axis]) * (atoms->v[axis][i] - b[axis]);
-        values[i] = hs_atom_mass(atoms, i) * v2;
-    }
-    return HS_OK;
-}
-
-/** Density of one mass unit in one distance^3: 1, and in real and metal units (masses are gram/mole) in gram/cm^3. */
-static double density_unit(const hs_units *units) { return strcmp(units->name, "lj") == 0 ? 1.0 : 1.0 / 0.602214129; }
-
-/** A sum over `count` atoms in `n_samples` samples as the mean that the column stands for. */
-static double mean_of(const hs_fix *fix, const hs_chunks *chunks, int k, double sum, double count, double n_samples)
-{
-    const ave_state *state = fix->state;
-    const hs_units *units = fix->env->units;
-    const ave_kind kind = state->column[k].kind;
-    const double n_dof = n_samples * state->cdof + state->adof * count;
-    if (count == 0.0) return 0.0;
-    if (kind == OF_NUMBER) return sum / chunks->volume / n_samples;
-    if (kind == OF_MASS_DENSITY) return sum / chunks->volume / n_samples * density_unit(units);
-    if (kind == OF_TEMPERATURE) return n_dof > 0.0 ? sum * units->mvv2e / (n_dof * units->boltz) : 0.0;
-    return state->norm == NORM_NONE ? sum / n_samples : sum / count;
-}
-
-/** For errors: what one sample of a chunk gives to column k, and the weight that it has in the mean. */
-static void value_and_weight(const hs_fix *fix, const hs_chunks *chunks, int k, double sum, double count, double *value,
-                             double *weight)
-{
-    const ave_state *state = fix->state;
-    const hs_units *units = fix->env->units;
-    const ave_kind kind = k < 0 ? OF_NUMBER : state->column[k].kind;
-    const bool is_density = kind == OF_NUMBER || kind == OF_MASS_DENSITY;
-    *weight = 1.0;
-    *value = k < 0 ? count : mean_of(fix, chunks, k, sum, count, 1.0);
-    if (is_density || state->norm != NORM_ALL) return;
-    *weight = kind == OF_TEMPERATURE ? state->cdof + state->adof * count : count;
-    *value = kind == OF_TEMPERATURE ? sum * units->mvv2e / units->boltz : sum;
+    return hs_schedule_is_due(&state->schedule, step) && hs_chunk_columns_need_energy(&state->columns, fix->env);
 }
 
 /** The sample just taken, for the errors of the means. */
 static hs_status add_to_errors(hs_fix *fix, const hs_chunks *chunks, hs_error *err)
 {
     ave_state *state = fix->state;
-    const size_t width = (size_t)state->n + 1, n = (size_t)chunks->n * width;
+    const size_t width = (size_t)state->columns.n + 1, n = (size_t)chunks->n * width;
     if (!state->fold.has_errors) return HS_OK;
     for (int64_t c = 0; c < chunks->n; ++c)
-        for (int k = -1; k < state->n; ++k) {
+        for (int k = -1; k < state->columns.n; ++k) {
             const size_t at = (size_t)c * width + (size_t)(k + 1);
-            value_and_weight(fix, chunks, k, state->sample[(k + 1) * chunks->n + c], state->sample[c], &state->each[at],
-                             &state->each[n + at]);
+            hs_chunk_columns_weigh(&state->columns, fix->env, chunks, k, state->sample[(k + 1) * chunks->n + c],
+                                   state->sample[c], &state->each[at], &state->each[n + at]);
         }
     return hs_fold_add_sample(&state->fold, state->each, state->each + n, err);
 }
@@ -304,24 +168,25 @@ static hs_status take_sample(hs_fix *fix, hs_compute *compute, hs_error *err)
 {
     ave_state *state = fix->state;
     const hs_chunks *chunks = hs_chunks_of(compute);
-    const size_t n_local = (size_t)fix->env->atoms->n_local, width = (size_t)state->n + 1;
+    const size_t n_local = (size_t)fix->env->atoms->n_local, width = (size_t)state->columns.n + 1;
     hs_compute *bias;
     double ignored;
-    HS_TRY(find_bias(fix, &bias, err));
+    HS_TRY(hs_chunk_columns_bias(&state->columns, fix, &bias, err));
     if (bias != NULL) HS_TRY(hs_compute_scalar(bias, &ignored, err));
     if (n_local >= state->capacity) {
         HS_TRY(HS_GROW(state->values, 0, n_local + n_local / 8 + 1, err));
         state->capacity = n_local + n_local / 8 + 1;
     }
-    for (int k = -1; k < state->n; ++k) {
-        HS_TRY(fill_values(fix, k, bias, err));
+    for (int k = -1; k < state->columns.n; ++k) {
+        HS_TRY(hs_chunk_columns_fill(&state->columns, fix->env, k, bias, state->values, err));
         HS_TRY(
             hs_chunks_sum(compute, fix->mask, state->values, state->sample + (size_t)(k + 1) * (size_t)chunks->n, err));
     }
     for (int64_t c = 0; c < chunks->n; ++c)
-        for (int k = -1; k < state->n; ++k) {
+        for (int k = -1; k < state->columns.n; ++k) {
             double value = state->sample[(k + 1) * chunks->n + c];
-            if (k >= 0 && state->norm != NORM_ALL) value = mean_of(fix, chunks, k, value, state->sample[c], 1.0);
+            if (k >= 0 && state->columns.norm != HS_NORM_ALL)
+                value = hs_chunk_columns_mean(&state->columns, fix->env, chunks, k, value, state->sample[c], 1.0);
             state->sum[(size_t)c * width + (size_t)(k + 1)] += value;
         }
     return add_to_errors(fix, chunks, err);
@@ -331,10 +196,10 @@ static hs_status take_sample(hs_fix *fix, hs_compute *compute, hs_error *err)
 static double result(const ave_state *state, int64_t c, int k)
 {
     const hs_fold *fold = &state->fold;
-    const int64_t row = c * (state->n + 1);
+    const int64_t row = c * (state->columns.n + 1);
     const double count = hs_fold_count(fold);
-    if (k > 2 * state->n) return fold->inefficiency[row + k - 2 * state->n];
-    if (k > state->n) return fold->error[row + k - state->n];
+    if (k > 2 * state->columns.n) return fold->inefficiency[row + k - 2 * state->columns.n];
+    if (k > state->columns.n) return fold->error[row + k - state->columns.n];
     return count == 0.0 ? 0.0 : fold->sum[row + k] / count;
 }
 
@@ -354,7 +219,7 @@ static hs_status write_window(hs_fix *fix, const hs_chunks *chunks, hs_error *er
             for (int k = 0; k < chunks->n_axes; ++k)
                 HS_TRY(hs_text_printf(&file->text, err, " %g", chunks->place[c * chunks->n_axes + k]));
             HS_TRY(hs_text_printf(&file->text, err, " %g", result(state, c, 0)));
-            for (int k = 1; k <= state->n * (state->fold.has_errors ? 3 : 1); ++k)
+            for (int k = 1; k <= state->columns.n * (state->fold.has_errors ? 3 : 1); ++k)
                 HS_TRY(hs_average_file_number(file, result(state, c, k), err));
             HS_TRY(hs_text_append(&file->text, "\n", 1, err));
         }
@@ -370,7 +235,7 @@ static hs_status end_of_step(hs_fix *fix, hs_error *err)
     if (!hs_schedule_is_due(&state->schedule, fix->env->step)) return HS_OK;
     HS_TRY(hs_chunks_find(fix->env, state->chunk_id, "fix ave/chunk", &compute, err));
     hs_chunks *chunks = hs_chunks_of(compute);
-    const int width = state->n + 1;
+    const int width = state->columns.n + 1;
     const double repeat = (double)state->schedule.repeat;
     const bool is_first = state->schedule.n_taken == 0;
     if (is_first && chunks->is_by_window && chunks->n_locks == 0) {
@@ -387,9 +252,10 @@ static hs_status end_of_step(hs_fix *fix, hs_error *err)
     if (!hs_schedule_advance(&state->schedule, fix->env->step)) return HS_OK;
     for (int64_t c = 0; c < chunks->n; ++c) {
         double *row = state->sum + c * width;
-        for (int k = 0; k < state->n; ++k)
-            row[k + 1] =
-                state->norm == NORM_ALL ? mean_of(fix, chunks, k, row[k + 1], row[0], repeat) : row[k + 1] / repeat;
+        for (int k = 0; k < state->columns.n; ++k)
+            row[k + 1] = state->columns.norm == HS_NORM_ALL
+                             ? hs_chunk_columns_mean(&state->columns, fix->env, chunks, k, row[k + 1], row[0], repeat)
+                             : row[k + 1] / repeat;
         row[0] /= repeat;
     }
     hs_fold_add(&state->fold, state->sum);
@@ -428,7 +294,7 @@ static hs_status keep_state(hs_fix *fix, hs_state *kept, hs_error *err)
 {
     ave_state *state = fix->state;
     hs_fold *fold = &state->fold;
-    int64_t n_sum = state->n_chunks * (state->n + 1), n_fold = n_sum, n_ring = n_sum * fold->n_window;
+    int64_t n_sum = state->n_chunks * (state->columns.n + 1), n_fold = n_sum, n_ring = n_sum * fold->n_window;
     HS_TRY(hs_state_int64(kept, "next", &state->schedule.next, 1, err));
     HS_TRY(hs_state_int64(kept, "n_taken", &state->schedule.n_taken, 1, err));
     HS_TRY(hs_state_int64(kept, "n_chunks", &state->n_chunks, 1, err));

@@ -30,16 +30,5 @@ const hs_fix_style hs_fix_style_ave_histo = {
              "greatest value. Before the first window is complete counts are 0.",
          .example = "fix h all ave/histo 10 100 1000 -4 4 80 vx vy vz mode vector ave running file speeds.txt\n"
                     "compute n all coord/atom cutoff 1.5\nfix c all ave/histo 100 1 100 -0.5 15.5 16 c_n mode vector"},
-    .state_size = sizeof(hs_histogram),
-    .create = create,
-    .destroy = hs_histogram_destroy,
-    .init = hs_histogram_init,
-    .setup = hs_histogram_end_of_step,
-    .end_of_step = hs_histogram_end_of_step,
-    .vector = hs_histogram_vector,
-    .n_vector = 4,
-    .array = hs_histogram_array,
-    .needs_energy = hs_histogram_needs_energy,
-    .keep_state = hs_histogram_keep_state,
-    .is_time_dependent = true,
+    HS_HISTOGRAM_HOOKS,
 };

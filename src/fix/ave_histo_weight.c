@@ -19,16 +19,5 @@ const hs_fix_style hs_fix_style_ave_histo_weight = {
                   "weights.",
               .example =
                   "compute k all ke/atom\nfix h all ave/histo/weight 10 10 100 0 10 20 z c_k mode vector file ke.txt"},
-    .state_size = sizeof(hs_histogram),
-    .create = create,
-    .destroy = hs_histogram_destroy,
-    .init = hs_histogram_init,
-    .setup = hs_histogram_end_of_step,
-    .end_of_step = hs_histogram_end_of_step,
-    .vector = hs_histogram_vector,
-    .n_vector = 4,
-    .array = hs_histogram_array,
-    .needs_energy = hs_histogram_needs_energy,
-    .keep_state = hs_histogram_keep_state,
-    .is_time_dependent = true,
+    HS_HISTOGRAM_HOOKS,
 };

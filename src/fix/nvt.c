@@ -24,22 +24,7 @@ const hs_fix_style hs_fix_style_nvt = {
                   "The scalar `f_ID` is the energy of the chain: it and the energy of the atoms together are constant "
                   "(`econserve` in thermo output). The vector has, for each of the N thermostats, their places "
                   "`f_ID[1]` ..., then their rates, then potential, then kinetic energies.",
-              .reference = "G. J. Martyna, D. J. Tobias, M. L. Klein, J. Chem. Phys. 101, 4177 (1994), "
-                           "doi:10.1063/1.467468; M. E. Tuckerman et al., J. Phys. A 39, 5629 (2006), "
-                           "doi:10.1088/0305-4470/39/19/S18",
+              .reference = HS_NOSE_HOOVER_REFERENCE,
               .example = "fix 1 all nvt temp 1.0 1.0 0.5\nfix 2 beads nvt temp 300.0 350.0 100.0 tchain 5"},
-    .state_size = sizeof(hs_nose_hoover),
-    .create = create,
-    .destroy = hs_nose_hoover_destroy,
-    .init = hs_nose_hoover_init,
-    .setup = hs_nose_hoover_setup,
-    .initial_integrate = hs_nose_hoover_initial_integrate,
-    .final_integrate = hs_nose_hoover_final_integrate,
-    .keep_state = hs_nose_hoover_keep_state,
-    .scalar = hs_nose_hoover_scalar,
-    .vector = hs_nose_hoover_vector,
-    .set_temperature = hs_nose_hoover_set_temperature,
-    .is_extensive = true,
-    .is_integrator = true,
-    .is_coupling = true,
+    HS_NOSE_HOOVER_HOOKS,
 };

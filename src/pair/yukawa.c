@@ -35,24 +35,6 @@ static hs_status settings(hs_pair *pair, const hs_args *args, hs_error *err)
     return hs_pair_coeffs_set_cutoff(pair, cutoff, err);
 }
 
-static hs_status coeff(hs_pair *pair, int i, int j, const hs_args *args, hs_error *err)
-{
-    hs_pair_coeff c = {.cutoff = 0.0};
-    HS_TRY(hs_arg_double(args, 0, &c.c[0], err));
-    HS_TRY(hs_pair_coeffs_read_cutoff(pair, args, 1, &c.cutoff, err));
-    *hs_pair_coeffs_at(pair, i, j) = c;
-    return HS_OK;
-}
-
-static hs_status mix(hs_pair *pair, int i, int j, hs_error *err)
-{
-    const hs_pair_coeff a = *hs_pair_coeffs_at(pair, i, i), b = *hs_pair_coeffs_at(pair, j, j);
-    (void)err;
-    *hs_pair_coeffs_at(pair, i, j) =
-        (hs_pair_coeff){.c = {sqrt(a.c[0] * b.c[0])}, .cutoff = hs_pair_mix_distance(pair->mix, a.cutoff, b.cutoff)};
-    return HS_OK;
-}
-
 static void params(const hs_pair *pair, int i, int j, double *cutoff, double *p)
 {
     const hs_pair_coeff c = *hs_pair_coeffs_at(pair, i, j);
@@ -60,11 +42,6 @@ static void params(const hs_pair *pair, int i, int j, double *cutoff, double *p)
     p[A] = c.c[0];
     p[KAPPA] = ((yukawa_state *)pair->state)->kappa;
     p[SHIFT] = pair->shift && c.cutoff > 0.0 ? c.c[0] * exp(-p[KAPPA] * c.cutoff) / c.cutoff : 0.0;
-}
-
-static hs_status write_coeff(const hs_pair *pair, int i, int j, hs_text *words, hs_error *err)
-{
-    return hs_pair_coeffs_write(pair, i, j, 1, words, err);
 }
 
 const hs_pair_style hs_pair_style_yukawa = {
@@ -85,11 +62,11 @@ const hs_pair_style hs_pair_style_yukawa = {
     .state_size = sizeof(yukawa_state),
     .settings = settings,
     .destroy = hs_pair_coeffs_destroy,
-    .coeff = coeff,
-    .mix = mix,
+    .coeff = hs_pair_coeffs_read_one,
+    .mix = hs_pair_coeffs_mix_one,
     .params = params,
 
-    .write_coeff = write_coeff,
+    .write_coeff = hs_pair_coeffs_write_one,
     .evaluator = &hs_evaluator_yukawa,
 };
 

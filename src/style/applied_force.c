@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "base/memory.h"
+#include "style/atom_sum.h"
 
 hs_status hs_applied_force_create(hs_applied_force *force, const hs_args *args, bool may_be_free, hs_error *err)
 {
@@ -84,4 +85,51 @@ void hs_applied_force_fini(hs_applied_force *force)
         HS_FREE(force->of_atom[axis]);
     }
     HS_FREE(force->region_id);
+}
+
+const hs_keyword hs_replaced_force_keywords[] = {
+    {"region", 1, "<region-ID>", "only atoms that are in this region at the step"},
+    {NULL, 0, NULL, NULL},
+};
+
+hs_status hs_replaced_force_create(hs_fix *fix, const hs_args *args, hs_error *err)
+{
+    hs_replaced_force *state = fix->state;
+    HS_TRY(hs_syntax_check(&fix->style->about.syntax, args, false, err));
+    HS_TRY(hs_applied_force_create(&state->force, args, true, err));
+    for (int i = 3; i < args->n; i += 2) HS_TRY(hs_applied_force_region(&state->force, fix, args, i + 1, err));
+    return HS_OK;
+}
+
+void hs_replaced_force_destroy(hs_fix *fix) { hs_applied_force_fini(&((hs_replaced_force *)fix->state)->force); }
+
+static void add_forces(const hs_atoms *atoms, const void *context, int begin, int end, hs_exact_sum *sums)
+{
+    const hs_fix *fix = context;
+    const hs_replaced_force *state = fix->state;
+    for (int i = begin; i < end; ++i) {
+        if (!hs_applied_force_acts(&state->force, fix, i)) continue;
+        for (int axis = 0; axis < 3; ++axis) hs_exact_add(&sums[axis], atoms->f[axis][i]);
+        hs_exact_add(&sums[3], 1.0);
+    }
+}
+
+hs_status hs_replaced_force_measure(hs_fix *fix, hs_error *err)
+{
+    hs_replaced_force *state = fix->state;
+    HS_TRY(hs_applied_force_update(&state->force, fix, err));
+    hs_atom_sum(fix->env->atoms, fix->env->parallel, add_forces, fix, 4, state->before);
+    return HS_OK;
+}
+
+hs_status hs_replaced_force_vector(hs_fix *fix, int i, double *value, hs_error *err)
+{
+    (void)err;
+    *value = ((hs_replaced_force *)fix->state)->before[i];
+    return HS_OK;
+}
+
+hs_status hs_replaced_force_keep_state(hs_fix *fix, hs_state *kept, hs_error *err)
+{
+    return hs_state_double(kept, "before", ((hs_replaced_force *)fix->state)->before, 4, err);
 }

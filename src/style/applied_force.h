@@ -29,6 +29,19 @@ HS_MUST_USE hs_status hs_applied_force_init(hs_applied_force *force, const hs_fi
 HS_MUST_USE hs_status hs_applied_force_update(hs_applied_force *force, const hs_fix *fix, hs_error *err);
 void hs_applied_force_fini(hs_applied_force *force);
 
+/** State of the fixes that put a force in the place of the one there was (setforce, aveforce), and their hooks. */
+typedef struct hs_replaced_force {
+    hs_applied_force force;
+    double before[4]; /**< sum of the forces before they were replaced, and the number of atoms */
+} hs_replaced_force;
+extern const hs_keyword hs_replaced_force_keywords[];
+HS_MUST_USE hs_status hs_replaced_force_create(hs_fix *fix, const hs_args *args, hs_error *err);
+void hs_replaced_force_destroy(hs_fix *fix);
+/** Evaluate the variables, and add up the forces before (collective). */
+HS_MUST_USE hs_status hs_replaced_force_measure(hs_fix *fix, hs_error *err);
+HS_MUST_USE hs_status hs_replaced_force_vector(hs_fix *fix, int i, double *value, hs_error *err);
+HS_MUST_USE hs_status hs_replaced_force_keep_state(hs_fix *fix, hs_state *kept, hs_error *err);
+
 /** Whether it acts on local atom i. */
 static inline bool hs_applied_force_acts(const hs_applied_force *force, const hs_fix *fix, int i)
 {

@@ -69,6 +69,37 @@ HS_MUST_USE hs_status hs_nose_hoover_set_temperature(hs_fix *fix, const char *id
 HS_MUST_USE hs_status hs_nose_hoover_set_pressure(hs_fix *fix, const char *id, hs_error *err);
 bool hs_nose_hoover_needs_energy(const hs_fix *fix, int64_t step);
 
+/** The hooks that all three descriptors have, and their reference. */
+#define HS_NOSE_HOOVER_HOOKS                                                                                           \
+    .state_size = sizeof(hs_nose_hoover), .create = create, .destroy = hs_nose_hoover_destroy,                         \
+    .init = hs_nose_hoover_init, .setup = hs_nose_hoover_setup, .initial_integrate = hs_nose_hoover_initial_integrate, \
+    .final_integrate = hs_nose_hoover_final_integrate, .keep_state = hs_nose_hoover_keep_state,                        \
+    .scalar = hs_nose_hoover_scalar, .vector = hs_nose_hoover_vector,                                                  \
+    .set_temperature = hs_nose_hoover_set_temperature, .is_extensive = true, .is_integrator = true,                    \
+    .is_coupling = true
+/** And those of the ones with a barostat. */
+#define HS_NOSE_HOOVER_PRESSURE_HOOKS                                                                                  \
+    .set_pressure = hs_nose_hoover_set_pressure, .needs_energy = hs_nose_hoover_needs_energy, .changes_box = true
+#define HS_NOSE_HOOVER_REFERENCE                                                                                       \
+    "G. J. Martyna, D. J. Tobias, M. L. Klein, J. Chem. Phys. 101, 4177 (1994), doi:10.1063/1.467468; "                \
+    "M. E. Tuckerman et al., J. Phys. A 39, 5629 (2006), doi:10.1088/0305-4470/39/19/S18"
+/** Paragraphs of the manual that npt and nph share. */
+#define HS_NOSE_HOOVER_PRESSURE_DETAILS                                                                                \
+    "`iso` changes all lengths of the box alike, by the scalar pressure; `aniso` (one target) and `x`, "               \
+    "`y`, `z` (each its own, and only those axes) let them change on their own; `couple` gives some of "               \
+    "those the mean of their pressures. The box must be periodic along axes that change. Pdamp is the "                \
+    "time in which the pressure relaxes, usually some thousand timesteps. Atoms of the group `dilate` "                \
+    "follow the box as their fractions of it, around `fixedpoint`.\n\nWhere targets are unequal, the "                 \
+    "stress that the difference does work against refers to the box at the start (Parrinello and "                     \
+    "Rahman), or to that of the last `nreset`. `mtk no` leaves out two terms of order 1/N. Tilted boxes "              \
+    "are not supported.\n\nThe fix makes the computes `ID_temp` and `ID_press`, both of all atoms; "                   \
+    "`fix_modify temp` and `press` take others. Energies and virials are computed at every step, which "               \
+    "costs some speed.\n\nThe scalar `f_ID` is the energy given to thermostat and barostat: with that of "             \
+    "the atoms it is constant (`econserve` in thermo output). The vector `f_ID[i]` has, in this order: "               \
+    "places and rates of the thermostats (npt), strains and strain rates (one with one pressure for all "              \
+    "axes, else three), places and rates of the barostat's thermostats; then, in the same order, the "                 \
+    "potential and kinetic energies of all these, and with x, y or z the strain energy."
+
 /* Between the files style/nose_hoover*.c. */
 /** Pressure times volume that unequal targets add along an axis, relative to the reference box.
  *  M. Parrinello, A. Rahman, J. Appl. Phys. 52, 7182 (1981), doi:10.1063/1.328693. */

@@ -1,5 +1,7 @@
 #include "style/pair_coeffs.h"
 
+#include <math.h>
+
 #include "base/memory.h"
 
 hs_status hs_pair_coeffs_set_cutoff(hs_pair *pair, double cutoff, hs_error *err)
@@ -37,4 +39,27 @@ void hs_pair_coeffs_destroy(hs_pair *pair)
 {
     hs_pair_coeffs *coeffs = pair->state;
     HS_FREE(coeffs->at);
+}
+
+hs_status hs_pair_coeffs_read_one(hs_pair *pair, int i, int j, const hs_args *args, hs_error *err)
+{
+    hs_pair_coeff c = {.cutoff = 0.0};
+    HS_TRY(hs_arg_double(args, 0, &c.c[0], err));
+    HS_TRY(hs_pair_coeffs_read_cutoff(pair, args, 1, &c.cutoff, err));
+    *hs_pair_coeffs_at(pair, i, j) = c;
+    return HS_OK;
+}
+
+hs_status hs_pair_coeffs_mix_one(hs_pair *pair, int i, int j, hs_error *err)
+{
+    const hs_pair_coeff a = *hs_pair_coeffs_at(pair, i, i), b = *hs_pair_coeffs_at(pair, j, j);
+    (void)err;
+    *hs_pair_coeffs_at(pair, i, j) =
+        (hs_pair_coeff){.c = {sqrt(a.c[0] * b.c[0])}, .cutoff = hs_pair_mix_distance(pair->mix, a.cutoff, b.cutoff)};
+    return HS_OK;
+}
+
+hs_status hs_pair_coeffs_write_one(const hs_pair *pair, int i, int j, hs_text *words, hs_error *err)
+{
+    return hs_pair_coeffs_write(pair, i, j, 1, words, err);
 }

@@ -33,6 +33,10 @@ HS_MUST_USE hs_status hs_pair_coeffs_read_cutoff(const hs_pair *pair, const hs_a
                                                  hs_error *err);
 /** Append the first n coefficients and the cutoff, with all digits. */
 HS_MUST_USE hs_status hs_pair_coeffs_write(const hs_pair *pair, int i, int j, int n, hs_text *words, hs_error *err);
+/* Hooks of styles with one coefficient, mixed by the geometric mean, and a cutoff, mixed as a distance. */
+HS_MUST_USE hs_status hs_pair_coeffs_read_one(hs_pair *pair, int i, int j, const hs_args *args, hs_error *err);
+HS_MUST_USE hs_status hs_pair_coeffs_mix_one(hs_pair *pair, int i, int j, hs_error *err);
+HS_MUST_USE hs_status hs_pair_coeffs_write_one(const hs_pair *pair, int i, int j, hs_text *words, hs_error *err);
 /** ->destroy of such a style. */
 void hs_pair_coeffs_destroy(hs_pair *pair);
 

@@ -1,0 +1,140 @@
+#include "io/chunk_columns.h"
+
+#include <string.h>
+
+#include "base/memory.h"
+#include "core/atom_style.h"
+
+static const char *const words[] = {
+    "density/number", "density/mass", "mass", "temp", "vx", "vy", "vz", "fx", "fy", "fz", NULL};
+
+void hs_chunk_columns_fini(hs_chunk_columns *columns)
+{
+    for (int k = 0; k < columns->n; ++k) hs_value_fini(&columns->column[k].value);
+    HS_FREE(columns->column);
+    HS_FREE(columns->bias_id);
+}
+
+hs_status hs_chunk_columns_add(hs_chunk_columns *columns, hs_env *env, const hs_args *args, int i, hs_error *err)
+{
+    hs_value *values = NULL;
+    int n = 1, which = -1;
+    if (hs_value_is_reference(args->word[i])) {
+        HS_TRY(hs_values_create(&values, &n, env, args, i, 1, HS_VALUE_ATOMS, err));
+    } else if (hs_arg_choice(args, i, words, &which, err) != HS_OK) {
+        hs_error_clear(err);
+        return hs_arg_refuse(args, i,
+                             "vx, vy, vz, fx, fy, fz, mass, temp, density/number, density/mass or a value per atom",
+                             words, err);
+    }
+    const hs_status status = HS_GROW(columns->column, (size_t)columns->n, (size_t)(columns->n + n), err);
+    if (status != HS_OK) {
+        hs_values_destroy(&values, n);
+        return status;
+    }
+    for (int k = 0; k < n; ++k) {
+        hs_chunk_column *c = &columns->column[columns->n++];
+        *c = (hs_chunk_column){.kind = values != NULL               ? HS_CHUNK_REFERENCE
+                                       : which < HS_CHUNK_ATTRIBUTE ? (hs_chunk_quantity)which
+                                                                    : HS_CHUNK_ATTRIBUTE};
+        if (c->kind == HS_CHUNK_ATTRIBUTE) c->attribute = (hs_attribute)hs_attribute_find(words[which]);
+        if (values != NULL) c->value = values[k];
+        c->name = values != NULL ? c->value.word : words[which];
+    }
+    HS_FREE(values);
+    return HS_OK;
+}
+
+hs_status hs_chunk_columns_bias(const hs_chunk_columns *columns, const hs_fix *fix, hs_compute **bias, hs_error *err)
+{
+    *bias = columns->bias_id != NULL ? fix->env->find_compute(fix->env, columns->bias_id) : NULL;
+    if (columns->bias_id == NULL || (*bias != NULL && (*bias)->style->is_temperature)) return HS_OK;
+    return hs_fail(err, HS_ERROR_INPUT, "fix '%s' (%s): there is no temperature compute '%s'", fix->id,
+                   fix->style->about.name, columns->bias_id);
+}
+
+hs_status hs_chunk_columns_keyword(hs_chunk_columns *columns, const hs_fix *fix, const hs_args *args, int i,
+                                   hs_error *err)
+{
+    static const char *const norms[] = {"all", "sample", "none", NULL};
+    hs_compute *bias;
+    int norm;
+    if (strcmp(args->word[i], "norm") == 0) {
+        HS_TRY(hs_arg_choice(args, i + 1, norms, &norm, err));
+        columns->norm = (hs_chunk_norm)norm;
+        return HS_OK;
+    }
+    if (strcmp(args->word[i], "adof") == 0) return hs_arg_double(args, i + 1, &columns->adof, err);
+    if (strcmp(args->word[i], "cdof") == 0) return hs_arg_double(args, i + 1, &columns->cdof, err);
+    HS_FREE(columns->bias_id);
+    HS_TRY(hs_memory_strdup(&columns->bias_id, args->word[i + 1], err));
+    return hs_chunk_columns_bias(columns, fix, &bias, err);
+}
+
+hs_status hs_chunk_columns_check(const hs_chunk_columns *columns, const hs_fix *fix, const char *command, hs_error *err)
+{
+    hs_compute *bias;
+    HS_TRY(hs_chunk_columns_bias(columns, fix, &bias, err));
+    for (int k = 0; k < columns->n; ++k)
+        if (columns->column[k].kind == HS_CHUNK_REFERENCE)
+            HS_TRY(hs_value_check(fix->env, &columns->column[k].value, HS_VALUE_ATOMS, command, err));
+    return HS_OK;
+}
+
+bool hs_chunk_columns_need_energy(const hs_chunk_columns *columns, hs_env *env)
+{
+    bool is_needed = false;
+    for (int k = 0; k < columns->n; ++k)
+        is_needed |=
+            columns->column[k].kind == HS_CHUNK_REFERENCE && hs_value_needs_energy(env, &columns->column[k].value);
+    return is_needed;
+}
+
+hs_status hs_chunk_columns_fill(const hs_chunk_columns *columns, hs_env *env, int k, const hs_compute *bias,
+                                double *values, hs_error *err)
+{
+    const hs_atoms *atoms = env->atoms;
+    const hs_chunk_quantity kind = k < 0 ? HS_CHUNK_NUMBER : columns->column[k].kind;
+    if (kind == HS_CHUNK_REFERENCE) return hs_value_atoms(env, &columns->column[k].value, values, err);
+#pragma omp parallel for schedule(static)
+    for (int i = 0; i < atoms->n_local; ++i) {
+        double b[3] = {0.0}, v2 = 0.0;
+        values[i] = 1.0;
+        if (kind == HS_CHUNK_MASS || kind == HS_CHUNK_MASS_DENSITY) values[i] = hs_atom_mass(atoms, i);
+        if (kind == HS_CHUNK_ATTRIBUTE) values[i] = hs_attribute_value(env, columns->column[k].attribute, false, i);
+        if (kind != HS_CHUNK_TEMPERATURE) continue;
+        if (bias != NULL && bias->style->bias != NULL) bias->style->bias(bias, i, b);
+        for (int axis = 0; axis < 3; ++axis) v2 += (atoms->v[axis][i] - b[axis]) * (atoms->v[axis][i] - b[axis]);
+        values[i] = hs_atom_mass(atoms, i) * v2;
+    }
+    return HS_OK;
+}
+
+/** Density of one mass unit in one distance^3: 1, and in real and metal units (masses are gram/mole) in gram/cm^3. */
+static double density_unit(const hs_units *units) { return strcmp(units->name, "lj") == 0 ? 1.0 : 1.0 / 0.602214129; }
+
+double hs_chunk_columns_mean(const hs_chunk_columns *columns, const hs_env *env, const hs_chunks *chunks, int k,
+                             double sum, double count, double n_samples)
+{
+    const hs_units *units = env->units;
+    const hs_chunk_quantity kind = columns->column[k].kind;
+    const double n_dof = n_samples * columns->cdof + columns->adof * count;
+    if (count == 0.0) return 0.0;
+    if (kind == HS_CHUNK_NUMBER) return sum / chunks->volume / n_samples;
+    if (kind == HS_CHUNK_MASS_DENSITY) return sum / chunks->volume / n_samples * density_unit(units);
+    if (kind == HS_CHUNK_TEMPERATURE) return n_dof > 0.0 ? sum * units->mvv2e / (n_dof * units->boltz) : 0.0;
+    return columns->norm == HS_NORM_NONE ? sum / n_samples : sum / count;
+}
+
+void hs_chunk_columns_weigh(const hs_chunk_columns *columns, const hs_env *env, const hs_chunks *chunks, int k,
+                            double sum, double count, double *value, double *weight)
+{
+    const hs_units *units = env->units;
+    const hs_chunk_quantity kind = k < 0 ? HS_CHUNK_NUMBER : columns->column[k].kind;
+    const bool is_density = kind == HS_CHUNK_NUMBER || kind == HS_CHUNK_MASS_DENSITY;
+    *weight = 1.0;
+    *value = k < 0 ? count : hs_chunk_columns_mean(columns, env, chunks, k, sum, count, 1.0);
+    if (is_density || columns->norm != HS_NORM_ALL) return;
+    *weight = kind == HS_CHUNK_TEMPERATURE ? columns->cdof + columns->adof * count : count;
+    *value = kind == HS_CHUNK_TEMPERATURE ? sum * units->mvv2e / units->boltz : sum;
+}

@@ -1,0 +1,134 @@
+#include "style/chunk_bins.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "core/lattice.h"
+
+static const char *const axis_names[] = {"x", "y", "z", NULL};
+
+hs_status hs_chunk_bins_read(hs_chunk_bins *bins, const hs_env *env, const hs_args *args, int n_axes, hs_error *err)
+{
+    static const char *const origins[] = {"lower", "center", "upper", NULL};
+    bins->n_axes = n_axes;
+    for (int k = 0; k < n_axes; ++k) {
+        hs_bins_axis *b = &bins->axis[k];
+        int origin = 0;
+        HS_TRY(hs_arg_need(args, 3 * k + 3, "an axis, an origin and a width of bins", err));
+        HS_TRY(hs_arg_choice(args, 3 * k + 1, axis_names, &b->axis, err));
+        for (int j = 0; j < k; ++j)
+            if (bins->axis[j].axis == b->axis)
+                return hs_arg_refuse(args, 3 * k + 1, "an axis that has no bins yet", NULL, err);
+        if (b->axis == 2 && env->box->dimension == 2)
+            return hs_arg_refuse(args, 3 * k + 1, "an axis of a two-dimensional box", NULL, err);
+        b->from = HS_BINS_FROM_NUMBER;
+        while (origins[origin] != NULL && strcmp(args->word[3 * k + 2], origins[origin]) != 0) ++origin;
+        if (origins[origin] != NULL)
+            b->from = (hs_bins_origin)origin;
+        else if (hs_arg_double(args, 3 * k + 2, &b->origin, err) != HS_OK) {
+            hs_error_clear(err);
+            return hs_arg_refuse(args, 3 * k + 2, "lower, center, upper or a number", origins, err);
+        }
+        HS_TRY(hs_arg_positive(args, 3 * k + 3, &b->delta, err));
+    }
+    return HS_OK;
+}
+
+hs_status hs_chunk_bins_read_bound(hs_chunk_bins *bins, const hs_args *args, int i, hs_error *err)
+{
+    static const char *const faces[] = {"lower", "upper"};
+    int axis, k = 0;
+    HS_TRY(hs_arg_choice(args, i, axis_names, &axis, err));
+    while (k < bins->n_axes && bins->axis[k].axis != axis) ++k;
+    if (k == bins->n_axes) return hs_arg_refuse(args, i, "an axis along which there are bins", NULL, err);
+    hs_bins_axis *b = &bins->axis[k];
+    for (int end = 0; end < 2; ++end) {
+        b->has_bound[end] = strcmp(args->word[i + 1 + end], faces[end]) != 0;
+        if (b->has_bound[end]) HS_TRY(hs_arg_double(args, i + 1 + end, &b->bound[end], err));
+    }
+    if (b->has_bound[0] && b->has_bound[1] && !(b->bound[0] < b->bound[1]))
+        return hs_arg_refuse(args, i + 2, "above the lower bound", NULL, err);
+    return HS_OK;
+}
+
+void hs_chunk_bins_scale(hs_chunk_bins *bins, const hs_env *env)
+{
+    if (bins->units != HS_BINS_LATTICE) return;
+    for (int k = 0; k < bins->n_axes; ++k) {
+        hs_bins_axis *b = &bins->axis[k];
+        const double spacing = env->lattice->spacing[b->axis];
+        b->origin *= spacing;
+        b->delta *= spacing; /* bounds are not in lattice units in LAMMPS either */
+    }
+}
+
+/** The bins of an axis: edges are at origin + i delta, and as few as cover the range. */
+static hs_status lay_axis(hs_bins_axis *b, const hs_box *box, bool is_reduced, const char *command, hs_error *err)
+{
+    const double lo = is_reduced ? 0.0 : box->lo[b->axis], hi = is_reduced ? 1.0 : box->hi[b->axis];
+    const double range[2] = {b->has_bound[0] ? b->bound[0] : lo, b->has_bound[1] ? b->bound[1] : hi};
+    const double from[] = {range[0], 0.5 * (range[0] + range[1]), range[1], b->origin};
+    const double origin = from[b->from];
+    double end[2];
+    for (int k = 0; k < 2; ++k) {
+        const double bound = range[k], sign = bound < origin ? -1.0 : 1.0;
+        /* whole bins towards the bound; one more where these do not reach it */
+        end[k] = origin + sign * trunc(fabs(bound - origin) / b->delta) * b->delta;
+        if (k == 0 ? end[k] > bound : end[k] < bound) end[k] += k == 0 ? -b->delta : b->delta;
+    }
+    b->offset = end[0];
+    b->n = (int64_t)((end[1] - end[0]) / b->delta + 0.5);
+    if (b->n > 0 && b->n <= INT32_MAX) return HS_OK;
+    return hs_fail(err, HS_ERROR_INPUT, "%s: %lld bins along %s; there must be 1 to %d", command, (long long)b->n,
+                   axis_names[b->axis], INT32_MAX);
+}
+
+hs_status hs_chunk_bins_lay(hs_chunk_bins *bins, const hs_env *env, const char *command, int64_t *n, double *volume,
+                            hs_error *err)
+{
+    const hs_box *box = env->box;
+    const bool is_reduced = bins->units == HS_BINS_REDUCED;
+    *n = 1;
+    *volume = 1.0;
+    for (int axis = 0; axis < box->dimension; ++axis) *volume *= hs_box_length(box, axis);
+    for (int k = 0; k < bins->n_axes; ++k) {
+        hs_bins_axis *b = &bins->axis[k];
+        HS_TRY(lay_axis(b, box, is_reduced, command, err));
+        if (b->n > INT32_MAX / *n)
+            return hs_fail(err, HS_ERROR_INPUT, "%s: there are more than %d bins", command, INT32_MAX);
+        *n *= b->n;
+        *volume *= is_reduced ? b->delta : b->delta / hs_box_length(box, b->axis);
+    }
+    return HS_OK;
+}
+
+int64_t hs_chunk_bins_find(const hs_chunk_bins *bins, const hs_env *env, int i)
+{
+    const hs_box *box = env->box;
+    int64_t place = 0;
+    for (int k = 0; k < bins->n_axes; ++k) {
+        const hs_bins_axis *b = &bins->axis[k];
+        const double length = hs_box_length(box, b->axis);
+        double x = env->atoms->x[b->axis][i];
+        if (box->periodic[b->axis]) {
+            if (x < box->lo[b->axis]) x += length;
+            if (x >= box->hi[b->axis]) x -= length;
+        }
+        if (bins->units == HS_BINS_REDUCED) x = (x - box->lo[b->axis]) / length;
+        const double at = floor((x - b->offset) * (1.0 / b->delta));
+        const bool is_below = at < 0.0, is_above = at >= (double)b->n;
+        if ((is_below || is_above) &&
+            (bins->discard == HS_DISCARD_YES || (bins->discard == HS_DISCARD_MIXED && b->has_bound[is_above])))
+            return -1;
+        place = place * b->n + (is_below ? 0 : is_above ? b->n - 1 : (int64_t)at);
+    }
+    return place;
+}
+
+void hs_chunk_bins_place(const hs_chunk_bins *bins, int64_t c, double *place)
+{
+    for (int k = bins->n_axes; k-- > 0; c /= bins->axis[k].n) {
+        const hs_bins_axis *b = &bins->axis[k];
+        place[k] = b->offset + ((double)(c % b->n) + 0.5) * b->delta;
+    }
+}
