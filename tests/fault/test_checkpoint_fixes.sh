@@ -67,3 +67,9 @@ fix 1 all nph iso 1.0 3.0 0.3
 fix 2 all langevin 1.0 1.0 1.0 4711
 fix p all print 10 "$(lx:%.17g) $(f_1:%.17g)" file p.txt screen no
 D
+
+check deform <<'D'
+fix 1 all nve
+fix 2 all deform 2 x erate 0.2 y volume z volume
+fix p all print 10 "$(lx:%.17g) $(ly:%.17g)" file p.txt screen no
+D

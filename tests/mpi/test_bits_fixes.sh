@@ -88,10 +88,23 @@ compute s all stress/atom NULL virial
 compute j all heat/flux k p s
 compute r all temp/ramp vx 0 1.5 z 1 5
 D
+    system stretched 30 '' <<D
+lattice fcc 0.7
+region box block 0 5 0 4 0 4
+create_box 1 box
+create_atoms 1 box
+mass 1 1.0
+velocity all create 1.5 12345
+$liquid
+neigh_modify every 6 delay 0 check no
+group half id <= 150
+fix 1 all nve
+fix 2 half deform 2 x erate 0.5 y volume z wiggle 0.1 0.2
+D
 } >in.fixes
 
 bits fixes 0 1
-[ "$(wc -l <fixes/thermo)" -eq 15 ] || fail "$(wc -l <fixes/thermo) rows"
+[ "$(wc -l <fixes/thermo)" -eq 19 ] || fail "$(wc -l <fixes/thermo) rows"
 bits fixes 0 3 -neigh cell
 bits fixes 2 2 -neigh verlet
 bits fixes 3 1 -neigh linked
