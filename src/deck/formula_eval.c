@@ -250,9 +250,29 @@ static hs_status eval_attribute(const hs_node *node, const hs_sim *sim, result *
     return HS_OK;
 }
 
-static hs_status eval_variable(const hs_node *node, hs_deck *deck, bool per_atom, result *out, hs_error *err)
+/** v_name[ID]: the value of one atom. */
+static hs_status eval_atom_of_variable(const hs_node *node, hs_deck *deck, double id, double *value, hs_error *err)
 {
     const hs_variable *variable = hs_variables_find(deck->variables, node->text);
+    double *values;
+    if (variable == NULL) return hs_variables_rounded(deck, node->text, value, err); /* which names the nearest */
+    if (variable->style != HS_VARIABLE_ATOM)
+        return hs_fail(err, HS_ERROR_INPUT,
+                       "v_%s[...]: the variable has a single value; atom-style ones have one for "
+                       "each atom",
+                       node->text);
+    HS_TRY(HS_ALLOC(values, (size_t)deck->sim->atoms.n_local + 1, err));
+    hs_status status = hs_variables_atoms(deck, node->text, values, err);
+    if (status == HS_OK) status = find_atom(deck->sim, id, values, node->text, value, err);
+    HS_FREE(values);
+    return status;
+}
+
+static hs_status eval_variable(const hs_node *node, hs_deck *deck, bool per_atom, const result *results, result *out,
+                               hs_error *err)
+{
+    const hs_variable *variable = hs_variables_find(deck->variables, node->text);
+    if (node->n_args > 0) return eval_atom_of_variable(node, deck, results[node->arg[0]].number, &out->number, err);
     if (variable == NULL || variable->style != HS_VARIABLE_ATOM)
         return hs_variables_rounded(deck, node->text, &out->number, err);
     if (!per_atom)
@@ -282,7 +302,7 @@ static hs_status eval_node(const hs_formula *formula, int n, hs_deck *deck, bool
         out->number = node->number;
         return HS_OK;
     case HS_NODE_VARIABLE:
-        return eval_variable(node, deck, per_atom, out, err);
+        return eval_variable(node, deck, per_atom, results, out, err);
     case HS_NODE_COMPUTE:
     case HS_NODE_FIX:
         return eval_reference(formula, node, deck, per_atom, results, out, err);

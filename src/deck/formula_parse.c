@@ -157,11 +157,10 @@ static hs_status parse_reference(parser *p, char prefix, int *node)
         status = parse_index(p, &reference.arg[reference.n_args]);
         ++reference.n_args;
     }
-    if (status == HS_OK && prefix == 'v' && reference.n_args > 0)
+    if (status == HS_OK && prefix == 'v' && reference.n_args > 1)
         status = hs_fail(p->err, HS_ERROR_INPUT,
-                         "formula '%.400s': v_%s[...] asks for an element of a vector-style variable or "
-                         "of one atom; the supported styles have a single value",
-                         p->formula->text, reference.text);
+                         "formula '%.400s': v_%s has one index at most: v_%s[ID] is the value of one atom",
+                         p->formula->text, reference.text, reference.text);
     if (status == HS_OK) status = add_node(p, &reference, node);
     if (status != HS_OK) HS_FREE(reference.text);
     return status;

@@ -72,9 +72,11 @@ static hs_status lay_axis(hs_bins_axis *b, const hs_box *box, bool is_reduced, c
     double end[2];
     for (int k = 0; k < 2; ++k) {
         const double bound = range[k], sign = bound < origin ? -1.0 : 1.0;
+        const double hair =
+            1e-9 * b->delta; /* the box of a reproducible run is rounded: that makes no bin of its own */
         /* whole bins towards the bound; one more where these do not reach it */
-        end[k] = origin + sign * trunc(fabs(bound - origin) / b->delta) * b->delta;
-        if (k == 0 ? end[k] > bound : end[k] < bound) end[k] += k == 0 ? -b->delta : b->delta;
+        end[k] = origin + sign * trunc((fabs(bound - origin) + hair) / b->delta) * b->delta;
+        if (k == 0 ? end[k] > bound + hair : end[k] < bound - hair) end[k] += k == 0 ? -b->delta : b->delta;
     }
     b->offset = end[0];
     b->n = (int64_t)((end[1] - end[0]) / b->delta + 0.5);
