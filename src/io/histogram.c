@@ -408,6 +408,7 @@ static hs_status write_window(hs_fix *fix, hs_error *err)
 hs_status hs_histogram_end_of_step(hs_fix *fix, hs_error *err)
 {
     hs_histogram *histogram = fix->state;
+    HS_TRY(hs_fix_need_sample(fix, histogram->schedule.next, err));
     if (!hs_schedule_is_due(&histogram->schedule, fix->env->step)) return HS_OK;
     if (histogram->schedule.n_taken == 0) {
         memset(histogram->count, 0, (HS_HISTO_BINS + (size_t)histogram->n_bins) * sizeof *histogram->count);
