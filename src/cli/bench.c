@@ -4,6 +4,7 @@
 
 #include "base/memory.h"
 #include "base/timer.h"
+#include "cli/bench_liquid.h"
 #include "cli/cli.h"
 #include "sim/methods.h"
 
@@ -99,31 +100,6 @@ static hs_status parse(const hs_cli *cli, bench *plan, hs_error *err)
     return HS_OK;
 }
 
-static hs_status feed(hs_deck *deck, const bench *plan, hs_error *err)
-{
-    char region[96];
-    snprintf(region, sizeof region, "region box block 0 %lld 0 %lld 0 %lld", (long long)plan->size,
-             (long long)plan->size, (long long)plan->size);
-    const char *const lines[] = {"units lj",
-                                 "atom_style atomic",
-                                 "lattice fcc 0.8442",
-                                 region,
-                                 "create_box 1 box",
-                                 "create_atoms 1 box",
-                                 "mass 1 1.0",
-                                 "velocity all create 1.44 87287 loop geom",
-                                 "pair_style lj/cut 2.5",
-                                 "pair_coeff 1 1 1.0 1.0 2.5",
-                                 "neighbor 0.3 bin",
-                                 "neigh_modify delay 0 every 20 check no",
-                                 "fix 1 all nve",
-                                 "thermo 100"};
-    for (size_t i = 0; i < sizeof lines / sizeof lines[0]; ++i) HS_TRY(hs_deck_command(deck, lines[i], err));
-    char warm_up[32];
-    snprintf(warm_up, sizeof warm_up, "run %d", WARM_UP_STEPS);
-    return hs_deck_command(deck, warm_up, err);
-}
-
 /** Fastest of the repeated runs, seconds; and the memory that the simulation holds. */
 static hs_status measure(const hs_cli *cli, const bench *plan, int n_threads, const char *method, double *best_s,
                          double *bytes, hs_error *err)
@@ -132,12 +108,15 @@ static hs_status measure(const hs_cli *cli, const bench *plan, int n_threads, co
     hs_options options = plan->options;
     options.n_threads = n_threads;
     snprintf(options.neighbor_method, sizeof options.neighbor_method, "%s", method);
+    char warm_up[32];
+    snprintf(warm_up, sizeof warm_up, "run %d", WARM_UP_STEPS);
     hs_deck *deck = NULL;
     const double before = (double)hs_memory_resident();
     hs_status status = hs_deck_create(&deck, &options, &silent, err);
     if (status == HS_OK) {
         deck->sim->stop_requested = cli->stop_requested;
-        status = feed(deck, plan, err);
+        status = hs_bench_feed_liquid(deck, plan->size, err);
+        if (status == HS_OK) status = hs_deck_command(deck, warm_up, err);
     }
     char run[48];
     snprintf(run, sizeof run, "run %lld pre no post no", (long long)plan->steps);
@@ -155,6 +134,7 @@ static hs_status measure(const hs_cli *cli, const bench *plan, int n_threads, co
 hs_status hs_cli_bench(const hs_cli *cli, hs_error *err)
 {
     if (cli->n > 0 && strcmp(cli->word[0], "neighbors") == 0) return hs_cli_bench_neighbors(cli, err);
+    if (cli->n > 0 && strcmp(cli->word[0], "kernels") == 0) return hs_cli_bench_kernels(cli, err);
     if (cli->n > 0 && strcmp(cli->word[0], "scaling") == 0) return hs_cli_bench_scaling(cli, err);
     bench plan;
     HS_TRY(parse(cli, &plan, err));

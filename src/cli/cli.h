@@ -95,6 +95,8 @@ HS_MUST_USE hs_status hs_cli_run(const hs_cli *cli, int *exit_code, hs_error *er
 HS_MUST_USE hs_status hs_cli_resume(const hs_cli *cli, int *exit_code, hs_error *err);
 HS_MUST_USE hs_status hs_cli_check(const hs_cli *cli, hs_error *err);
 HS_MUST_USE hs_status hs_cli_bench(const hs_cli *cli, hs_error *err);
+/** `bench kernels`; called by hs_cli_bench. */
+HS_MUST_USE hs_status hs_cli_bench_kernels(const hs_cli *cli, hs_error *err);
 /** `bench neighbors`; called by hs_cli_bench. */
 HS_MUST_USE hs_status hs_cli_bench_neighbors(const hs_cli *cli, hs_error *err);
 /** `bench scaling`; called by hs_cli_bench. */

@@ -17,9 +17,9 @@ const hs_cli_command hs_cli_commands[] = {
     {"resume", "[options] CHECKPOINT", HS_CLI_RESUME, "go on from a checkpoint to the end of the deck that wrote it"},
     {"check", "[options] DECK", HS_CLI_CHECK,
      "read and validate a deck, run no step, write no file, print what it would do"},
-    {"bench", "[neighbors|scaling] [options]", HS_CLI_BENCH,
-     "measure the speed of this machine on a Lennard-Jones liquid; with `neighbors`, what each neighbor method costs; "
-     "with `scaling`, what ranks and threads gain"},
+    {"bench", "[kernels|neighbors|scaling] [options]", HS_CLI_BENCH,
+     "measure the speed of this machine on a Lennard-Jones liquid; with `kernels`, of the pair kernels alone; with "
+     "`neighbors`, what each neighbor method costs; with `scaling`, what ranks and threads gain"},
     {"plot", "[options] FILE...", HS_CLI_PLOT,
      "draw logs, files that fixes write, and CSV as PNG, SVG or PDF (through gnuplot)"},
     {"report", "[options] RUN", HS_CLI_REPORT,
@@ -64,7 +64,8 @@ const hs_cli_option hs_cli_options[] = {
     {"-only", NULL, "LIST", BENCH,
      "of `bench neighbors`, only these: size, density, emptiness, temperature, order, cells"},
     {"-out", "-o", "FOLDER", BENCH,
-     "where `bench neighbors` and `bench scaling` write CSV files and pictures (default: nowhere; scaling)"},
+     "where `bench kernels` and `bench neighbors` (default: nowhere) and `bench scaling` (default: scaling) write CSV "
+     "files and pictures"},
     {"-out", "-o", "FILE", PLOT,
      "the picture; its name ends in .png, .svg or .pdf (default: the first file's name and .png)"},
     {"-out", "-o", "FILE", REPORT, "the page (default: the run's name and .html)"},

@@ -5,14 +5,14 @@
 #include "base/memory.h"
 #include "parallel/parallel.h"
 
-enum { CHUNKS_MIN = 64, CLUSTERS_PER_CHUNK_MAX = 2048 };
+enum { CLUSTERS_PER_CHUNK_MAX = 2048 };
 
 static void fini_chunk(hs_list_chunk *chunk)
 {
     HS_FREE(chunk->start);
     HS_FREE(chunk->entries.entry);
     HS_FREE(chunk->outer);
-    HS_FREE(chunk->touched);
+    HS_FREE(chunk->blocks.block);
 }
 
 void hs_cluster_list_fini(hs_cluster_list *list)
@@ -24,33 +24,23 @@ void hs_cluster_list_fini(hs_cluster_list *list)
 
 static hs_status set_chunks(hs_cluster_list *list, int n_clusters, hs_error *err)
 {
-    const int by_size = (n_clusters + CLUSTERS_PER_CHUNK_MAX - 1) / CLUSTERS_PER_CHUNK_MAX;
-    const int n_chunks = by_size > CHUNKS_MIN ? by_size : CHUNKS_MIN;
+    const int n_chunks = hs_list_chunks_for(n_clusters, CLUSTERS_PER_CHUNK_MAX);
     if (n_chunks > list->n_chunks) {
         HS_TRY(HS_GROW(list->chunk, (size_t)list->n_chunks, (size_t)n_chunks, err));
         list->n_chunks = n_chunks;
     }
-    for (int k = 0; k < list->n_chunks; ++k) {
-        int64_t begin, end;
-        hs_thread_range(n_clusters, 1, k, list->n_chunks, &begin, &end);
-        list->chunk[k].begin = (int)begin;
-        list->chunk[k].end = (int)end;
-    }
+    for (int k = 0; k < list->n_chunks; ++k)
+        hs_list_chunk_range(n_clusters, list->n_chunks, k, &list->chunk[k].begin, &list->chunk[k].end);
     return HS_OK;
 }
 
-static hs_status reserve_chunk(hs_list_chunk *chunk, int64_t n_blocks, hs_error *err)
+static hs_status begin_chunk(hs_list_chunk *chunk, hs_error *err)
 {
     const int64_t n = chunk->end - chunk->begin + 1;
     if (n > chunk->capacity_start) {
         chunk->capacity_start = n + n / 8 + 4;
         HS_TRY(HS_GROW(chunk->start, 0, (size_t)chunk->capacity_start, err));
     }
-    if (n_blocks > chunk->capacity_touched) {
-        chunk->capacity_touched = n_blocks + n_blocks / 8;
-        HS_TRY(HS_GROW(chunk->touched, 0, (size_t)chunk->capacity_touched, err));
-    }
-    memset(chunk->touched, 0, (size_t)n_blocks);
     chunk->entries.n = 0;
     chunk->n_outer = 0;
     chunk->n_pairs = 0;
@@ -68,10 +58,20 @@ static hs_status add_outer(hs_list_chunk *chunk, int ci, hs_error *err)
     return HS_OK;
 }
 
-static inline void mark(hs_list_chunk *chunk, int first)
+/** Mark the blocks that the forces of n entries and of their i-cluster act on. */
+static void mark_atoms(unsigned char *touched, int first, const hs_cluster_entry *entry, int n)
 {
-    chunk->touched[first >> HS_FORCE_BLOCK_BITS] = 1;
-    chunk->touched[(first + HS_CLUSTER - 1) >> HS_FORCE_BLOCK_BITS] = 1;
+    for (int e = -1; e < n; ++e) {
+        const int begin = e < 0 ? first : entry[e].first;
+        touched[begin >> HS_FORCE_BLOCK_BITS] = 1;
+        touched[(begin + HS_CLUSTER - 1) >> HS_FORCE_BLOCK_BITS] = 1;
+    }
+}
+
+static void mark_packed(unsigned char *touched, int first, const hs_cluster_entry *entry, int n)
+{
+    touched[first >> HS_PACKED_BLOCK_BITS] = 1;
+    for (int e = 0; e < n; ++e) touched[entry[e].first >> HS_PACKED_BLOCK_BITS] = 1;
 }
 
 /** Whether an entry has pairs with another rank's atoms. */
@@ -86,8 +86,8 @@ static inline bool is_remote(const hs_force_job *job, const hs_cluster_entry *en
 }
 
 /** Find and refine the entries of one cluster in the thread's scratch list, and append what is left to the chunk's. */
-static hs_status list_cluster(hs_list_chunk *chunk, hs_force_buffer *buffer, const hs_force_job *job, int ci,
-                              int column, int group, hs_error *err)
+static hs_status list_cluster(hs_list_chunk *chunk, hs_force_buffer *buffer, const hs_packed *packed,
+                              const hs_force_job *job, int ci, int column, int group, hs_error *err)
 {
     hs_entry_list *found = &buffer->entries, *kept = &chunk->entries;
     const int first = job->clusters->local.entry[ci].first;
@@ -97,42 +97,50 @@ static hs_status list_cluster(hs_list_chunk *chunk, hs_force_buffer *buffer, con
     if (n_found == 0) return HS_OK;
     HS_TRY(hs_entry_list_pad(found, 0, group, first, err));
     HS_TRY(hs_entry_list_reserve(found, n_found, err));
-    found->n = hs_isa_refine(job->isa)(&job->input, first, found->entry, n_found, group, found->entry + found->n);
-    bool is_outer = false;
-    for (int e = 0; e < found->n; ++e) {
-        mark(chunk, found->entry[e].first);
-        is_outer = is_outer || is_remote(job, &found->entry[e]);
-        chunk->n_pairs += __builtin_popcount(found->entry[e].mask & 0xffffu);
-    }
+    found->n = hs_isa_refine(job->isa)(&job->input, first, found->entry, n_found, group, found->entry + found->n,
+                                       &chunk->n_pairs);
     if (found->n == 0) return HS_OK;
-    mark(chunk, first);
+    bool is_outer = false;
+    for (int e = 0; e < found->n && !is_outer; ++e) is_outer = is_remote(job, &found->entry[e]);
     if (is_outer) HS_TRY(add_outer(chunk, ci, err));
+    if (packed != NULL) {
+        hs_packed_rename(packed, found->entry, found->n);
+        mark_packed(buffer->touched, packed->place_of[first], found->entry, found->n);
+    } else
+        mark_atoms(buffer->touched, first, found->entry, found->n);
     HS_TRY(hs_entry_list_reserve(kept, found->n, err));
     memcpy(kept->entry + kept->n, found->entry, (size_t)found->n * sizeof *found->entry);
     kept->n += found->n;
     return HS_OK;
 }
 
-static hs_status build_chunk(hs_list_chunk *chunk, hs_force_buffer *buffer, const hs_force_job *job, hs_error *err)
+static hs_status build_chunk(hs_list_chunk *chunk, hs_force_buffer *buffer, const hs_packed *packed,
+                             const hs_force_job *job, hs_error *err)
 {
     const hs_atoms *atoms = job->atoms;
     const int64_t n_room = (int64_t)atoms->n_local + atoms->n_halo + HS_ATOMS_PAD;
+    const int64_t n_blocks = packed != NULL ? ((int64_t)packed->n * HS_PACKED >> HS_PACKED_BLOCK_BITS) + 1
+                                            : (n_room >> HS_FORCE_BLOCK_BITS) + 1;
     const int group = job->evaluator->set[job->isa][job->precision]->group;
-    HS_TRY(reserve_chunk(chunk, (n_room >> HS_FORCE_BLOCK_BITS) + 1, err));
+    HS_TRY(begin_chunk(chunk, err));
+    memset(buffer->touched, 0, (size_t)n_blocks); /* scratch here: every evaluation clears it before use */
     int column = chunk->begin < chunk->end ? hs_clusters_column(job->clusters, job->cells, chunk->begin) : 0;
     for (int ci = chunk->begin; ci < chunk->end; ++ci) {
         while (job->clusters->local.column_begin[column + 1] <= ci) ++column;
         chunk->start[ci - chunk->begin] = chunk->entries.n;
-        HS_TRY(list_cluster(chunk, buffer, job, ci, column, group, err));
+        HS_TRY(list_cluster(chunk, buffer, packed, job, ci, column, group, err));
     }
     chunk->start[chunk->end - chunk->begin] = chunk->entries.n;
-    return HS_OK;
+    return hs_block_list_set(&chunk->blocks, buffer->touched, n_blocks, err);
 }
 
 hs_status hs_cluster_list_build(hs_cluster_list *list, hs_force_space *space, const hs_force_job *job, hs_error *err)
 {
     HS_TRY(set_chunks(list, job->clusters->local.n, err));
     HS_TRY(hs_force_space_reserve(space, job->atoms, err));
+    list->is_packed = job->precision == HS_PRECISION_MIXED;
+    const hs_packed *packed = list->is_packed ? &space->packed : NULL;
+    if (list->is_packed) HS_TRY(hs_packed_begin(&space->packed, job->clusters, job->atoms, job->cutoff_max, err));
 #pragma omp parallel num_threads(space->n_threads)
     {
         hs_force_buffer *buffer = &space->buffer[hs_thread_number()];
@@ -141,7 +149,7 @@ hs_status hs_cluster_list_build(hs_cluster_list *list, hs_force_space *space, co
         for (int k = 0; k < list->n_chunks; ++k) {
             hs_list_chunk *chunk = &list->chunk[k];
             hs_error_clear(&chunk->error);
-            (void)(build_chunk(chunk, buffer, job, &chunk->error) == HS_OK);
+            (void)(build_chunk(chunk, buffer, packed, job, &chunk->error) == HS_OK);
         }
     }
     for (int k = 0; k < list->n_chunks; ++k)
@@ -160,27 +168,11 @@ int64_t hs_cluster_list_n_pairs(const hs_cluster_list *list)
     return n;
 }
 
-/** Chunks [*begin, *end) of one thread: shares of the list as equal as whole chunks allow. */
-static void chunks_of_thread(const hs_cluster_list *list, int thread, int n_threads, int *begin, int *end)
-{
-    int64_t total = 0, before = 0;
-    for (int k = 0; k < list->n_chunks; ++k) total += list->chunk[k].entries.n;
-    *begin = *end = list->n_chunks;
-    for (int k = 0; k < list->n_chunks; ++k) {
-        const int64_t middle = 2 * before + list->chunk[k].entries.n; /* twice the chunk's middle */
-        const int owner = total == 0 ? 0 : (int)(middle * n_threads / (2 * total + 1));
-        if (owner >= thread && *begin == list->n_chunks) *begin = k;
-        if (owner > thread) {
-            *end = k;
-            break;
-        }
-        before += list->chunk[k].entries.n;
-    }
-    if (*begin > *end) *begin = *end;
-}
+static int64_t weight(const void *list, int chunk) { return ((const hs_cluster_list *)list)->chunk[chunk].entries.n; }
 
 /** Work of one thread on one chunk. */
 typedef struct chunk_work {
+    const hs_force_space *space;
     const hs_list_chunk *chunk;
     const hs_force_job *job;
     hs_kernel_output *out;
@@ -191,8 +183,8 @@ static inline void apply_kernel(const chunk_work *w, int ci)
 {
     const int32_t *start = w->chunk->start + (ci - w->chunk->begin);
     if (start[1] > start[0])
-        w->kernel(&w->job->input, w->out, w->job->clusters->local.entry[ci].first, w->chunk->entries.entry + start[0],
-                  start[1] - start[0]);
+        w->kernel(&w->job->input, w->out, hs_force_place(w->space, w->job, w->job->clusters->local.entry[ci].first),
+                  w->chunk->entries.entry + start[0], start[1] - start[0]);
 }
 
 static void work_inner(const chunk_work *w)
@@ -225,13 +217,13 @@ static hs_status work_cluster(hs_force_space *space, const hs_force_job *job, hs
     hs_force_buffer *buffer = &space->buffer[thread];
     const hs_cluster_list *list = job->list;
     chunk_work w = {
+        .space = space,
         .job = job,
         .out = &buffer->out,
         .kernel =
             job->evaluator->set[job->isa][job->precision]->cluster[job->with_energy][!job->input.table->is_uniform][0]};
-    const int64_t n_room = (int64_t)job->atoms->n_local + job->atoms->n_halo + HS_ATOMS_PAD;
     int begin, end;
-    chunks_of_thread(list, thread, space->n_threads, &begin, &end);
+    hs_list_share(list, weight, list->n_chunks, thread, space->n_threads, &begin, &end);
     const int n_cut = stage == HS_STAGE_ALL ? 0 : (end - begin) / CUT_SHARE, before = begin + n_cut,
               after = end - n_cut;
     if (stage == HS_STAGE_BEFORE) end = before;
@@ -239,8 +231,7 @@ static hs_status work_cluster(hs_force_space *space, const hs_force_job *job, hs
     for (int k = begin; k < end; ++k) {
         w.chunk = &list->chunk[k];
         const bool is_cut = k < before || k >= after;
-        for (int64_t block = 0; block < (n_room >> HS_FORCE_BLOCK_BITS) + 1; ++block)
-            if (w.chunk->touched[block]) hs_force_touch(buffer, block << HS_FORCE_BLOCK_BITS, n_room);
+        hs_block_list_touch(&w.chunk->blocks, buffer, job);
         if (!is_cut)
             work_all(&w);
         else if (stage == HS_STAGE_MAIN)
@@ -256,5 +247,6 @@ hs_status hs_force_cluster(hs_force_space *space, const hs_cluster_list *list, c
 {
     hs_force_job listed = *job;
     listed.list = list;
+    HS_TRY(hs_force_pack(space, &listed, false, err));
     return hs_force_run_threads(space, &listed, work_cluster, true, result, err);
 }

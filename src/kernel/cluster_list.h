@@ -2,10 +2,9 @@
 #ifndef HS_KERNEL_CLUSTER_LIST_H
 #define HS_KERNEL_CLUSTER_LIST_H
 
-#include "kernel/force.h"
+#include "kernel/list_chunks.h"
 
-/** Pairs of a contiguous range of i-clusters. Chunks are many more than threads, so that handing out whole chunks, in
- *  order, balances the threads by the length of their lists. */
+/** Pairs of the i-clusters of one chunk. */
 typedef struct hs_list_chunk {
     int begin, end; /**< local clusters */
     int32_t *start; /**< owned [end - begin + 1]: first entry of each cluster, from begin on */
@@ -14,9 +13,8 @@ typedef struct hs_list_chunk {
     int32_t *outer; /**< owned [n_outer]: clusters with other ranks' atoms in their lists, ascending */
     int n_outer;
     int64_t capacity_outer;
-    unsigned char *touched; /**< owned: blocks of atoms that the chunk's forces act on */
-    int64_t capacity_touched;
-    int64_t n_pairs; /**< pairs of atoms in the list */
+    hs_block_list blocks; /**< of atoms that the chunk's forces act on */
+    int64_t n_pairs;      /**< pairs of atoms in the list */
     hs_error error;
 } hs_list_chunk;
 
@@ -24,6 +22,7 @@ typedef struct hs_cluster_list {
     hs_list_chunk *chunk; /**< owned [n_chunks] */
     int n_chunks;
     uint64_t generation; /**< of the atoms the list was made for */
+    bool is_packed;      /**< entries name packed clusters (kernel/packed.h), not atoms */
 } hs_cluster_list;
 
 /** List the pairs of atoms within their listed distance at the present positions. job->cutoff_max is the largest listed

@@ -4,6 +4,7 @@
  *  are constants where it is called, so the compiler makes a kernel of its own for each combination. */
 
 #include "kernel/accumulate.h"
+#include "kernel/cluster_memory.h"
 
 /** Sums over the pairs of one i-cluster, in vectors: minus the forces on the i-atoms, energy, virial. */
 typedef struct cluster_sums {
@@ -16,9 +17,9 @@ typedef struct cluster_sums {
 typedef struct cluster_constants {
     hs_vec params[HS_TABLE_PARAMS + N_PARAMS]; /**< of the only pair of types; unused by_type */
     const double *row_table[HS_CLUSTER];       /**< rows of the pair table for the four i-atoms, by_type */
-    double origin[3], listed_origin[3];        /**< coordinates are relative to these in single precision */
-    hs_real x[3][HS_CLUSTER];                  /**< of the i-atoms */
-    hs_real x_listed[3][HS_CLUSTER];           /**< when the list was due; only with listed_only */
+    hs_place x[3][HS_CLUSTER];                 /**< of the i-atoms */
+    hs_place x_listed[3][HS_CLUSTER];          /**< when the list was due; only with listed_only */
+    hs_vec unit2;                              /**< square of the unit of length of differences */
     hs_real radius[HS_CLUSTER];                /**< of the i-atoms; only where the evaluator asks for them */
     hs_magic magic_force, magic_energy;
 } cluster_constants;
@@ -36,24 +37,25 @@ HS_INLINE void add_virial(hs_acc virial[6], hs_vec force_over_r, hs_vec dx, hs_v
 }
 
 /** One row of one vector: i-atom `row` against the j-atoms at x_j; adds to sums and to the j-atoms' reaction. */
-HS_INLINE void row_pairs(const hs_kernel_input *in, const cluster_constants *constants, int row, const hs_vec x_j[3],
+HS_INLINE void row_pairs(const hs_kernel_input *in, const cluster_constants *constants, int row, const hs_places x_j[3],
                          const hs_vec *params, hs_msk listed, const hs_cluster_entry *entry, int sub,
                          cluster_sums *sums, hs_acc reaction[3], bool with_energy, bool listed_only)
 {
     /* from i to j, so that the i-atom's coordinate can be broadcast by the subtraction itself */
-    const hs_real(*x_i)[HS_CLUSTER] = constants->x;
-    const hs_vec dx = x_j[0] - hs_set1(x_i[0][row]), dy = x_j[1] - hs_set1(x_i[1][row]),
-                 dz = x_j[2] - hs_set1(x_i[2][row]);
-    const hs_vec r2 = hs_fma(dz, dz, hs_fma(dy, dy, dx * dx));
+    const hs_place(*x_i)[HS_CLUSTER] = constants->x;
+    const hs_vec dx = hs_apart(x_j[0], x_i[0][row]), dy = hs_apart(x_j[1], x_i[1][row]),
+                 dz = hs_apart(x_j[2], x_i[2][row]);
+    const hs_vec r2 = hs_in_length2(hs_fma(dz, dz, hs_fma(dy, dy, dx * dx)), constants->unit2);
     hs_msk mask = hs_mask_and(listed, hs_less(r2, params[HS_TABLE_CUT_R2]));
     const hs_vec reach = HS_HAS_RADII ? params[HS_TABLE_PARAMS + N_PARAMS] : hs_set1(0.0);
     if (HS_HAS_RADII) mask = hs_mask_and(mask, hs_less(r2, reach * reach));
     if (listed_only) {
-        const double *from = constants->listed_origin;
-        const hs_vec lx = hs_load_clusters(in->x_listed[0], from[0], entry, sub) - hs_set1(constants->x_listed[0][row]);
-        const hs_vec ly = hs_load_clusters(in->x_listed[1], from[1], entry, sub) - hs_set1(constants->x_listed[1][row]);
-        const hs_vec lz = hs_load_clusters(in->x_listed[2], from[2], entry, sub) - hs_set1(constants->x_listed[2][row]);
-        const hs_vec listed_r2 = lx * lx + ly * ly + lz * lz; /* rounded as in refine.c: the same pairs in both */
+        const hs_place(*from)[HS_CLUSTER] = constants->x_listed;
+        const hs_vec lx = hs_apart(hs_load_places(hs_listed_places_of(in, 0), entry, sub), from[0][row]);
+        const hs_vec ly = hs_apart(hs_load_places(hs_listed_places_of(in, 1), entry, sub), from[1][row]);
+        const hs_vec lz = hs_apart(hs_load_places(hs_listed_places_of(in, 2), entry, sub), from[2][row]);
+        /* rounded as in refine.c: the same pairs in both */
+        const hs_vec listed_r2 = hs_in_length2(lx * lx + ly * ly + lz * lz, constants->unit2);
         mask = hs_mask_and(mask, hs_less(listed_r2, params[HS_TABLE_LISTED_R2]));
         if (HS_HAS_RADII && in->listed_by_radius) {
             const hs_vec listed_reach = reach + hs_set1(in->skin);
@@ -91,16 +93,12 @@ HS_INLINE cluster_constants make_constants(const hs_kernel_input *in, int first,
         constants.row_table[row] = table->values + (size_t)in->type[first + row] * (size_t)(table->n_types * stride);
     for (int k = 0; k < stride && !by_type; ++k) constants.params[k] = hs_set1(values[k]);
     for (int row = 0; row < HS_CLUSTER && HS_HAS_RADII; ++row) constants.radius[row] = (hs_real)in->radius[first + row];
-    for (int axis = 0; axis < 3; ++axis) {
-        constants.origin[axis] = in->x[axis][first];
-        if (listed_only) constants.listed_origin[axis] = in->x_listed[axis][first];
+    constants.unit2 = hs_set1(hs_length2(in));
+    for (int axis = 0; axis < 3; ++axis)
         for (int row = 0; row < HS_CLUSTER; ++row) {
-            constants.x[axis][row] = hs_local(in->x[axis][first + row], constants.origin[axis]);
-            if (listed_only)
-                constants.x_listed[axis][row] =
-                    hs_local(in->x_listed[axis][first + row], constants.listed_origin[axis]);
+            constants.x[axis][row] = hs_places_of(in, axis)[first + row];
+            if (listed_only) constants.x_listed[axis][row] = hs_listed_places_of(in, axis)[first + row];
         }
-    }
     return constants;
 }
 
@@ -132,10 +130,9 @@ HS_INLINE void vector_rows(const hs_kernel_input *in, hs_kernel_output *out, con
                            const bool with_energy, const bool by_type, const bool listed_only)
 {
     const int stride = HS_TABLE_PARAMS + N_PARAMS;
-    const double *origin = constants->origin;
-    const hs_vec x_j[3] = {hs_load_clusters(in->x[0], origin[0], entry, sub),
-                           hs_load_clusters(in->x[1], origin[1], entry, sub),
-                           hs_load_clusters(in->x[2], origin[2], entry, sub)};
+    const hs_places x_j[3] = {hs_load_places(hs_places_of(in, 0), entry, sub),
+                              hs_load_places(hs_places_of(in, 1), entry, sub),
+                              hs_load_places(hs_places_of(in, 2), entry, sub)};
     const hs_vec radius_j = HS_HAS_RADII ? hs_load_clusters(in->radius, 0.0, entry, sub) : hs_set1(0.0);
     const hs_masks masks = hs_masks_of(entry, sub);
     hs_acc reaction[3] = {hs_acc_zero(), hs_acc_zero(), hs_acc_zero()};
@@ -152,7 +149,7 @@ HS_INLINE void vector_rows(const hs_kernel_input *in, hs_kernel_output *out, con
     }
     for (int axis = 0; axis < 3; ++axis) {
         hs_acc_settle(&reaction[axis], n_rows[rows & 0xfu], constants->magic_force);
-        hs_acc_add_clusters(out->f[axis], entry, sub, reaction[axis]);
+        hs_add_reaction(out, axis, entry, sub, reaction[axis]);
     }
 }
 
@@ -172,11 +169,13 @@ HS_INLINE void begin_sums(cluster_sums *sums, const bool with_energy)
 }
 
 /** Pass on energy and virial of n terms. */
-HS_INLINE void report_energy(hs_kernel_output *out, const cluster_constants *constants, cluster_sums *sums, int64_t n)
+HS_INLINE void report_energy(const hs_kernel_input *in, hs_kernel_output *out, const cluster_constants *constants,
+                             cluster_sums *sums, int64_t n)
 {
+    const double length2 = hs_length2(in);
     hs_acc_settle(&sums->energy, n, constants->magic_energy);
     for (int k = 0; k < 6; ++k) hs_acc_settle(&sums->virial[k], n, constants->magic_energy);
-    hs_acc_report(out, sums->energy, sums->virial);
+    hs_acc_report(out, sums->energy, sums->virial, length2);
     sums->energy = hs_acc_zero();
     for (int k = 0; k < 6; ++k) sums->virial[k] = hs_acc_zero();
 }
@@ -203,13 +202,16 @@ HS_INLINE void cluster_loop(const hs_kernel_input *in, hs_kernel_output *out, in
             n_terms[row] += n;
             n_new += n;
         }
-        if (with_energy) report_energy(out, &constants, &sums, n_new);
+        if (with_energy) report_energy(in, out, &constants, &sums, n_new);
     }
-    for (int row = 0; row < HS_CLUSTER; ++row)
-        for (int axis = 0; axis < 3; ++axis) {
-            hs_acc_settle(&sums.f[row][axis], n_terms[row], constants.magic_force);
-            hs_acc_subtract_from(out->f[axis], first + row, sums.f[row][axis]);
+    for (int axis = 0; axis < 3; ++axis) {
+        hs_acc of_row[HS_CLUSTER];
+        for (int row = 0; row < HS_CLUSTER; ++row) {
+            of_row[row] = sums.f[row][axis];
+            hs_acc_settle(&of_row[row], n_terms[row], constants.magic_force);
         }
+        hs_acc_subtract_rows(hs_own_forces(out, axis, first), of_row);
+    }
     hs_acc_report_peak(&out->peak_force, sums.peak_force);
     if (with_energy) hs_acc_report_peak(&out->peak_energy, sums.peak_energy);
 }

@@ -11,16 +11,25 @@ static int64_t n_blocks(int64_t n_atoms) { return (n_atoms + HS_FORCE_BLOCK - 1)
 static void fini_buffer(hs_force_buffer *buffer, bool owns_forces)
 {
     for (int axis = 0; axis < 3 && owns_forces; ++axis) HS_FREE(buffer->f[axis]);
+    HS_FREE(buffer->packed_f);
     HS_FREE(buffer->touched);
     HS_FREE(buffer->entries.entry);
     hs_cluster_search_fini(&buffer->search);
     hs_candidates_fini(&buffer->candidates);
 }
 
-void hs_force_space_fini(hs_force_space *space)
+static void fini_buffers(hs_force_space *space)
 {
     for (int t = 0; t < space->n_threads; ++t) fini_buffer(&space->buffer[t], t > 0);
     HS_FREE(space->buffer);
+    space->n_threads = 0;
+    space->capacity_packed = 0;
+}
+
+void hs_force_space_fini(hs_force_space *space)
+{
+    fini_buffers(space);
+    hs_packed_fini(&space->packed);
     memset(space, 0, sizeof *space);
 }
 
@@ -30,27 +39,57 @@ hs_status hs_force_space_reserve(hs_force_space *space, const hs_atoms *atoms, h
     const int n_threads = hs_threads_get();
     const int64_t n_atoms = (int64_t)atoms->n_local + atoms->n_halo + HS_ATOMS_PAD;
     if (n_threads != space->n_threads || n_atoms > space->capacity_atoms) {
-        hs_force_space_fini(space);
+        fini_buffers(space);
+        memset(space->weight, 0, sizeof space->weight);
         HS_TRY(HS_ALLOC(space->buffer, (size_t)n_threads, err));
         space->n_threads = n_threads;
         space->capacity_atoms = n_atoms + n_atoms / 8;
         const size_t room = (size_t)n_blocks(space->capacity_atoms) * HS_FORCE_BLOCK + HS_ATOMS_PAD;
         for (int t = 0; t < n_threads; ++t) {
             for (int axis = 0; axis < 3 && t > 0; ++axis) HS_TRY(HS_ALLOC(space->buffer[t].f[axis], room, err));
-            HS_TRY(HS_ALLOC(space->buffer[t].touched, (size_t)n_blocks(space->capacity_atoms) + 1, err));
+            /* packed clusters may have less than four atoms each */
+            const int64_t n_packed = space->capacity_atoms * HS_PACKED >> HS_PACKED_BLOCK_BITS;
+            HS_TRY(HS_ALLOC(space->buffer[t].touched, (size_t)n_packed + 2, err));
         }
     }
     for (int axis = 0; axis < 3; ++axis) space->buffer[0].f[axis] = atoms->f[axis];
     return HS_OK;
 }
 
-/** @p is_ready: the forces in the buffer are to be added to. */
-static void begin_thread(hs_force_buffer *buffer, int64_t n_atoms, bool is_ready)
+static int64_t n_packed_blocks(const hs_packed *packed)
 {
-    memset(buffer->touched, is_ready, (size_t)n_blocks(n_atoms) + 1);
+    return ((int64_t)packed->n * HS_PACKED + HS_PACKED_BLOCK - 1) >> HS_PACKED_BLOCK_BITS;
+}
+
+/** Blocks of forces of this evaluation. */
+static int64_t n_blocks_of(const hs_force_space *space, const hs_force_job *job)
+{
+    return hs_force_is_packed(job) ? n_packed_blocks(&space->packed)
+                                   : n_blocks((int64_t)job->atoms->n_local + job->atoms->n_halo + HS_ATOMS_PAD);
+}
+
+hs_status hs_force_pack(hs_force_space *space, hs_force_job *job, bool is_new, hs_error *err)
+{
+    hs_packed *packed = &space->packed;
+    if (job->precision != HS_PRECISION_MIXED) return HS_OK;
+    HS_TRY(hs_force_space_reserve(space, job->atoms, err));
+    if (is_new) HS_TRY(hs_packed_begin(packed, job->clusters, job->atoms, job->cutoff_max, err));
+    const int64_t n = n_packed_blocks(packed) << HS_PACKED_BLOCK_BITS;
+    if (n > space->capacity_packed) {
+        space->capacity_packed = n + n / 8;
+        for (int t = 0; t < space->n_threads; ++t)
+            HS_TRY(HS_GROW(space->buffer[t].packed_f, 0, (size_t)space->capacity_packed, err));
+    }
+    return hs_packed_use(packed, &job->input, err);
+}
+
+/** @p is_ready: the forces in the buffer are to be added to. */
+static void begin_thread(hs_force_buffer *buffer, int64_t n_blocks_used, bool is_ready)
+{
+    memset(buffer->touched, is_ready, (size_t)n_blocks_used + 1);
     memset(&buffer->error, 0, sizeof buffer->error);
     buffer->entries.n = 0;
-    buffer->out = (hs_kernel_output){.f = {buffer->f[0], buffer->f[1], buffer->f[2]}};
+    buffer->out = (hs_kernel_output){.f = {buffer->f[0], buffer->f[1], buffer->f[2]}, .packed_f = buffer->packed_f};
     memset(buffer->weight, 0, sizeof buffer->weight);
 }
 
@@ -77,6 +116,15 @@ static void reduce_block(hs_force_space *space, int64_t block, int64_t n_room, b
         }
     }
     for (int t = 0; t < space->n_threads; ++t) space->buffer[t].touched[block] = t == 0;
+}
+
+/** The atoms' forces of one block of packed clusters, from the threads that wrote there. */
+static void unpack_block(const hs_force_space *space, const hs_force_job *job, const float **part, int64_t block)
+{
+    int n_parts = 0;
+    for (int t = 0; t < space->n_threads; ++t)
+        if (space->buffer[t].touched[block]) part[n_parts++] = space->buffer[t].packed_f;
+    hs_packed_unpack(&space->packed, job->clusters, block, part, n_parts, job->atoms, job->is_added);
 }
 
 void hs_force_result_add(hs_force_result *sum, const hs_force_result *added)
@@ -108,32 +156,58 @@ static void run_stage(hs_force_space *space, const hs_force_job *job, hs_force_w
                       int64_t begin, int64_t end)
 {
     const int64_t n_room = (int64_t)job->atoms->n_local + job->atoms->n_halo + HS_ATOMS_PAD;
-    const bool is_first = stage == HS_STAGE_ALL || stage == HS_STAGE_BEFORE;
+    const bool is_first = stage == HS_STAGE_ALL || stage == HS_STAGE_BEFORE, is_packed = hs_force_is_packed(job);
 #pragma omp parallel num_threads(space->n_threads)
     {
-        hs_force_buffer *buffer = &space->buffer[hs_thread_number()];
-        if (is_first) begin_thread(buffer, n_room, job->is_added && hs_thread_number() == 0);
-        if (buffer->error.status == HS_OK) (void)work(space, job, stage, hs_thread_number());
+        const int thread = hs_thread_number();
+        hs_force_buffer *buffer = &space->buffer[thread];
+        const float *part[space->n_threads];
+        if (is_first) begin_thread(buffer, n_blocks_of(space, job), job->is_added && thread == 0 && !is_packed);
+        if (buffer->error.status == HS_OK) (void)work(space, job, stage, thread);
 #pragma omp barrier
 #pragma omp for schedule(static)
-        for (int64_t block = begin; block < end; ++block)
-            reduce_block(space, block, n_room, job->precision == HS_PRECISION_FIXED);
+        for (int64_t block = begin; block < end; ++block) {
+            if (is_packed)
+                unpack_block(space, job, part, block);
+            else
+                reduce_block(space, block, n_room, job->precision == HS_PRECISION_FIXED);
+        }
     }
+}
+
+/** The first block of forces on halo atoms. */
+static int64_t first_halo_block(const hs_force_job *job)
+{
+    return hs_force_is_packed(job) ? (int64_t)job->clusters->local.n * HS_PACKED >> HS_PACKED_BLOCK_BITS
+                                   : job->atoms->n_local >> HS_FORCE_BLOCK_BITS;
+}
+
+/** Pack the positions of the local clusters, or those of the halo, which may be under way until it is awaited. */
+static void fill_packed(hs_force_space *space, const hs_force_job *job, bool is_halo)
+{
+    const int n_local = job->clusters->local.n;
+    hs_packed_fill(&space->packed, job->clusters, &job->input, is_halo ? n_local : 0,
+                   is_halo ? space->packed.n : n_local);
 }
 
 static void run_stages(hs_force_space *space, const hs_force_job *job, hs_force_work work, bool is_staged)
 {
     const hs_force_halo *halo = job->halo;
-    const int64_t n_all = n_blocks((int64_t)job->atoms->n_local + job->atoms->n_halo + HS_ATOMS_PAD);
-    if (is_staged && halo != NULL && halo->is_remote) {
+    const int64_t n_all = n_blocks_of(space, job);
+    if (hs_force_is_packed(job)) fill_packed(space, job, false);
+    /* what is unpacked twice must not be added twice */
+    const bool can_add = !hs_force_is_packed(job) || !job->is_added;
+    if (is_staged && can_add && halo != NULL && halo->is_remote) {
         run_stage(space, job, work, HS_STAGE_BEFORE, 0, 0);
         halo->await(halo->context);
-        run_stage(space, job, work, HS_STAGE_MAIN, job->atoms->n_local >> HS_FORCE_BLOCK_BITS, n_all);
+        if (hs_force_is_packed(job)) fill_packed(space, job, true);
+        run_stage(space, job, work, HS_STAGE_MAIN, first_halo_block(job), n_all);
         if (halo->send != NULL) halo->send(halo->context);
         run_stage(space, job, work, HS_STAGE_AFTER, 0, n_all);
         return;
     }
     if (halo != NULL) halo->await(halo->context);
+    if (hs_force_is_packed(job)) fill_packed(space, job, true);
     run_stage(space, job, work, HS_STAGE_ALL, 0, n_all);
     if (halo != NULL && halo->send != NULL) halo->send(halo->context);
 }
@@ -183,6 +257,12 @@ void hs_force_keep_weights(hs_force_space *space)
     }
 }
 
+static inline void touch_packed(hs_force_buffer *buffer, int first, const hs_entry_list *entries)
+{
+    hs_force_touch_packed(buffer, first >> HS_PACKED_BLOCK_BITS);
+    for (int e = 0; e < entries->n; ++e) hs_force_touch_packed(buffer, entries->entry[e].first >> HS_PACKED_BLOCK_BITS);
+}
+
 static inline void touch_entries(hs_force_buffer *buffer, int first, const hs_entry_list *entries, int64_t n_room)
 {
     hs_force_touch(buffer, first, n_room);
@@ -212,9 +292,13 @@ static hs_status work_cell(hs_force_space *space, const hs_force_job *job, hs_fo
         entries->n = 0;
         HS_TRY(find(&buffer->search, ci, column, entries, &buffer->error));
         if (entries->n == 0) continue;
-        const int first = local->entry[ci].first;
-        HS_TRY(hs_entry_list_pad(entries, 0, group, first, &buffer->error));
-        touch_entries(buffer, first, entries, n_room);
+        HS_TRY(hs_entry_list_pad(entries, 0, group, local->entry[ci].first, &buffer->error));
+        const int first = hs_force_place(space, job, local->entry[ci].first);
+        if (hs_force_is_packed(job)) {
+            hs_packed_rename(&space->packed, entries->entry, entries->n);
+            touch_packed(buffer, first, entries);
+        } else
+            touch_entries(buffer, first, entries, n_room);
         kernel(&job->input, &buffer->out, first, entries->entry, entries->n);
         hs_force_weigh(buffer, ci, local->n, entries->n);
     }
@@ -223,7 +307,9 @@ static hs_status work_cell(hs_force_space *space, const hs_force_job *job, hs_fo
 
 hs_status hs_force_cell(hs_force_space *space, const hs_force_job *job, hs_force_result *result, hs_error *err)
 {
-    const hs_status status = hs_force_run_threads(space, job, work_cell, false, result, err);
+    hs_force_job packed = *job;
+    HS_TRY(hs_force_pack(space, &packed, true, err));
+    const hs_status status = hs_force_run_threads(space, &packed, work_cell, false, result, err);
     hs_force_keep_weights(space);
     return status;
 }

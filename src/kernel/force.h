@@ -6,6 +6,7 @@
 
 #include "core/atoms.h"
 #include "kernel/kernel.h"
+#include "kernel/packed.h"
 #include "neighbor/chains.h"
 #include "neighbor/clusters.h"
 
@@ -27,7 +28,9 @@ typedef struct hs_candidates {
 /** Buffers of one thread. Thread 0 adds to the atoms' own force arrays. */
 typedef struct hs_force_buffer {
     double *f[3];           /**< owned (borrowed from atoms for thread 0): [n_local + n_halo + pad] */
-    unsigned char *touched; /**< owned: block b of HS_FORCE_BLOCK atoms was written to (and cleared before) */
+    float *packed_f;        /**< owned: forces of packed clusters; only where there are such */
+    unsigned char *touched; /**< owned: block b of HS_FORCE_BLOCK atoms was written to (and cleared before), or of
+                                 HS_PACKED_BLOCK packed numbers */
     hs_entry_list entries;  /**< owned: list of the i-cluster at hand (method cell), or all of the thread's (cluster) */
     hs_search search;
     hs_candidates candidates;        /**< methods linked, incremental, hash, and nsq in fixed point */
@@ -41,6 +44,8 @@ typedef struct hs_force_space {
     hs_force_buffer *buffer; /**< owned [n_threads] */
     int n_threads;
     int64_t capacity_atoms;          /**< room of each buffer */
+    int64_t capacity_packed;         /**< room of each packed_f */
+    hs_packed packed;                /**< mixed precision, methods with clusters */
     int64_t weight[HS_FORCE_CHUNKS]; /**< methods without lists: pairs of each chunk at the evaluation before */
 } hs_force_space;
 
@@ -109,6 +114,25 @@ static inline void hs_force_touch(hs_force_buffer *buffer, int64_t i, int64_t n_
     const int64_t end = begin + HS_FORCE_BLOCK < n_room ? begin + HS_FORCE_BLOCK : n_room;
     for (int axis = 0; axis < 3; ++axis) memset(buffer->f[axis] + begin, 0, (size_t)(end - begin) * sizeof(double));
 }
+
+/** Make a block of packed forces ready to be added to. */
+static inline void hs_force_touch_packed(hs_force_buffer *buffer, int64_t block)
+{
+    if (buffer->touched[block]) return;
+    buffer->touched[block] = 1;
+    memset(buffer->packed_f + (block << HS_PACKED_BLOCK_BITS), 0, HS_PACKED_BLOCK * sizeof *buffer->packed_f);
+}
+
+/** Whether this evaluation reads packed clusters. */
+static inline bool hs_force_is_packed(const hs_force_job *job) { return job->input.site != NULL; }
+/** Where the cluster that begins with atom `first` is for the kernels. */
+static inline int hs_force_place(const hs_force_space *space, const hs_force_job *job, int first)
+{
+    return hs_force_is_packed(job) ? space->packed.place_of[first] : first;
+}
+/** Have the job read packed clusters if its precision is mixed; hs_force_run_threads fills them. @p is_new: clusters are others
+ *  than at the call before. */
+HS_MUST_USE hs_status hs_force_pack(hs_force_space *space, hs_force_job *job, bool is_new, hs_error *err);
 
 /** Stages of an evaluation. Where there are messages, some inner work, which needs no other rank's atoms, is done while they
  *  travel: a part while positions come; then all outer work, and most of the rest; a part while forces go. */

@@ -31,7 +31,7 @@ static inline int put(uint32_t *queue, hs_vec bin, hs_msk mask)
 
 #endif
 
-enum { QUEUE = 1024, QUEUE_ROOM = HS_CLUSTER * 16 }; /* room for all lanes of one step of the loop */
+enum { PIECE = 256, QUEUE = 1024, QUEUE_ROOM = HS_CLUSTER * 16 }; /* room for all lanes of one step of the loop */
 
 static void flush(const uint32_t *queue, int n, uint32_t *counts)
 {
@@ -74,17 +74,31 @@ static inline int count_cluster(const double *const x[3], int first, const hs_cl
     return n;
 }
 
+/** Entries that name packed clusters (kernel/packed.h) as entries that name atoms. */
+static inline void name_atoms(const hs_clusters *clusters, const hs_cluster_entry *entry, int n, hs_cluster_entry *to)
+{
+    for (int e = 0; e < n; ++e) to[e] = (hs_cluster_entry){hs_packed_atom(clusters, entry[e].first), entry[e].mask};
+}
+
 /* One queue for all clusters: emptying it after each would end a short loop at an unforeseeable place every time. */
-static void count_pairs(const double *const x[3], const hs_clusters *clusters, const hs_list_chunk *chunk, double scale,
-                        int n_fine, uint32_t *counts)
+static void count_pairs(const double *const x[3], const hs_clusters *clusters, const hs_list_chunk *chunk,
+                        bool is_packed, double scale, int n_fine, uint32_t *counts)
 {
     uint32_t queue[QUEUE + QUEUE_ROOM];
+    hs_cluster_entry piece[PIECE];
     int n = 0;
     const hs_vec limit = hs_set1((double)n_fine), width = hs_set1(scale);
     for (int ci = chunk->begin; ci < chunk->end; ++ci) {
-        const int begin = chunk->start[ci - chunk->begin], n_entries = chunk->start[ci - chunk->begin + 1] - begin;
-        n = count_cluster(x, clusters->local.entry[ci].first, chunk->entries.entry + begin, n_entries, width, limit,
-                          queue, n, counts);
+        const int end = chunk->start[ci - chunk->begin + 1], first = clusters->local.entry[ci].first;
+        for (int begin = chunk->start[ci - chunk->begin]; begin < end; begin += PIECE) {
+            const int n_entries = end - begin < PIECE ? end - begin : PIECE;
+            const hs_cluster_entry *entry = chunk->entries.entry + begin;
+            if (is_packed) {
+                name_atoms(clusters, entry, n_entries, piece);
+                entry = piece;
+            }
+            n = count_cluster(x, first, entry, n_entries, width, limit, queue, n, counts);
+        }
     }
     flush(queue, n, counts);
 }

@@ -87,6 +87,8 @@ hs_histogram_kernel hs_isa_histogram(hs_isa isa) { return FOR_ISA(isa, hs_histog
 
 hs_list_refine hs_isa_refine(hs_isa isa) { return FOR_ISA(isa, hs_list_refine_); }
 
+hs_peak_loop hs_isa_peak(hs_isa isa) { return FOR_ISA(isa, hs_peak_loop_); }
+
 bool hs_pair_table_is_uniform(const hs_pair_table *table)
 {
     const size_t row_size = (size_t)table->stride * sizeof(double);

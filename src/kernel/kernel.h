@@ -56,6 +56,9 @@ typedef struct hs_kernel_input {
     const double *radius;      /**< distance, local and halo; NULL unless an evaluator of the pair style needs it */
     bool listed_by_radius;     /**< listed pairs are within radius_i + radius_j + skin, too */
     double skin;               /**< distance; read only when listed_by_radius */
+    const int32_t *site,
+        *site_listed; /**< mixed precision, methods with clusters: packed positions (kernel/packed.h) */
+    double unit;      /**< distance: their unit */
     const hs_pair_table *table;
     double magic_force, magic_energy; /**< fixed point only: see kernel/accumulate.h */
 } hs_kernel_input;
@@ -70,6 +73,8 @@ static inline double hs_listed_by_radius_r2(const hs_kernel_input *in, int i, in
 /** What a kernel adds to; private to one thread. */
 typedef struct hs_kernel_output {
     double *f[3]; /**< forces on local and halo atoms; in fixed point the doubles hold 64-bit integers */
+    float
+        *packed_f; /**< mixed precision, methods with clusters: forces of packed clusters, energy per unit of length */
     double energy;
     double virial[6]; /**< sum of r_a F_b over pairs: xx yy zz xy xz yz */
     /* fixed point only: the same as multiples of the grid, and the largest force/r and energy of a pair */
@@ -91,11 +96,18 @@ typedef void (*hs_verlet_kernel)(const hs_kernel_input *in, hs_kernel_output *ou
 
 /** Keep, of n candidate entries of the i-cluster at `first`, the pairs within their listed distance at in->x; drop
  *  entries without any, order the rest so that consecutive ones use the same rows, and pad to a multiple of the kernel's group. Room for a
- *  multiple of the group is needed in entry (padded with valid entries) and for n in scratch. Returns the number left. */
+ *  multiple of the group is needed in entry (padded with valid entries) and for n in scratch. Returns the number left, and adds
+ *  the number of their pairs to *n_pairs. */
 typedef int (*hs_list_refine)(const hs_kernel_input *in, int first, hs_cluster_entry *entry, int n, int group,
-                              hs_cluster_entry *scratch);
+                              hs_cluster_entry *scratch, int64_t *n_pairs);
 extern const hs_list_refine hs_list_refine_portable, hs_list_refine_sse2, hs_list_refine_avx2, hs_list_refine_avx512;
 hs_list_refine hs_isa_refine(hs_isa isa);
+
+/** n rounds of multiplications and additions of vectors of doubles that do not wait for one another; how many operations on
+ *  numbers these are. Returns their result, so that none can be left out. */
+typedef double (*hs_peak_loop)(int64_t n, double *operations);
+extern const hs_peak_loop hs_peak_loop_portable, hs_peak_loop_sse2, hs_peak_loop_avx2, hs_peak_loop_avx512;
+hs_peak_loop hs_isa_peak(hs_isa isa);
 
 /** The kernels of one evaluator for one instruction set. Indices: [with energy and virial][by type][listed pairs only].
  *  Lists must be padded to a multiple of `group` entries, with masks 0. */

@@ -16,7 +16,8 @@ hs_status hs_pair_histogram(const hs_cluster_list *list, const hs_clusters *clus
         uint32_t *own = fine + (size_t)hs_thread_number() * (size_t)(n_fine + 1);
 #pragma omp for schedule(dynamic, 1)
         for (int k = 0; k < list->n_chunks; ++k)
-            hs_isa_histogram(isa)(positions, clusters, &list->chunk[k], inv_width * inv_width, n_fine, own);
+            hs_isa_histogram(isa)(positions, clusters, &list->chunk[k], list->is_packed, inv_width * inv_width, n_fine,
+                                  own);
     }
     for (int bin = 0; bin < n_bins; ++bin) {
         counts[bin] = 0;

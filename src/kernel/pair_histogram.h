@@ -17,7 +17,7 @@ HS_MUST_USE hs_status hs_pair_histogram(const hs_cluster_list *list, const hs_cl
 /** The inner part, compiled for every instruction set: adds the pairs of a chunk of the list to counts, n_fine bins of width
  *  1 / scale in r^2; whatever is farther, or no pair, is left out. */
 typedef void (*hs_histogram_kernel)(const double *const x[3], const hs_clusters *clusters, const hs_list_chunk *chunk,
-                                    double scale, int n_fine, uint32_t *counts);
+                                    bool is_packed, double scale, int n_fine, uint32_t *counts);
 hs_histogram_kernel hs_isa_histogram(hs_isa isa);
 extern const hs_histogram_kernel hs_histogram_kernel_portable, hs_histogram_kernel_sse2, hs_histogram_kernel_avx2,
     hs_histogram_kernel_avx512;

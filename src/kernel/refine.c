@@ -57,6 +57,13 @@ static int order_by_rows(hs_cluster_entry *entry, int n, hs_cluster_entry *scrat
     return count[14];
 }
 
+static int64_t count_pairs(const hs_cluster_entry *entry, int n)
+{
+    int64_t n_pairs = 0;
+    for (int e = 0; e < n; ++e) n_pairs += __builtin_popcount(entry[e].mask & 0xffffu);
+    return n_pairs;
+}
+
 /** Note in the first entry of each vector which rows it needs; `entry` is filled up with empty entries. */
 static int note_rows(hs_cluster_entry *entry, int n, int group)
 {
@@ -70,10 +77,12 @@ static int note_rows(hs_cluster_entry *entry, int n, int group)
 }
 
 static int refine(const hs_kernel_input *in, int first, hs_cluster_entry *entry, int n, int group,
-                  hs_cluster_entry *scratch)
+                  hs_cluster_entry *scratch, int64_t *n_pairs)
 {
     for (int e = 0; e < n; e += HS_GROUP) refine_vector(in, first, entry + e);
-    return note_rows(entry, order_by_rows(entry, n, scratch), group);
+    n = order_by_rows(entry, n, scratch);
+    *n_pairs += count_pairs(entry, n);
+    return note_rows(entry, n, group);
 }
 
 #define PASTE_(a, b) a##b

@@ -6,14 +6,14 @@
 #include "base/memory.h"
 #include "parallel/parallel.h"
 
-enum { CHUNKS_MIN = 64, CLUSTERS_PER_CHUNK_MAX = 1024 };
+enum { CLUSTERS_PER_CHUNK_MAX = 1024 };
 
 void hs_verlet_list_fini(hs_verlet_list *list)
 {
     for (int k = 0; k < list->n_chunks; ++k) {
         HS_FREE(list->chunk[k].start);
         HS_FREE(list->chunk[k].neighbor);
-        HS_FREE(list->chunk[k].block);
+        HS_FREE(list->chunk[k].blocks.block);
     }
     HS_FREE(list->chunk);
     memset(list, 0, sizeof *list);
@@ -21,22 +21,19 @@ void hs_verlet_list_fini(hs_verlet_list *list)
 
 static hs_status set_chunks(hs_verlet_list *list, const hs_cluster_part *local, hs_error *err)
 {
-    const int by_size = (local->n + CLUSTERS_PER_CHUNK_MAX - 1) / CLUSTERS_PER_CHUNK_MAX;
-    const int n_chunks = by_size > CHUNKS_MIN ? by_size : CHUNKS_MIN;
+    const int n_chunks = hs_list_chunks_for(local->n, CLUSTERS_PER_CHUNK_MAX);
     if (n_chunks > list->n_chunks) {
         HS_TRY(HS_GROW(list->chunk, (size_t)list->n_chunks, (size_t)n_chunks, err));
         list->n_chunks = n_chunks;
     }
     for (int k = 0; k < list->n_chunks; ++k) {
         hs_verlet_chunk *chunk = &list->chunk[k];
-        int64_t begin, end;
-        hs_thread_range(local->n, 1, k, list->n_chunks, &begin, &end);
-        chunk->begin = (int)begin;
-        chunk->end = (int)end;
+        hs_list_chunk_range(local->n, list->n_chunks, k, &chunk->begin, &chunk->end);
         chunk->first = chunk->n_atoms = 0;
-        if (begin == end) continue;
-        chunk->first = local->entry[begin].first;
-        chunk->n_atoms = local->entry[end - 1].first + local->size[end - 1] - chunk->first;
+        if (chunk->begin == chunk->end) continue;
+        const int last = chunk->end - 1;
+        chunk->first = local->entry[chunk->begin].first;
+        chunk->n_atoms = local->entry[last].first + local->size[last] - chunk->first;
     }
     return HS_OK;
 }
@@ -54,7 +51,7 @@ static hs_status reserve_neighbors(hs_verlet_chunk *chunk, int64_t n_more, hs_er
 static hs_status begin_chunk(hs_verlet_chunk *chunk, hs_error *err)
 {
     chunk->n = 0;
-    chunk->n_blocks = 0;
+    chunk->blocks.n = 0;
     if (chunk->n_atoms + 1 > chunk->capacity_start) {
         chunk->capacity_start = chunk->n_atoms + chunk->n_atoms / 8 + 4;
         HS_TRY(HS_GROW(chunk->start, 0, (size_t)chunk->capacity_start, err));
@@ -97,7 +94,9 @@ static hs_status list_cluster(hs_verlet_chunk *chunk, hs_force_buffer *buffer, c
     if (n_found > 0) {
         HS_TRY(hs_entry_list_pad(found, 0, group, first, err));
         HS_TRY(hs_entry_list_reserve(found, n_found, err));
-        found->n = hs_isa_refine(job->isa)(&job->input, first, found->entry, n_found, group, found->entry + found->n);
+        int64_t n_pairs = 0; /* counted by the lists, below */
+        found->n = hs_isa_refine(job->isa)(&job->input, first, found->entry, n_found, group, found->entry + found->n,
+                                           &n_pairs);
     }
     for (int row = 0; row < local->size[ci]; ++row) {
         chunk->start[first + row - chunk->first] = chunk->n;
@@ -114,15 +113,7 @@ static hs_status note_blocks(hs_verlet_chunk *chunk, unsigned char *touched, int
     for (int i = 0; i < chunk->n_atoms; i += HS_FORCE_BLOCK) touched[(chunk->first + i) >> HS_FORCE_BLOCK_BITS] = 1;
     touched[(chunk->first + chunk->n_atoms - 1) >> HS_FORCE_BLOCK_BITS] = 1;
     for (int64_t k = 0; k < chunk->n; ++k) touched[chunk->neighbor[k] >> HS_FORCE_BLOCK_BITS] = 1;
-    int n = 0;
-    for (int64_t b = 0; b < n_blocks; ++b) n += touched[b];
-    if (n > chunk->capacity_blocks) {
-        chunk->capacity_blocks = n + n / 8 + 8;
-        HS_TRY(HS_GROW(chunk->block, 0, (size_t)chunk->capacity_blocks, err));
-    }
-    for (int64_t b = 0; b < n_blocks; ++b)
-        if (touched[b]) chunk->block[chunk->n_blocks++] = (int32_t)b;
-    return HS_OK;
+    return hs_block_list_set(&chunk->blocks, touched, n_blocks, err);
 }
 
 static hs_status build_chunk(hs_verlet_chunk *chunk, hs_force_buffer *buffer, const hs_force_job *job, hs_error *err)
@@ -174,24 +165,7 @@ int64_t hs_verlet_list_n_pairs(const hs_verlet_list *list)
     return n;
 }
 
-/** Chunks [*begin, *end) of one thread: shares of the list as equal as whole chunks allow. */
-static void chunks_of_thread(const hs_verlet_list *list, int thread, int n_threads, int *begin, int *end)
-{
-    const int64_t total = hs_verlet_list_n_pairs(list);
-    int64_t before = 0;
-    *begin = *end = list->n_chunks;
-    for (int k = 0; k < list->n_chunks; ++k) {
-        const int64_t middle = 2 * before + list->chunk[k].n; /* twice the chunk's middle */
-        const int owner = total == 0 ? 0 : (int)(middle * n_threads / (2 * total + 1));
-        if (owner >= thread && *begin == list->n_chunks) *begin = k;
-        if (owner > thread) {
-            *end = k;
-            break;
-        }
-        before += list->chunk[k].n;
-    }
-    if (*begin > *end) *begin = *end;
-}
+static int64_t weight(const void *list, int chunk) { return ((const hs_verlet_list *)list)->chunk[chunk].n; }
 
 static hs_status work_verlet(hs_force_space *space, const hs_force_job *job, hs_force_stage stage, int thread)
 {
@@ -200,14 +174,12 @@ static hs_status work_verlet(hs_force_space *space, const hs_force_job *job, hs_
     const hs_verlet_list *list = job->verlet;
     const hs_verlet_kernel kernel =
         job->evaluator->set[job->isa][job->precision]->verlet[job->with_energy][!job->input.table->is_uniform];
-    const int64_t n_room = (int64_t)job->atoms->n_local + job->atoms->n_halo + HS_ATOMS_PAD;
     int begin, end;
-    chunks_of_thread(list, thread, space->n_threads, &begin, &end);
+    hs_list_share(list, weight, list->n_chunks, thread, space->n_threads, &begin, &end);
     for (int k = begin; k < end; ++k) {
         const hs_verlet_chunk *chunk = &list->chunk[k];
         if (chunk->n == 0) continue;
-        for (int b = 0; b < chunk->n_blocks; ++b)
-            hs_force_touch(buffer, (int64_t)chunk->block[b] << HS_FORCE_BLOCK_BITS, n_room);
+        hs_block_list_touch(&chunk->blocks, buffer, job);
         kernel(&job->input, &buffer->out, chunk->first, chunk->first + chunk->n_atoms, chunk->start, chunk->neighbor);
     }
     return HS_OK;

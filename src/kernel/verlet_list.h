@@ -2,10 +2,9 @@
 #ifndef HS_KERNEL_VERLET_LIST_H
 #define HS_KERNEL_VERLET_LIST_H
 
-#include "kernel/force.h"
+#include "kernel/list_chunks.h"
 
-/** Lists of the atoms of a contiguous range of clusters. Chunks are many more than threads, so that handing out whole
- *  chunks, in order, balances the threads by the length of their lists. */
+/** Lists of the atoms of one chunk. */
 typedef struct hs_verlet_chunk {
     int begin, end;     /**< local clusters */
     int first, n_atoms; /**< their atoms, which follow one another */
@@ -13,9 +12,7 @@ typedef struct hs_verlet_chunk {
     int64_t capacity_start;
     int32_t *neighbor; /**< owned [n + HS_VERLET_PAD]: j-atoms, local and halo; no two of one list are the same */
     int64_t n, capacity;
-    int32_t *block; /**< owned [n_blocks]: blocks of atoms that the chunk's forces act on */
-    int n_blocks;
-    int64_t capacity_blocks;
+    hs_block_list blocks; /**< of atoms that the chunk's forces act on */
     hs_error error;
 } hs_verlet_chunk;
 

@@ -90,7 +90,7 @@ HS_INLINE void finish_atom(hs_kernel_output *out, int i, const verlet_atom *atom
     if (!with_energy) return;
     hs_acc_settle(&sums->energy, sums->n_terms, atom->magic_energy);
     for (int k = 0; k < 6; ++k) hs_acc_settle(&sums->virial[k], sums->n_terms, atom->magic_energy);
-    hs_acc_report(out, sums->energy, sums->virial);
+    hs_acc_report(out, sums->energy, sums->virial, 1.0);
     hs_acc_report_peak(&out->peak_energy, sums->peak_energy);
 }
 

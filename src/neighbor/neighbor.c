@@ -58,18 +58,30 @@ void hs_neighbor_continue(hs_neighbor *neighbor)
     neighbor->counters.first_late_step = -1;
 }
 
+/** Round the positions to their grid. */
+static void round_positions(hs_atoms *atoms, double magic)
+{
+#pragma omp parallel
+    for (int axis = 0; axis < 3; ++axis) {
+        double *x = atoms->x[axis];
+#pragma omp for schedule(static) nowait
+        for (int i = 0; i < atoms->n_local; ++i) x[i] = (x[i] + magic) - magic;
+    }
+}
+
 double hs_neighbor_settle(const hs_neighbor *neighbor, hs_atoms *atoms, double magic)
 {
-    double largest = 0.0;
-#pragma omp parallel for schedule(static) reduction(max : largest)
+    double largest = 0.0, bad = 0.0;
+    if (magic != 0.0) round_positions(atoms, magic);
+#pragma omp parallel for simd schedule(static) reduction(max : largest) reduction(+ : bad)
     for (int i = 0; i < atoms->n_local; ++i) {
-        for (int axis = 0; axis < 3; ++axis) atoms->x[axis][i] = (atoms->x[axis][i] + magic) - magic;
         const double dx = atoms->x[0][i] - neighbor->x_listed[0][i], dy = atoms->x[1][i] - neighbor->x_listed[1][i],
                      dz = atoms->x[2][i] - neighbor->x_listed[2][i];
         const double d2 = dx * dx + dy * dy + dz * dz;
-        largest = d2 <= largest ? largest : d2 < INFINITY ? d2 : INFINITY;
+        largest = d2 > largest ? d2 : largest; /* not when d2 is no number ... */
+        bad += d2 - d2;                        /* ... which is remembered here */
     }
-    return largest;
+    return bad == 0.0 ? largest : INFINITY;
 }
 
 static hs_status report_bad_position(const hs_atoms *atoms, int64_t step, hs_error *err)

@@ -1,0 +1,146 @@
+#include "kernel/packed.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "base/memory.h"
+#include "parallel/parallel.h"
+
+void hs_packed_fini(hs_packed *packed)
+{
+    HS_FREE(packed->site);
+    HS_FREE(packed->site_listed);
+    HS_FREE(packed->radius);
+    HS_FREE(packed->place_of);
+    memset(packed, 0, sizeof *packed);
+}
+
+/** Longest edge of the bounding boxes of a part's clusters. */
+static double longest_edge(const hs_cluster_part *part)
+{
+    float longest = 0.0f;
+    for (int a = 0; a < 3; ++a) {
+        const float *lo = part->box[a], *hi = part->box[a + 3];
+#pragma omp parallel for simd schedule(static) reduction(max : longest)
+        for (int c = 0; c < part->n; ++c) longest = hi[c] - lo[c] > longest ? hi[c] - lo[c] : longest;
+    }
+    return longest;
+}
+
+/** Whole numbers wrap around, and only differences count: 2^32 units are four times as long as atoms of two clusters that
+ *  are neighbors can be apart, which leaves as much for atoms to move until they are packed anew. */
+static void choose_unit(hs_packed *packed, const hs_clusters *clusters, const hs_atoms *atoms, double reach)
+{
+    const double edge = fmax(longest_edge(&clusters->local), longest_edge(&clusters->halo));
+    int exponent;
+    (void)frexp(2.0 * edge + reach, &exponent); /* smaller than 2^exponent */
+    packed->unit = ldexp(1.0, exponent + 2 - 32);
+    for (int axis = 0; axis < 3; ++axis) packed->origin[axis] = atoms->n_local > 0 ? atoms->x[axis][0] : 0.0;
+}
+
+hs_status hs_packed_begin(hs_packed *packed, const hs_clusters *clusters, const hs_atoms *atoms, double reach,
+                          hs_error *err)
+{
+    const int64_t n = (int64_t)clusters->local.n + clusters->halo.n;
+    const int64_t n_atoms = (int64_t)atoms->n_local + atoms->n_halo;
+    if (n > INT32_MAX / HS_PACKED - HS_PACKED)
+        return hs_fail(err, HS_ERROR_RUN, "too many atoms on one rank for mixed precision: use more ranks");
+    if (n > packed->capacity) {
+        packed->capacity = n + n / 8 + 16;
+        HS_TRY(HS_GROW(packed->site, 0, (size_t)packed->capacity * HS_PACKED, err));
+    }
+    if (n_atoms > packed->capacity_atoms) {
+        packed->capacity_atoms = n_atoms + n_atoms / 8 + 16;
+        HS_TRY(HS_GROW(packed->place_of, 0, (size_t)packed->capacity_atoms, err));
+    }
+    packed->n = (int)n;
+    choose_unit(packed, clusters, atoms, reach);
+#pragma omp parallel for schedule(static)
+    for (int c = 0; c < packed->n; ++c) packed->place_of[hs_packed_atom(clusters, c * HS_PACKED)] = c * HS_PACKED;
+    return HS_OK;
+}
+
+/** Positions of four consecutive atoms as multiples of the unit, modulo 2^32: adding 1.5 * 2^52 units leaves the multiple in
+ *  the low bits of the double's pattern. Beyond the last atom of a short cluster it is the next atom's, which masks hide. */
+static inline void pack_axis(int32_t *to, const double *x, double origin, double magic)
+{
+    for (int k = 0; k < HS_CLUSTER; ++k) {
+        const double shifted = (x[k] - origin) + magic;
+        uint64_t bits;
+        memcpy(&bits, &shifted, sizeof bits);
+        to[k] = (int32_t)(uint32_t)bits;
+    }
+}
+
+static void pack_positions(const hs_packed *packed, const hs_clusters *clusters, const double *const x[3],
+                           int32_t *site, int begin, int end)
+{
+    const double magic = 1.5 * 0x1p52 * packed->unit;
+#pragma omp parallel for schedule(static)
+    for (int c = begin; c < end; ++c) {
+        const int first = hs_packed_atom(clusters, c * HS_PACKED);
+        int32_t *to = site + (size_t)c * HS_PACKED;
+        for (int axis = 0; axis < 3; ++axis)
+            pack_axis(to + HS_CLUSTER * axis, x[axis] + first, packed->origin[axis], magic);
+        memcpy(to + HS_PACKED_TYPES, packed->type + first, HS_CLUSTER * sizeof *to);
+    }
+}
+
+static void pack_radii(const hs_packed *packed, const hs_clusters *clusters, int begin, int end)
+{
+#pragma omp parallel for schedule(static)
+    for (int c = begin; c < end; ++c)
+        memcpy(packed->radius + (size_t)c * HS_PACKED, packed->source_radius + hs_packed_atom(clusters, c * HS_PACKED),
+               HS_CLUSTER * sizeof *packed->radius);
+}
+
+hs_status hs_packed_use(hs_packed *packed, hs_kernel_input *in, hs_error *err)
+{
+    if (in->listed_only && packed->capacity > packed->capacity_listed) {
+        packed->capacity_listed = packed->capacity;
+        HS_TRY(HS_GROW(packed->site_listed, 0, (size_t)packed->capacity * HS_PACKED, err));
+    }
+    if (in->radius != NULL && packed->capacity > packed->capacity_radius) {
+        packed->capacity_radius = packed->capacity;
+        HS_TRY(HS_GROW(packed->radius, 0, (size_t)packed->capacity * HS_PACKED, err));
+    }
+    packed->type = in->type;
+    packed->source_radius = in->radius;
+    if (in->radius != NULL) in->radius = packed->radius;
+    in->site = packed->site;
+    in->site_listed = packed->site_listed;
+    in->type = packed->site + HS_PACKED_TYPES;
+    in->unit = packed->unit;
+    return HS_OK;
+}
+
+void hs_packed_fill(hs_packed *packed, const hs_clusters *clusters, const hs_kernel_input *in, int begin, int end)
+{
+    pack_positions(packed, clusters, in->x, packed->site, begin, end);
+    if (in->listed_only) pack_positions(packed, clusters, in->x_listed, packed->site_listed, begin, end);
+    if (packed->source_radius != NULL) pack_radii(packed, clusters, begin, end);
+}
+
+void hs_packed_rename(const hs_packed *packed, hs_cluster_entry *entry, int n)
+{
+    for (int e = 0; e < n; ++e) entry[e].first = packed->place_of[entry[e].first];
+}
+
+void hs_packed_unpack(const hs_packed *packed, const hs_clusters *clusters, int64_t block, const float *const *part,
+                      int n_parts, hs_atoms *atoms, bool is_added)
+{
+    const int per_block = HS_PACKED_BLOCK / HS_PACKED, begin = (int)block * per_block;
+    const int end = begin + per_block < packed->n ? begin + per_block : packed->n, n_local = clusters->local.n;
+    for (int c = begin; c < end; ++c) {
+        const hs_cluster_part *of = c < n_local ? &clusters->local : &clusters->halo;
+        const int own = c < n_local ? c : c - n_local, first = of->entry[own].first, size = of->size[own];
+        float sum[3 * HS_CLUSTER] = {0};
+        for (int p = 0; p < n_parts; ++p)
+            for (int k = 0; k < 3 * HS_CLUSTER; ++k) sum[k] += part[p][(size_t)c * HS_PACKED + (size_t)k];
+        for (int axis = 0; axis < 3; ++axis)
+            for (int k = 0; k < size; ++k) {
+                double *f = &atoms->f[axis][first + k];
+                *f = (is_added ? *f : 0.0) + packed->unit * (double)sum[HS_CLUSTER * axis + k];
+            }
+    }
+}
