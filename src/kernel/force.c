@@ -182,32 +182,30 @@ static int64_t first_halo_block(const hs_force_job *job)
                                    : job->atoms->n_local >> HS_FORCE_BLOCK_BITS;
 }
 
-/** Pack the positions of the local clusters, or those of the halo, which may be under way until it is awaited. */
-static void fill_packed(hs_force_space *space, const hs_force_job *job, bool is_halo)
+/** Pack clusters from number `begin` on. */
+static void fill_packed(hs_force_space *space, const hs_force_job *job, int begin)
 {
-    const int n_local = job->clusters->local.n;
-    hs_packed_fill(&space->packed, job->clusters, &job->input, is_halo ? n_local : 0,
-                   is_halo ? space->packed.n : n_local);
+    if (hs_force_is_packed(job)) hs_packed_fill(&space->packed, job->clusters, &job->input, begin, space->packed.n);
 }
 
 static void run_stages(hs_force_space *space, const hs_force_job *job, hs_force_work work, bool is_staged)
 {
     const hs_force_halo *halo = job->halo;
     const int64_t n_all = n_blocks_of(space, job);
-    if (hs_force_is_packed(job)) fill_packed(space, job, false);
     /* what is unpacked twice must not be added twice */
     const bool can_add = !hs_force_is_packed(job) || !job->is_added;
     if (is_staged && can_add && halo != NULL && halo->is_remote) {
+        fill_packed(space, job, 0); /* the halo, too: images of the rank's own atoms are there already */
         run_stage(space, job, work, HS_STAGE_BEFORE, 0, 0);
         halo->await(halo->context);
-        if (hs_force_is_packed(job)) fill_packed(space, job, true);
+        fill_packed(space, job, job->clusters->local.n);
         run_stage(space, job, work, HS_STAGE_MAIN, first_halo_block(job), n_all);
         if (halo->send != NULL) halo->send(halo->context);
         run_stage(space, job, work, HS_STAGE_AFTER, 0, n_all);
         return;
     }
     if (halo != NULL) halo->await(halo->context);
-    if (hs_force_is_packed(job)) fill_packed(space, job, true);
+    fill_packed(space, job, 0);
     run_stage(space, job, work, HS_STAGE_ALL, 0, n_all);
     if (halo != NULL && halo->send != NULL) halo->send(halo->context);
 }

@@ -71,7 +71,7 @@ compare() {
     for n in $counts; do
         ranks "$n" "in.$name" -log "log.$name.$n" -screen none "$@" || fail "$name on $n ranks: exit code $?"
         table "log.$name.$n" >"$name.$n"
-        same_numbers "$name.0" "$name.$n" 1e-8
+        same_numbers "$name.0" "$name.$n" "${tolerance:-1e-8}"
     done
 }
 

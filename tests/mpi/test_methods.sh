@@ -16,3 +16,9 @@ compare wrapped 4 -neigh cell
 compare wrapped 3 -neigh incremental
 compare thin 6 -neigh nsq
 compare thin 5 -neigh verlet
+
+# Mixed precision beside double: forces with errors of 7e-7, and a dozen steps.
+# shellcheck disable=SC2034
+tolerance=2e-5
+for method in cluster cell verlet; do compare mixture 3 -neigh "$method" -precision mixed; done
+compare melt 2 -neigh cluster -precision mixed -threads 2
