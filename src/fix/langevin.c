@@ -9,6 +9,7 @@
 #include "core/atom_style.h"
 #include "kernel/noise_fill.h"
 #include "style/atom_sum.h"
+#include "style/compute.h"
 #include "style/fix.h"
 
 typedef struct langevin_state {
@@ -18,6 +19,7 @@ typedef struct langevin_state {
     double *scale;    /**< owned [n_types + 1]: damp is multiplied by it */
     hs_noise noise;
     bool is_zeroed, is_tallied;
+    char *temperature_id; /**< owned; compute of fix_modify temp, whose bias is left alone; NULL: none */
 
     /* by type, for unit mass where atoms have masses of their own */
     double *drag;        /**< owned [n_types + 1]: force of a unit velocity, negative */
@@ -70,6 +72,7 @@ static hs_status create(hs_fix *fix, const hs_args *args, hs_error *err)
     for (int type = 1; type <= atoms->n_types; ++type) state->scale[type] = 1.0;
     for (int i = 4; i < args->n; i += strcmp(args->word[i], "scale") == 0 ? 3 : 2)
         HS_TRY(read_keyword(fix, args, i, err));
+    fix->is_coupling = state->is_tallied;
     if (state->is_tallied) HS_TRY(hs_fix_vector_add(fix, &state->force, "force", err));
     return hs_fix_noise(fix, seed, &state->noise, err);
 }
@@ -79,6 +82,7 @@ static void destroy(hs_fix *fix)
     langevin_state *state = fix->state;
     hs_fix_vector_remove(fix, &state->force);
     HS_FREE(state->t_variable);
+    HS_FREE(state->temperature_id);
     HS_FREE(state->scale);
     HS_FREE(state->drag);
     HS_FREE(state->kick);
@@ -97,6 +101,38 @@ static hs_status init(hs_fix *fix, hs_error *err)
         state->kick[type] = sqrt(2.0 * units->boltz * mass / damp / env->dt / units->mvv2e) / units->ftm2v;
     }
     return HS_OK;
+}
+
+static hs_status set_temperature(hs_fix *fix, const char *id, hs_error *err)
+{
+    langevin_state *state = fix->state;
+    HS_FREE(state->temperature_id);
+    return hs_memory_strdup(&state->temperature_id, id, err);
+}
+
+/** The compute whose bias is left alone, brought up to date; NULL when everything is thermal (collective). */
+static hs_status find_bias(hs_fix *fix, const hs_compute **bias, hs_error *err)
+{
+    const langevin_state *state = fix->state;
+    double ignored;
+    *bias = NULL;
+    if (state->temperature_id == NULL) return HS_OK;
+    hs_compute *compute = fix->env->find_compute(fix->env, state->temperature_id);
+    if (compute == NULL)
+        return hs_fail(err, HS_ERROR_INPUT, "fix '%s' (langevin): there is no compute '%s' any more", fix->id,
+                       state->temperature_id);
+    HS_TRY(hs_compute_scalar(compute, &ignored, err));
+    if (compute->style->bias != NULL) *bias = compute;
+    return HS_OK;
+}
+
+/** Thermal velocity of local atom i. A component that is exactly 0 is one that the temperature leaves out altogether (an atom
+ *  outside of its region, an axis of temp/partial): as in LAMMPS it feels no noise. */
+static void thermal_velocity(const hs_atoms *atoms, const hs_compute *bias, int i, double v[3])
+{
+    double b[3] = {0.0};
+    if (bias != NULL) bias->style->bias(bias, i, b);
+    for (int axis = 0; axis < 3; ++axis) v[axis] = atoms->v[axis][i] - b[axis];
 }
 
 /** Temperature of the bath at the present step. */
@@ -139,9 +175,33 @@ static void push_block(const hs_fix *fix, double root_t, const double offset[3],
     }
 }
 
+/** The same for the thermal part of the velocities. */
+static void push_biased(const hs_fix *fix, const hs_compute *bias, double root_t, const double offset[3], int begin,
+                        int end)
+{
+    const langevin_state *state = fix->state;
+    const hs_atoms *atoms = fix->env->atoms;
+    for (int i = begin; i < end; ++i) {
+        const double mass = atoms->rmass != NULL ? atoms->rmass[i] : 1.0;
+        double xi[HS_NOISE_NUMBERS], v[3];
+        if (state->is_tallied)
+            for (int axis = 0; axis < 3; ++axis) state->force.of[axis][i] = 0.0;
+        if (!(atoms->mask[i] & fix->mask)) continue;
+        hs_noise_numbers(state->noise, HS_NOISE_UNIFORM, hs_fix_clock(fix), 0, atoms->id[i], xi);
+        thermal_velocity(atoms, bias, i, v);
+        for (int axis = 0; axis < fix->env->box->dimension; ++axis) {
+            const double noise = v[axis] != 0.0 ? state->kick[atoms->type[i]] * root_t * sqrt(mass) * xi[axis] : 0.0;
+            const double push = state->drag[atoms->type[i]] * mass * v[axis] + (noise - offset[axis]);
+            atoms->f[axis][i] += push;
+            if (state->is_tallied) state->force.of[axis][i] = push;
+        }
+    }
+}
+
 /** What random_forces needs of a step. */
 typedef struct random_context {
     const hs_fix *fix;
+    const hs_compute *bias;
     double root_t;
 } random_context;
 
@@ -152,12 +212,14 @@ static void random_forces(const hs_atoms *atoms, const void *context, int begin,
     const hs_fix *fix = random->fix;
     const langevin_state *state = fix->state;
     for (int i = begin; i < end; ++i) {
-        double xi[HS_NOISE_NUMBERS];
+        double xi[HS_NOISE_NUMBERS], v[3] = {1.0, 1.0, 1.0};
         if (!(atoms->mask[i] & fix->mask)) continue;
         hs_noise_numbers(state->noise, HS_NOISE_UNIFORM, hs_fix_clock(fix), 0, atoms->id[i], xi);
+        if (random->bias != NULL) thermal_velocity(atoms, random->bias, i, v);
         const double mass = atoms->rmass != NULL ? atoms->rmass[i] : 1.0;
         const double kick = state->kick[atoms->type[i]] * random->root_t * sqrt(mass);
-        for (int axis = 0; axis < 3; ++axis) hs_exact_add(&sums[axis], kick * xi[axis]);
+        for (int axis = 0; axis < 3; ++axis)
+            if (v[axis] != 0.0) hs_exact_add(&sums[axis], kick * xi[axis]);
         hs_exact_add(&sums[3], 1.0);
     }
 }
@@ -168,18 +230,23 @@ static hs_status post_force(hs_fix *fix, hs_error *err)
     const hs_env *env = fix->env;
     const int n_local = env->atoms->n_local, n_blocks = (n_local + HS_NOISE_BLOCK - 1) / HS_NOISE_BLOCK;
     const hs_noise_set *functions = hs_isa_noise(env->isa);
+    const hs_compute *bias;
     double t, sums[4] = {0.0}, offset[3] = {0.0};
     HS_TRY(bath_temperature(fix, &t, err));
+    HS_TRY(find_bias(fix, &bias, err));
     const double root_t = sqrt(t);
     if (state->is_zeroed) {
-        const random_context context = {.fix = fix, .root_t = root_t};
+        const random_context context = {.fix = fix, .bias = bias, .root_t = root_t};
         hs_atom_sum(env->atoms, env->parallel, random_forces, &context, 4, sums);
         for (int axis = 0; axis < 3 && sums[3] > 0.0; ++axis) offset[axis] = sums[axis] / sums[3];
     }
 #pragma omp parallel for schedule(static)
     for (int b = 0; b < n_blocks; ++b) {
-        const int begin = b * HS_NOISE_BLOCK, left = n_local - begin;
-        push_block(fix, root_t, offset, functions, begin, left < HS_NOISE_BLOCK ? left : HS_NOISE_BLOCK);
+        const int begin = b * HS_NOISE_BLOCK, left = n_local - begin, n = left < HS_NOISE_BLOCK ? left : HS_NOISE_BLOCK;
+        if (bias != NULL)
+            push_biased(fix, bias, root_t, offset, begin, begin + n);
+        else
+            push_block(fix, root_t, offset, functions, begin, n);
     }
     return HS_OK;
 }
@@ -239,7 +306,11 @@ const hs_fix_style hs_fix_style_langevin = {
              "multiplies damp for types or ranges of them. With `tally yes` the scalar `f_ID` is the energy the atoms "
              "have given to the bath, so that total energy plus f_ID is conserved; `fix_modify energy yes` adds it to "
              "the potential energy. `zero yes` takes the mean off the random forces, so that they do not push the "
-             "group as a whole. `omega`, `angmom` and `gjf` are known and only `no` is supported.",
+             "group as a whole. `omega`, `angmom` and `gjf` are known and only `no` is supported.\n\n"
+             "After `fix_modify temp` only the thermal part of the velocities in that temperature feels friction, and "
+             "components that it leaves out altogether (atoms outside of the region of temp/region, axes of "
+             "temp/partial) "
+             "feel neither friction nor noise.",
          .reference = "T. Schneider, E. Stoll, Phys. Rev. B 17, 1302 (1978), doi:10.1103/PhysRevB.17.1302",
          .example = "fix 1 all nve\nfix 2 all langevin 1.0 1.0 0.5 48279"},
     .state_size = sizeof(langevin_state),
@@ -248,6 +319,7 @@ const hs_fix_style hs_fix_style_langevin = {
     .init = init,
     .post_force = post_force,
     .end_of_step = end_of_step,
+    .set_temperature = set_temperature,
     .scalar = scalar,
     .keep_state = keep_state,
     .has_energy = true,

@@ -188,6 +188,7 @@ hs_status hs_sim_add_fix(hs_sim *sim, const char *id, const char *group, const c
                     .n_vector = style->n_vector,
                     .is_extensive = style->is_extensive,
                     .is_vector_extensive = style->is_vector_extensive,
+                    .is_coupling = style->is_coupling,
                     .has_scalar = style->scalar != NULL,
                     .has_vector = style->vector != NULL,
                     .has_array = style->array != NULL,

@@ -120,7 +120,7 @@ static hs_status get_ecouple(T *t, double *value, hs_error *err)
     for (int k = 0; k < t->sim->n_fixes; ++k) {
         hs_fix *fix = t->sim->fix[k];
         double energy;
-        if (!fix->style->is_coupling) continue;
+        if (!fix->is_coupling) continue;
         HS_TRY(fix->style->scalar(fix, &energy, err));
         sum += energy;
     }

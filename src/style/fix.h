@@ -55,7 +55,8 @@ typedef struct hs_fix_style {
     bool is_integrator;     /**< moves its atoms: two of them on one atom are warned about */
     bool has_energy;        /**< `fix_modify energy yes` adds the scalar to the potential energy */
     bool has_virial;        /**< `fix_modify virial yes` adds virial[] to the pressure */
-    bool is_coupling;       /**< the scalar is the energy that a thermostat or barostat has given away: ecouple */
+    bool is_coupling;       /**< the scalar is the energy that a thermostat or barostat has given away (ecouple); copied
+                                 to the fix */
     bool changes_box;       /**< the lengths of the box may change at every step */
 } hs_fix_style;
 
@@ -77,7 +78,7 @@ typedef struct hs_fix {
     int n_vector;
     int n_rows, n_columns; /**< of the array */
     int n_atom_columns;    /**< 0: one value per atom, f_ID; n: f_ID[1] ... f_ID[n] */
-    bool is_extensive, is_vector_extensive, is_array_extensive;
+    bool is_extensive, is_vector_extensive, is_array_extensive, is_coupling;
     /** What there is: at first what the style has functions for; create may clear some. */
     bool has_scalar, has_vector, has_array, has_atoms;
 } hs_fix;

@@ -73,3 +73,13 @@ fix 1 all nve
 fix 2 all deform 2 x erate 0.2 y volume z volume
 fix p all print 10 "$(lx:%.17g) $(ly:%.17g)" file p.txt screen no
 D
+
+check heat <<'D'
+fix 1 all nve
+region hot block INF INF INF INF 0 1.5
+compute t all temp/region hot
+fix 2 all heat 2 5 region hot
+fix 3 all langevin 1.0 1.0 0.5 4711 tally yes
+fix_modify 3 temp t
+fix p all print 10 "$(f_2:%.17g) $(f_3:%.17g)" file p.txt screen no
+D

@@ -101,10 +101,25 @@ group half id <= 150
 fix 1 all nve
 fix 2 half deform 2 x erate 0.5 y volume z wiggle 0.1 0.2
 D
+    system heated 20 'f_h f_l' <<D
+lattice fcc 0.7
+region box block 0 5 0 4 0 4
+create_box 1 box
+create_atoms 1 box
+mass 1 1.0
+velocity all create 1.5 12345
+$liquid
+region hot block INF INF INF INF 0 1.03
+compute t all temp/region hot
+fix 1 all nve
+fix h all heat 2 20 region hot
+fix l all langevin 1.0 1.0 0.5 4711 tally yes zero yes
+fix_modify l temp t
+D
 } >in.fixes
 
 bits fixes 0 1
-[ "$(wc -l <fixes/thermo)" -eq 19 ] || fail "$(wc -l <fixes/thermo) rows"
+[ "$(wc -l <fixes/thermo)" -eq 22 ] || fail "$(wc -l <fixes/thermo) rows"
 bits fixes 0 3 -neigh cell
 bits fixes 2 2 -neigh verlet
 bits fixes 3 1 -neigh linked
