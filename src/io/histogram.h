@@ -58,4 +58,10 @@ HS_MUST_USE hs_status hs_histogram_array(hs_fix *fix, int i, int j, double *valu
 HS_MUST_USE hs_status hs_histogram_keep_state(hs_fix *fix, hs_state *kept, hs_error *err);
 bool hs_histogram_needs_energy(const hs_fix *fix, int64_t step);
 
+/* Between io/histogram.c and histogram_read.c. */
+/** Extremes of no values at all, as LAMMPS shows them. */
+extern const double hs_histogram_nothing[2];
+/** Whether the inputs are there, and of the shape that is counted. */
+HS_MUST_USE hs_status hs_histogram_check(const hs_fix *fix, const char *command, hs_error *err);
+
 #endif
