@@ -5,6 +5,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "kernel/motion.h"
 #include "kernel/noise_fill.h"
 #include "style/fix.h"
 
@@ -69,38 +70,19 @@ static inline hs_status brownian_init(hs_fix *fix, hs_error *err)
     return HS_OK;
 }
 
-/** One axis of brownian_translate; without @p is_all, atoms of other groups stay. */
-static inline void brownian_translate_axis(const brownian_state *state, double dt, double magic,
-                                           const uint32_t *restrict group, uint32_t mask, int n,
-                                           const double *restrict f, const double *restrict number, double *restrict x,
-                                           double *restrict v, const bool is_all)
-{
-    const double drift = state->drift, kick = state->kick;
-    for (int i = 0; i < n; ++i) {
-        const bool is_moved = is_all || (group[i] & mask) != 0;
-        const double v_new = drift * f[i] + kick * number[i];
-        v[i] = is_moved ? v_new : v[i];
-        x[i] = is_moved ? hs_moved(x[i], dt * v_new, magic) : x[i];
-    }
-}
-
 /** Move the atoms [begin, begin + n) by the forces and the first numbers of the block; velocities become displacements
  *  per time. Atoms of other groups stay. */
 static inline void brownian_translate(const hs_fix *fix, int begin, int n, const hs_noise_block *noise)
 {
-    const hs_atoms *atoms = fix->env->atoms;
-    const double dt = fix->env->dt;
-    const uint32_t *group = atoms->mask + begin;
-    for (int axis = 0; axis < fix->env->box->dimension; ++axis) {
-        double *x = atoms->x[axis] + begin, *v = atoms->v[axis] + begin;
-        const double *f = atoms->f[axis] + begin, *number = noise->number[axis];
-        if (fix->group == 0) /* group all: half as many instructions */
-            brownian_translate_axis(fix->state, dt, fix->env->position_magic, group, fix->mask, n, f, number, x, v,
-                                    true);
-        else
-            brownian_translate_axis(fix->state, dt, fix->env->position_magic, group, fix->mask, n, f, number, x, v,
-                                    false);
-    }
+    const brownian_state *state = fix->state;
+    const hs_env *env = fix->env;
+    const hs_atoms *atoms = env->atoms;
+    const hs_overdamped motion = {
+        .drift = state->drift, .kick = state->kick, .dt = env->dt, .magic = env->position_magic};
+    const uint32_t *group = fix->group == 0 ? NULL : atoms->mask + begin; /* group all: fewer instructions */
+    for (int axis = 0; axis < env->box->dimension; ++axis)
+        hs_isa_motion(env->isa)->translate(&motion, n, group, fix->mask, atoms->f[axis] + begin, noise->number[axis],
+                                           atoms->x[axis] + begin, atoms->v[axis] + begin);
 }
 
 #define BROWNIAN_DETAILS                                                                                               \

@@ -23,21 +23,15 @@ static hs_status create(hs_fix *fix, const hs_args *args, hs_error *err)
 }
 
 /** Turn the dipoles of atoms [begin, begin + n) in the plane by turn * xi[i]. */
-static void rotate_2d(const hs_fix *fix, const hs_noise_set *functions, int begin, int n, const double *xi)
+static void rotate_2d(const hs_fix *fix, int begin, int n, const double *restrict xi)
 {
     const hs_atoms *atoms = fix->env->atoms;
     const double turn = ((brownian_state *)fix->state)->turn;
     const uint32_t mask = fix->mask, *restrict group = atoms->mask + begin;
-    double *restrict mu_x = atoms->mu[0] + begin, *restrict mu_y = atoms->mu[1] + begin;
-    double angle[HS_NOISE_BLOCK], sine[HS_NOISE_BLOCK], cosine[HS_NOISE_BLOCK];
+    double angle[HS_NOISE_BLOCK];
     for (int i = 0; i < n; ++i) angle[i] = turn * xi[i];
     for (int i = 0; i < n && fix->group != 0; ++i) angle[i] = group[i] & mask ? angle[i] : 0.0;
-    functions->sincos(angle, n, sine, cosine);
-    for (int i = 0; i < n; ++i) {
-        const double x = mu_x[i], y = mu_y[i];
-        mu_x[i] = cosine[i] * x - sine[i] * y;
-        mu_y[i] = sine[i] * x + cosine[i] * y;
-    }
+    hs_isa_motion(fix->env->isa)->rotate(n, angle, atoms->mu[0] + begin, atoms->mu[1] + begin);
 }
 
 /** Turn them in space about turn * (xi_0, xi_1, xi_2). */
@@ -78,7 +72,7 @@ static void move_block(const hs_fix *fix, const hs_noise_set *functions, int beg
     functions->fill(state->noise, state->kind, clock, 0, id, n, &noise);
     brownian_translate(fix, begin, n, &noise);
     if (fix->env->box->dimension == 2) {
-        rotate_2d(fix, functions, begin, n, noise.number[2]);
+        rotate_2d(fix, begin, n, noise.number[2]);
         return;
     }
     functions->fill(state->noise, state->kind, clock, 1, id, n, &noise);

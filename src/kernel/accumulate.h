@@ -94,6 +94,15 @@ HS_INLINE void hs_acc_scatter_add(double *f, const int32_t *j, hs_acc sum)
         memcpy(f + j[k], &value, sizeof value);
     }
 }
+HS_INLINE void hs_acc_scatter_subtract(double *f, const int32_t *j, hs_acc sum)
+{
+    for (int k = 0; k < HS_LANES; ++k) {
+        uint64_t value;
+        memcpy(&value, f + j[k], sizeof value);
+        value -= sum[k];
+        memcpy(f + j[k], &value, sizeof value);
+    }
+}
 /** Energy and virial of one call, in the wide integers of the result. */
 HS_INLINE void hs_acc_report(hs_kernel_output *out, hs_acc energy, const hs_acc virial[6], double length2)
 {
@@ -143,6 +152,7 @@ HS_INLINE void hs_acc_add_clusters(double *f, const hs_cluster_entry *entry, int
     hs_add_clusters(f, entry, sub, sum);
 }
 HS_INLINE void hs_acc_scatter_add(double *f, const int32_t *j, hs_acc sum) { hs_scatter_add(f, j, sum); }
+HS_INLINE void hs_acc_scatter_subtract(double *f, const int32_t *j, hs_acc sum) { hs_scatter_subtract(f, j, sum); }
 /** Energy and virial of one call; @p length2 is the square of the unit of length in the virial. */
 HS_INLINE void hs_acc_report(hs_kernel_output *out, hs_acc energy, const hs_acc virial[6], double length2)
 {

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "base/memory.h"
+#include "kernel/motion.h"
 #include "parallel/parallel.h"
 
 static int64_t n_blocks(int64_t n_atoms) { return (n_atoms + HS_FORCE_BLOCK - 1) >> HS_FORCE_BLOCK_BITS; }
@@ -406,14 +407,16 @@ void hs_force_job_set_grid(hs_force_job *job, hs_fixed_grid grid)
     job->input.magic_energy = ldexp(1.5, 52 + grid.energy);
 }
 
-void hs_force_settle(hs_atoms *atoms, int exponent)
+void hs_force_settle(hs_atoms *atoms, hs_isa isa, int exponent, bool is_flat)
 {
-    typedef int64_t __attribute__((may_alias)) integer;
     const double unit = ldexp(1.0, exponent);
-#pragma omp parallel
-    for (int axis = 0; axis < 3; ++axis) {
-        double *f = atoms->f[axis];
-#pragma omp for schedule(static) nowait
-        for (int i = 0; i < atoms->n_local; ++i) f[i] = (double)((const integer *)f)[i] * unit;
+    const hs_motion_settle settle = hs_isa_motion(isa)->settle;
+    const int n_axes = is_flat ? 2 : 3; /* an integer 0 is the number 0, too */
+    const int64_t n_atoms = atoms->n_local;
+#pragma omp parallel for schedule(static)
+    for (int64_t block = 0; block < n_blocks(n_atoms); ++block) {
+        const int64_t begin = block << HS_FORCE_BLOCK_BITS, left = n_atoms - begin;
+        for (int axis = 0; axis < n_axes; ++axis)
+            settle(atoms->f[axis] + begin, left < HS_FORCE_BLOCK ? left : HS_FORCE_BLOCK, unit);
     }
 }

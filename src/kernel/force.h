@@ -101,8 +101,9 @@ typedef struct hs_fixed_grid {
 int hs_fixed_exponent(double value, int bits);
 /** Set the job up for fixed point on that grid. */
 void hs_force_job_set_grid(struct hs_force_job *job, hs_fixed_grid grid);
-/** Turn the forces of the local atoms from multiples of 2^exponent into forces, after hs_halo_reverse. Threaded. */
-void hs_force_settle(hs_atoms *atoms, int exponent);
+/** Turn the forces of the local atoms from multiples of 2^exponent into forces, after hs_halo_reverse; is_flat: those along z are 0.
+ *  Threaded. */
+void hs_force_settle(hs_atoms *atoms, hs_isa isa, int exponent, bool is_flat);
 
 /** Make the block of atom i ready to be added to. The last block may reach into the arrays' padding. */
 static inline void hs_force_touch(hs_force_buffer *buffer, int64_t i, int64_t n_room)

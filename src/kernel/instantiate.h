@@ -43,12 +43,24 @@ HS_VERLET_KERNEL(verlet_force_by_type, false, true)
 HS_VERLET_KERNEL(verlet_energy, true, false)
 HS_VERLET_KERNEL(verlet_energy_by_type, true, true)
 
+#define HS_PAIRS_KERNEL(name, with_energy, by_type)                                                                    \
+    static void name(const hs_kernel_input *in, hs_kernel_output *out, int64_t n, const int32_t *i, const int32_t *j)  \
+    {                                                                                                                  \
+        pairs_loop(in, out, n, i, j, with_energy, by_type);                                                            \
+    }
+HS_PAIRS_KERNEL(pairs_force, false, false)
+HS_PAIRS_KERNEL(pairs_force_by_type, false, true)
+HS_PAIRS_KERNEL(pairs_energy, true, false)
+HS_PAIRS_KERNEL(pairs_energy_by_type, true, true)
+
 extern const hs_kernel_set HS_PASTE3(hs_kernels_, HS_EVALUATOR, HS_KERNEL_ISA);
 const hs_kernel_set HS_PASTE3(hs_kernels_, HS_EVALUATOR, HS_KERNEL_ISA) = {
     .group = HS_GROUP,
+    .lanes = HS_LANES,
     .cluster = {{{force, force_listed}, {force_by_type, force_by_type_listed}},
                 {{energy_, energy_listed}, {energy_by_type, energy_by_type_listed}}},
     .verlet = {{verlet_force, verlet_force_by_type}, {verlet_energy, verlet_energy_by_type}},
+    .pairs = {{pairs_force, pairs_force_by_type}, {pairs_energy, pairs_energy_by_type}},
 };
 
 #else

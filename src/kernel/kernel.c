@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "base/text.h"
+#include "kernel/motion.h"
 #include "kernel/noise_fill.h"
 #include "kernel/pair_histogram.h"
 
@@ -82,6 +83,10 @@ hs_status hs_isa_get(const char *name, hs_isa *isa, hs_error *err)
 hs_cluster_find hs_isa_find(hs_isa isa) { return FOR_ISA(isa, hs_cluster_find_); }
 
 const hs_noise_set *hs_isa_noise(hs_isa isa) { return FOR_ISA(isa, &hs_noise_set_); }
+
+const hs_motion_set *hs_isa_motion(hs_isa isa) { return FOR_ISA(isa, &hs_motion_set_); }
+
+hs_settle hs_isa_settle(hs_isa isa) { return FOR_ISA(isa, hs_settle_); }
 
 hs_histogram_kernel hs_isa_histogram(hs_isa isa) { return FOR_ISA(isa, hs_histogram_kernel_); }
 

@@ -4,6 +4,7 @@
 
 #include "base/error.h"
 #include "neighbor/cluster_search.h"
+#include "neighbor/settle.h"
 
 /** Instruction sets kernels are compiled for, from plain to wide. */
 typedef enum { HS_ISA_PORTABLE, HS_ISA_SSE2, HS_ISA_AVX2, HS_ISA_AVX512, HS_N_ISAS } hs_isa;
@@ -28,6 +29,8 @@ HS_MUST_USE hs_status hs_isa_get(const char *name, hs_isa *isa, hs_error *err);
 
 /** The search for cluster pairs compiled for that instruction set. */
 hs_cluster_find hs_isa_find(hs_isa isa);
+/** The pass over positions compiled for it. */
+hs_settle hs_isa_settle(hs_isa isa);
 
 /** Parameters of all type pairs as kernels read them. Row (i, j), both from 0 (0 is unused by types from 1 on), starts
  *  at values[(i * n_types + j) * stride]: two squared distances (0: the pair does not interact), then the evaluator's. */
@@ -51,6 +54,7 @@ enum { HS_FIXED_BITS = 50 };
 typedef struct hs_kernel_input {
     const double *x[3];        /**< positions, local and halo, in cluster order */
     const double *x_listed[3]; /**< positions when LAMMPS would have built its list; NULL unless `listed_only` */
+    bool is_flat;              /**< all z are 0: kernels may leave them, and the forces along them, alone */
     bool listed_only;          /**< count only pairs that were within their listed distance then */
     const int32_t *type;       /**< kernel types, local and halo */
     const double *radius;      /**< distance, local and halo; NULL unless an evaluator of the pair style needs it */
@@ -94,6 +98,11 @@ enum { HS_VERLET_PAD = 16 };
 typedef void (*hs_verlet_kernel)(const hs_kernel_input *in, hs_kernel_output *out, int begin, int end,
                                  const int64_t *start, const int32_t *neighbor);
 
+/** The same for n pairs (i[k], j[k]) of any atoms that the thread may write to. Up to HS_VERLET_PAD pairs beyond the last are read, and
+ *  zero is added to their forces. */
+typedef void (*hs_pairs_kernel)(const hs_kernel_input *in, hs_kernel_output *out, int64_t n, const int32_t *i,
+                                const int32_t *j);
+
 /** Keep, of n candidate entries of the i-cluster at `first`, the pairs within their listed distance at in->x; drop
  *  entries without any, order the rest so that consecutive ones use the same rows, and pad to a multiple of the kernel's group. Room for a
  *  multiple of the group is needed in entry (padded with valid entries) and for n in scratch. Returns the number left, and adds
@@ -113,8 +122,10 @@ hs_peak_loop hs_isa_peak(hs_isa isa);
  *  Lists must be padded to a multiple of `group` entries, with masks 0. */
 typedef struct hs_kernel_set {
     int group;
+    int lanes; /**< pairs of one vector */
     hs_cluster_kernel cluster[2][2][2];
     hs_verlet_kernel verlet[2][2]; /**< lists hold the listed pairs only: no third index */
+    hs_pairs_kernel pairs[2][2];
 } hs_kernel_set;
 
 /** A potential compiled for every instruction set; made by kernel/instantiate.h from the file of a pair style. */

@@ -29,6 +29,8 @@
  *
  *      hs_gather(x, origin, j)            hs_local of x[j[0]], x[j[1]], ...
  *      hs_scatter_add(f, j, a)            f[j[0]] += lane 0 of a, ...; an atom that occurs twice gets both
+ *      hs_scatter_subtract(f, j, a)       the same with -=
+ *      hs_gather_between(x, i, j)         x[j[0]] - x[i[0]], ..., rounded after the subtraction
  *      hs_first_lanes(n)                  mask of the lanes below n
  *
  *  and of general use:
@@ -89,11 +91,31 @@ static inline hs_vec hs_gather(const double *x, double origin, const int32_t *j)
     return a;
 }
 
+static inline hs_vec hs_gather_between(const double *x, const int32_t *i, const int32_t *j)
+{
+#ifdef HS_MIXED
+    hs_real lane[HS_LANES];
+    hs_vec a;
+    for (int k = 0; k < HS_LANES; ++k) lane[k] = hs_local(x[j[k]], x[i[k]]);
+    memcpy(&a, lane, sizeof a);
+    return a;
+#else
+    return hs_gather(x, 0.0, j) - hs_gather(x, 0.0, i);
+#endif
+}
+
 static inline void hs_scatter_add(double *f, const int32_t *j, hs_vec a)
 {
     hs_real lane[HS_LANES];
     memcpy(lane, &a, sizeof a);
     for (int k = 0; k < HS_LANES; ++k) f[j[k]] += lane[k];
+}
+
+static inline void hs_scatter_subtract(double *f, const int32_t *j, hs_vec a)
+{
+    hs_real lane[HS_LANES];
+    memcpy(lane, &a, sizeof a);
+    for (int k = 0; k < HS_LANES; ++k) f[j[k]] -= lane[k];
 }
 
 static inline hs_msk hs_first_lanes(int n)

@@ -6,13 +6,19 @@
 #include "base/memory.h"
 #include "parallel/parallel.h"
 
-enum { CLUSTERS_PER_CHUNK_MAX = 1024 };
+enum {
+    CLUSTERS_PER_CHUNK_MAX = 1024,
+    VECTORS_BETWEEN = 16, /* vectors whose pairs are mixed: see mix */
+    LANES_MAX = 16,
+};
 
 void hs_verlet_list_fini(hs_verlet_list *list)
 {
     for (int k = 0; k < list->n_chunks; ++k) {
         HS_FREE(list->chunk[k].start);
         HS_FREE(list->chunk[k].neighbor);
+        HS_FREE(list->chunk[k].rest.i);
+        HS_FREE(list->chunk[k].rest.j);
         HS_FREE(list->chunk[k].blocks.block);
     }
     HS_FREE(list->chunk);
@@ -38,6 +44,8 @@ static hs_status set_chunks(hs_verlet_list *list, const hs_cluster_part *local, 
     return HS_OK;
 }
 
+static int64_t n_pairs_of(const hs_verlet_chunk *chunk) { return chunk->n + chunk->rest.n; }
+
 /** Room for n_more neighbors and the padding. */
 static hs_status reserve_neighbors(hs_verlet_chunk *chunk, int64_t n_more, hs_error *err)
 {
@@ -48,9 +56,20 @@ static hs_status reserve_neighbors(hs_verlet_chunk *chunk, int64_t n_more, hs_er
     return HS_OK;
 }
 
+static hs_status reserve_pairs(hs_pair_list *pairs, int64_t n_more, hs_error *err)
+{
+    if (pairs->n + n_more <= pairs->capacity) return HS_OK;
+    const int64_t capacity = (pairs->n + n_more) * 5 / 4 + 256;
+    HS_TRY(HS_GROW(pairs->i, (size_t)pairs->n, (size_t)capacity + HS_VERLET_PAD, err));
+    HS_TRY(HS_GROW(pairs->j, (size_t)pairs->n, (size_t)capacity + HS_VERLET_PAD, err));
+    pairs->capacity = capacity;
+    return HS_OK;
+}
+
 static hs_status begin_chunk(hs_verlet_chunk *chunk, hs_error *err)
 {
     chunk->n = 0;
+    chunk->rest.n = 0;
     chunk->blocks.n = 0;
     if (chunk->n_atoms + 1 > chunk->capacity_start) {
         chunk->capacity_start = chunk->n_atoms + chunk->n_atoms / 8 + 4;
@@ -64,6 +83,21 @@ static const unsigned char packed[16][4] = {
     {0, 0, 0, 0}, {0, 0, 0, 0}, {1, 0, 0, 0}, {0, 1, 0, 0}, {2, 0, 0, 0}, {0, 2, 0, 0}, {1, 2, 0, 0}, {0, 1, 2, 0},
     {3, 0, 0, 0}, {0, 3, 0, 0}, {1, 3, 0, 0}, {0, 1, 3, 0}, {2, 3, 0, 0}, {0, 2, 3, 0}, {1, 2, 3, 0}, {0, 1, 2, 3},
 };
+
+/** Take the last neighbors of atom i, those beyond full vectors, over to the pairs. The list begins at neighbor[begin]. */
+static hs_status take_rest(hs_verlet_chunk *chunk, int64_t begin, int i, int lanes, hs_error *err)
+{
+    hs_pair_list *rest = &chunk->rest;
+    const int64_t n_rest = (chunk->n - begin) % lanes;
+    HS_TRY(reserve_pairs(rest, lanes, err));
+    for (int64_t k = 0; k < n_rest; ++k) {
+        rest->i[rest->n + k] = i;
+        rest->j[rest->n + k] = chunk->neighbor[chunk->n - n_rest + k];
+    }
+    rest->n += n_rest;
+    chunk->n -= n_rest;
+    return HS_OK;
+}
 
 /** Append the j-atoms of one row (i-atom) of refined entries. */
 static hs_status append_row(hs_verlet_chunk *chunk, const hs_entry_list *entries, int row, hs_error *err)
@@ -83,8 +117,9 @@ static hs_status append_row(hs_verlet_chunk *chunk, const hs_entry_list *entries
 
 /** List the neighbors of the atoms of one cluster. */
 static hs_status list_cluster(hs_verlet_chunk *chunk, hs_force_buffer *buffer, const hs_force_job *job, int ci,
-                              int column, int group, hs_error *err)
+                              int column, hs_error *err)
 {
+    const hs_kernel_set *set = job->evaluator->set[job->isa][job->precision];
     hs_entry_list *found = &buffer->entries;
     const hs_cluster_part *local = &job->clusters->local;
     const int first = local->entry[ci].first;
@@ -92,15 +127,17 @@ static hs_status list_cluster(hs_verlet_chunk *chunk, hs_force_buffer *buffer, c
     HS_TRY(hs_isa_find(job->isa)(&buffer->search, ci, column, found, err));
     const int n_found = found->n;
     if (n_found > 0) {
-        HS_TRY(hs_entry_list_pad(found, 0, group, first, err));
+        HS_TRY(hs_entry_list_pad(found, 0, set->group, first, err));
         HS_TRY(hs_entry_list_reserve(found, n_found, err));
         int64_t n_pairs = 0; /* counted by the lists, below */
-        found->n = hs_isa_refine(job->isa)(&job->input, first, found->entry, n_found, group, found->entry + found->n,
-                                           &n_pairs);
+        found->n = hs_isa_refine(job->isa)(&job->input, first, found->entry, n_found, set->group,
+                                           found->entry + found->n, &n_pairs);
     }
     for (int row = 0; row < local->size[ci]; ++row) {
-        chunk->start[first + row - chunk->first] = chunk->n;
+        const int64_t begin = chunk->n;
+        chunk->start[first + row - chunk->first] = begin;
         HS_TRY(append_row(chunk, found, row, err));
+        HS_TRY(take_rest(chunk, begin, first + row, set->lanes, err));
     }
     return HS_OK;
 }
@@ -113,23 +150,42 @@ static hs_status note_blocks(hs_verlet_chunk *chunk, unsigned char *touched, int
     for (int i = 0; i < chunk->n_atoms; i += HS_FORCE_BLOCK) touched[(chunk->first + i) >> HS_FORCE_BLOCK_BITS] = 1;
     touched[(chunk->first + chunk->n_atoms - 1) >> HS_FORCE_BLOCK_BITS] = 1;
     for (int64_t k = 0; k < chunk->n; ++k) touched[chunk->neighbor[k] >> HS_FORCE_BLOCK_BITS] = 1;
+    for (int64_t k = 0; k < chunk->rest.n; ++k) touched[chunk->rest.j[k] >> HS_FORCE_BLOCK_BITS] = 1;
     return hs_block_list_set(&chunk->blocks, touched, n_blocks, err);
+}
+
+/** Neighbors of one atom follow one another; a vector of such pairs would add to one force again and again, each time waiting for the
+ *  last sum (half the kernel's time). So blocks of pairs are transposed: each lane gets a run of them. */
+static void mix(int32_t *of_pairs, int64_t n, int lanes)
+{
+    int32_t block[VECTORS_BETWEEN * LANES_MAX];
+    for (int64_t begin = 0; begin < n; begin += VECTORS_BETWEEN * lanes) {
+        const int64_t left = n - begin, vectors = left / lanes < VECTORS_BETWEEN ? left / lanes : VECTORS_BETWEEN;
+        memcpy(block, of_pairs + begin, (size_t)(vectors * lanes) * sizeof *block);
+        for (int64_t v = 0; v < vectors; ++v)
+            for (int lane = 0; lane < lanes; ++lane) of_pairs[begin + v * lanes + lane] = block[lane * vectors + v];
+    }
 }
 
 static hs_status build_chunk(hs_verlet_chunk *chunk, hs_force_buffer *buffer, const hs_force_job *job, hs_error *err)
 {
     const hs_atoms *atoms = job->atoms;
-    const int group = job->evaluator->set[job->isa][job->precision]->group;
     HS_TRY(begin_chunk(chunk, err));
     if (chunk->begin == chunk->end) return HS_OK;
     int column = hs_clusters_column(job->clusters, job->cells, chunk->begin);
     for (int ci = chunk->begin; ci < chunk->end; ++ci) {
         while (job->clusters->local.column_begin[column + 1] <= ci) ++column;
-        HS_TRY(list_cluster(chunk, buffer, job, ci, column, group, err));
+        HS_TRY(list_cluster(chunk, buffer, job, ci, column, err));
     }
     chunk->start[chunk->n_atoms] = chunk->n;
-    if (chunk->n == 0) return HS_OK;
-    for (int k = 0; k < HS_VERLET_PAD; ++k) chunk->neighbor[chunk->n + k] = chunk->first;
+    if (n_pairs_of(chunk) == 0) return HS_OK;
+    const int lanes = job->evaluator->set[job->isa][job->precision]->lanes;
+    mix(chunk->rest.i, chunk->rest.n, lanes);
+    mix(chunk->rest.j, chunk->rest.n, lanes);
+    for (int k = 0; k < HS_VERLET_PAD; ++k) {
+        chunk->neighbor[chunk->n + k] = chunk->first;
+        chunk->rest.i[chunk->rest.n + k] = chunk->rest.j[chunk->rest.n + k] = chunk->first;
+    }
     const int64_t n_atoms = (int64_t)atoms->n_local + atoms->n_halo;
     return note_blocks(chunk, buffer->touched, (n_atoms + HS_FORCE_BLOCK - 1) >> HS_FORCE_BLOCK_BITS, err);
 }
@@ -161,26 +217,31 @@ hs_status hs_verlet_list_build(hs_verlet_list *list, hs_force_space *space, cons
 int64_t hs_verlet_list_n_pairs(const hs_verlet_list *list)
 {
     int64_t n = 0;
-    for (int k = 0; k < list->n_chunks; ++k) n += list->chunk[k].n;
+    for (int k = 0; k < list->n_chunks; ++k) n += n_pairs_of(&list->chunk[k]);
     return n;
 }
 
-static int64_t weight(const void *list, int chunk) { return ((const hs_verlet_list *)list)->chunk[chunk].n; }
+static int64_t weight(const void *list, int chunk) { return n_pairs_of(&((const hs_verlet_list *)list)->chunk[chunk]); }
 
 static hs_status work_verlet(hs_force_space *space, const hs_force_job *job, hs_force_stage stage, int thread)
 {
     (void)stage;
     hs_force_buffer *buffer = &space->buffer[thread];
     const hs_verlet_list *list = job->verlet;
-    const hs_verlet_kernel kernel =
-        job->evaluator->set[job->isa][job->precision]->verlet[job->with_energy][!job->input.table->is_uniform];
+    const hs_kernel_set *set = job->evaluator->set[job->isa][job->precision];
+    const bool by_type = !job->input.table->is_uniform;
+    const hs_verlet_kernel kernel = set->verlet[job->with_energy][by_type];
+    const hs_pairs_kernel pairs_kernel = set->pairs[job->with_energy][by_type];
     int begin, end;
     hs_list_share(list, weight, list->n_chunks, thread, space->n_threads, &begin, &end);
     for (int k = begin; k < end; ++k) {
         const hs_verlet_chunk *chunk = &list->chunk[k];
-        if (chunk->n == 0) continue;
+        if (n_pairs_of(chunk) == 0) continue;
         hs_block_list_touch(&chunk->blocks, buffer, job);
-        kernel(&job->input, &buffer->out, chunk->first, chunk->first + chunk->n_atoms, chunk->start, chunk->neighbor);
+        if (chunk->n > 0)
+            kernel(&job->input, &buffer->out, chunk->first, chunk->first + chunk->n_atoms, chunk->start,
+                   chunk->neighbor);
+        pairs_kernel(&job->input, &buffer->out, chunk->rest.n, chunk->rest.i, chunk->rest.j);
     }
     return HS_OK;
 }

@@ -4,14 +4,22 @@
 
 #include "kernel/list_chunks.h"
 
+/** Pairs (i[k], j[k]). */
+typedef struct hs_pair_list {
+    int32_t *i, *j; /**< owned [n + HS_VERLET_PAD] each */
+    int64_t n, capacity;
+} hs_pair_list;
+
 /** Lists of the atoms of one chunk. */
 typedef struct hs_verlet_chunk {
     int begin, end;     /**< local clusters */
     int first, n_atoms; /**< their atoms, which follow one another */
     int64_t *start;     /**< owned [n_atoms + 1]: first neighbor of each atom */
     int64_t capacity_start;
-    int32_t *neighbor; /**< owned [n + HS_VERLET_PAD]: j-atoms, local and halo; no two of one list are the same */
+    /** owned [n + HS_VERLET_PAD]: j-atoms, local and halo; of each i-atom as many as fill vectors */
+    int32_t *neighbor;
     int64_t n, capacity;
+    hs_pair_list rest;    /**< the other pairs */
     hs_block_list blocks; /**< of atoms that the chunk's forces act on */
     hs_error error;
 } hs_verlet_chunk;

@@ -1,4 +1,4 @@
-/** The loop of method `verlet`: each i-atom against its own list of j-atoms, HS_LANES of them at a time.
+/** The loops of method `verlet`: each i-atom against its own list of j-atoms, HS_LANES of them at a time; and lists of pairs.
  *
  *  Included by kernel/instantiate.h after kernel/cluster_loop.h. The two bools are constants where it is called, so the
  *  compiler makes a kernel of its own for each combination. */
@@ -10,6 +10,9 @@ typedef struct verlet_sums {
     hs_vec peak_force, peak_energy; /**< fixed point: the largest force/r and energy */
     int n_terms;                    /**< vectors met */
 } verlet_sums;
+
+/** Pairs after which energies are passed on: so many that sums of terms of HS_FIXED_BITS bits fit 63. */
+enum { PAIRS_MAX = 1 << (63 - HS_FIXED_BITS - 1) };
 
 /** What stays the same over the list of one i-atom. */
 typedef struct verlet_atom {
@@ -29,6 +32,29 @@ HS_INLINE void verlet_params(const hs_kernel_input *in, const verlet_atom *atom,
     for (int k = 0; k < stride; ++k) params[k] = hs_gather(atom->row_table + k, 0.0, row);
 }
 
+/** What the pairs of one vector, d from i to j, exert on their j-atoms: terms of the forces, to be settled; energy and virial go
+ *  to the sums. Pairs beyond their cutoff, or outside of @p counts, exert nothing. */
+HS_INLINE void vector_terms(const hs_vec *params, const hs_vec d[3], const hs_msk *counts, hs_magic magic_force,
+                            hs_magic magic_energy, verlet_sums *sums, hs_acc term[3], const bool with_energy)
+{
+    const int stride = HS_TABLE_PARAMS + N_PARAMS;
+    const hs_vec r2 = hs_fma(d[2], d[2], hs_fma(d[1], d[1], d[0] * d[0]));
+    hs_msk mask = hs_less(r2, params[HS_TABLE_CUT_R2]);
+    if (HS_HAS_RADII) mask = hs_mask_and(mask, hs_less(r2, params[stride] * params[stride]));
+    if (counts != NULL) mask = hs_mask_and(mask, *counts);
+    hs_vec force_over_r, energy = hs_set1(0.0);
+    evaluate(params + HS_TABLE_PARAMS, r2, &force_over_r, &energy, with_energy);
+    force_over_r = hs_keep(mask, force_over_r);
+    hs_acc_note_peak(&sums->peak_force, force_over_r);
+    for (int axis = 0; axis < 3; ++axis) term[axis] = hs_acc_term(force_over_r, d[axis], magic_force);
+    ++sums->n_terms;
+    if (!with_energy) return;
+    energy = hs_keep(mask, energy);
+    hs_acc_note_peak(&sums->peak_energy, energy);
+    hs_acc_add(&sums->energy, energy, magic_energy);
+    add_virial(sums->virial, force_over_r, d[0], d[1], d[2], magic_energy);
+}
+
 /** One vector of j-atoms, of which the first n count; is_full: all do. */
 HS_INLINE void verlet_vector(const hs_kernel_input *in, hs_kernel_output *out, const verlet_atom *atom,
                              const int32_t *j, int n, const hs_vec *only, verlet_sums *sums, const bool is_full,
@@ -39,31 +65,17 @@ HS_INLINE void verlet_vector(const hs_kernel_input *in, hs_kernel_output *out, c
     for (int k = 0; k < stride && !by_type; ++k) params[k] = only[k];
     if (HS_HAS_RADII) params[stride] = hs_gather(in->radius, 0.0, j) + atom->radius;
     if (by_type) verlet_params(in, atom, j, params);
-    const hs_vec dx = hs_gather(in->x[0], atom->x[0], j) - atom->x_local[0];
-    const hs_vec dy = hs_gather(in->x[1], atom->x[1], j) - atom->x_local[1];
-    const hs_vec dz = hs_gather(in->x[2], atom->x[2], j) - atom->x_local[2];
-    const hs_vec r2 = hs_fma(dz, dz, hs_fma(dy, dy, dx * dx));
-    hs_msk near = hs_less(r2, params[HS_TABLE_CUT_R2]);
-    if (HS_HAS_RADII) near = hs_mask_and(near, hs_less(r2, params[stride] * params[stride]));
-    const hs_msk mask = is_full ? near : hs_mask_and(hs_first_lanes(n), near);
-    hs_vec force_over_r, energy = hs_set1(0.0);
-    evaluate(params + HS_TABLE_PARAMS, r2, &force_over_r, &energy, with_energy);
-    force_over_r = hs_keep(mask, force_over_r);
-    hs_acc_note_peak(&sums->peak_force, force_over_r);
-    const hs_magic magic = atom->magic_force;
-    hs_acc term[3] = {hs_acc_term(force_over_r, dx, magic), hs_acc_term(force_over_r, dy, magic),
-                      hs_acc_term(force_over_r, dz, magic)};
-    ++sums->n_terms;
-    for (int axis = 0; axis < 3; ++axis) {
+    const int n_axes = in->is_flat ? 2 : 3;
+    hs_vec d[3] = {hs_gather(in->x[0], atom->x[0], j) - atom->x_local[0],
+                   hs_gather(in->x[1], atom->x[1], j) - atom->x_local[1], hs_set1(0.0)};
+    if (n_axes == 3) d[2] = hs_gather(in->x[2], atom->x[2], j) - atom->x_local[2];
+    const hs_msk counts = hs_first_lanes(n);
+    hs_acc term[3];
+    vector_terms(params, d, is_full ? NULL : &counts, atom->magic_force, atom->magic_energy, sums, term, with_energy);
+    for (int axis = 0; axis < n_axes; ++axis) {
         sums->f[axis] += term[axis];
-        hs_acc_settle(&term[axis], 1, magic);
+        hs_acc_settle(&term[axis], 1, atom->magic_force);
         hs_acc_scatter_add(out->f[axis], j, term[axis]);
-    }
-    if (with_energy) {
-        energy = hs_keep(mask, energy);
-        hs_acc_note_peak(&sums->peak_energy, energy);
-        hs_acc_add(&sums->energy, energy, atom->magic_energy);
-        add_virial(sums->virial, force_over_r, dx, dy, dz, atom->magic_energy);
     }
 }
 
@@ -78,20 +90,26 @@ HS_INLINE void begin_atom(verlet_sums *sums, const bool with_energy)
     sums->peak_energy = hs_set1(0.0);
 }
 
+/** Add energy, virial and the largest terms to the output. */
+HS_INLINE void report_sums(hs_kernel_output *out, hs_magic magic_energy, verlet_sums *sums, const bool with_energy)
+{
+    hs_acc_report_peak(&out->peak_force, sums->peak_force);
+    if (!with_energy) return;
+    hs_acc_settle(&sums->energy, sums->n_terms, magic_energy);
+    for (int k = 0; k < 6; ++k) hs_acc_settle(&sums->virial[k], sums->n_terms, magic_energy);
+    hs_acc_report(out, sums->energy, sums->virial, 1.0);
+    hs_acc_report_peak(&out->peak_energy, sums->peak_energy);
+}
+
 /** Add what one i-atom has met to the output. */
-HS_INLINE void finish_atom(hs_kernel_output *out, int i, const verlet_atom *atom, verlet_sums *sums,
+HS_INLINE void finish_atom(hs_kernel_output *out, int i, int n_axes, const verlet_atom *atom, verlet_sums *sums,
                            const bool with_energy)
 {
-    for (int axis = 0; axis < 3; ++axis) {
+    for (int axis = 0; axis < n_axes; ++axis) {
         hs_acc_settle(&sums->f[axis], sums->n_terms, atom->magic_force);
         hs_acc_subtract_from(out->f[axis], i, sums->f[axis]);
     }
-    hs_acc_report_peak(&out->peak_force, sums->peak_force);
-    if (!with_energy) return;
-    hs_acc_settle(&sums->energy, sums->n_terms, atom->magic_energy);
-    for (int k = 0; k < 6; ++k) hs_acc_settle(&sums->virial[k], sums->n_terms, atom->magic_energy);
-    hs_acc_report(out, sums->energy, sums->virial, 1.0);
-    hs_acc_report_peak(&out->peak_energy, sums->peak_energy);
+    report_sums(out, atom->magic_energy, sums, with_energy);
 }
 
 HS_INLINE void verlet_loop(const hs_kernel_input *in, hs_kernel_output *out, int begin, int end, const int64_t *start,
@@ -118,6 +136,63 @@ HS_INLINE void verlet_loop(const hs_kernel_input *in, hs_kernel_output *out, int
             verlet_vector(in, out, &atom, list + at, HS_LANES, only, &sums, true, with_energy, by_type);
         if (at < stop)
             verlet_vector(in, out, &atom, list + at, (int)(stop - at), only, &sums, false, with_energy, by_type);
-        finish_atom(out, i, &atom, &sums, with_energy);
+        finish_atom(out, i, in->is_flat ? 2 : 3, &atom, &sums, with_energy);
+    }
+}
+
+/** The parameters of the pairs (i, j) of one vector. */
+HS_INLINE void pair_params(const hs_kernel_input *in, const int32_t *i, const int32_t *j, hs_vec *params)
+{
+    const int stride = HS_TABLE_PARAMS + N_PARAMS;
+    int32_t row[HS_LANES];
+    for (int k = 0; k < HS_LANES; ++k) row[k] = stride * (in->type[i[k]] * in->table->n_types + in->type[j[k]]);
+    for (int k = 0; k < stride; ++k) params[k] = hs_gather(in->table->values + k, 0.0, row);
+}
+
+/** One vector of pairs (i, j), of which the first n count; is_full: all do. */
+HS_INLINE void pairs_vector(const hs_kernel_input *in, hs_kernel_output *out, const int32_t *i, const int32_t *j, int n,
+                            hs_vec *params, hs_magic magic_force, hs_magic magic_energy, verlet_sums *sums,
+                            const bool is_full, const bool with_energy, const bool by_type)
+{
+    const int n_axes = in->is_flat ? 2 : 3;
+    if (by_type) pair_params(in, i, j, params);
+    if (HS_HAS_RADII)
+        params[HS_TABLE_PARAMS + N_PARAMS] = hs_gather(in->radius, 0.0, i) + hs_gather(in->radius, 0.0, j);
+    hs_vec d[3] = {hs_gather_between(in->x[0], i, j), hs_gather_between(in->x[1], i, j), hs_set1(0.0)};
+    if (n_axes == 3) d[2] = hs_gather_between(in->x[2], i, j);
+    const hs_msk counts = hs_first_lanes(n);
+    hs_acc term[3];
+    vector_terms(params, d, is_full ? NULL : &counts, magic_force, magic_energy, sums, term, with_energy);
+    for (int axis = 0; axis < n_axes; ++axis) {
+        hs_acc_settle(&term[axis], 1, magic_force);
+        hs_acc_scatter_subtract(out->f[axis], i, term[axis]);
+        hs_acc_scatter_add(out->f[axis], j, term[axis]);
+    }
+}
+
+/** Pairs one by one, whatever their atoms: what is left of the lists when the full vectors of each i-atom are taken, and all of short
+ *  lists, for which a vector of their own would be mostly empty. */
+HS_INLINE void pairs_loop(const hs_kernel_input *in, hs_kernel_output *out, int64_t n, const int32_t *i,
+                          const int32_t *j, const bool with_energy, const bool by_type)
+{
+    const hs_pair_table *table = in->table;
+    const int stride = HS_TABLE_PARAMS + N_PARAMS;
+    const hs_magic magic_force = hs_magic_of(in->magic_force), magic_energy = hs_magic_of(in->magic_energy);
+    hs_vec params[HS_TABLE_PARAMS + N_PARAMS + HS_HAS_RADII];
+    for (int k = 0; k < stride && !by_type; ++k)
+        params[k] = hs_set1(table->values[(size_t)(table->n_types + 1) * (size_t)stride + (size_t)k]);
+    for (int64_t at = 0; at < n;) {
+        /* sums are passed on before they can leave their 64 bits */
+        const int64_t left = n - at, stop = left > PAIRS_MAX ? at + PAIRS_MAX : n;
+        verlet_sums sums;
+        begin_atom(&sums, with_energy);
+        for (; stop - at >= HS_LANES; at += HS_LANES)
+            pairs_vector(in, out, i + at, j + at, HS_LANES, params, magic_force, magic_energy, &sums, true, with_energy,
+                         by_type);
+        if (at < stop)
+            pairs_vector(in, out, i + at, j + at, (int)(stop - at), params, magic_force, magic_energy, &sums, false,
+                         with_energy, by_type);
+        at = stop;
+        report_sums(out, magic_energy, &sums, with_energy);
     }
 }

@@ -58,30 +58,28 @@ void hs_neighbor_continue(hs_neighbor *neighbor)
     neighbor->counters.first_late_step = -1;
 }
 
-/** Round the positions to their grid. */
-static void round_positions(hs_atoms *atoms, double magic)
-{
-#pragma omp parallel
-    for (int axis = 0; axis < 3; ++axis) {
-        double *x = atoms->x[axis];
-#pragma omp for schedule(static) nowait
-        for (int i = 0; i < atoms->n_local; ++i) x[i] = (x[i] + magic) - magic;
-    }
-}
+enum { SETTLE_BLOCK = 4096 };
 
-double hs_neighbor_settle(const hs_neighbor *neighbor, hs_atoms *atoms, double magic)
+hs_displacements hs_neighbor_settle(const hs_neighbor *neighbor, hs_atoms *atoms, double magic, bool is_2d,
+                                    hs_settle settle)
 {
-    double largest = 0.0, bad = 0.0;
-    if (magic != 0.0) round_positions(atoms, magic);
-#pragma omp parallel for simd schedule(static) reduction(max : largest) reduction(+ : bad)
-    for (int i = 0; i < atoms->n_local; ++i) {
-        const double dx = atoms->x[0][i] - neighbor->x_listed[0][i], dy = atoms->x[1][i] - neighbor->x_listed[1][i],
-                     dz = atoms->x[2][i] - neighbor->x_listed[2][i];
-        const double d2 = dx * dx + dy * dy + dz * dz;
-        largest = d2 > largest ? d2 : largest; /* not when d2 is no number ... */
-        bad += d2 - d2;                        /* ... which is remembered here */
+    hs_settle_input in = {.magic = magic, .is_flat = is_2d && neighbor->was_flat};
+    for (int axis = 0; axis < 3; ++axis) {
+        in.x[axis] = atoms->x[axis];
+        in.listed[axis] = neighbor->x_listed[axis];
     }
-    return bad == 0.0 ? largest : INFINITY;
+    uint64_t displacement2 = 0, z = 0;
+#pragma omp parallel for schedule(static) reduction(max : displacement2) reduction(| : z)
+    for (int begin = 0; begin < atoms->n_local; begin += SETTLE_BLOCK) {
+        const int left = atoms->n_local - begin;
+        hs_settle_result result = {displacement2, z};
+        settle(&in, begin, begin + (left < SETTLE_BLOCK ? left : SETTLE_BLOCK), &result);
+        displacement2 = result.displacement2;
+        z = result.z;
+    }
+    double largest2;
+    memcpy(&largest2, &displacement2, sizeof largest2);
+    return (hs_displacements){.largest2 = largest2 < INFINITY ? largest2 : INFINITY, .has_z = !in.is_flat || z != 0};
 }
 
 static hs_status report_bad_position(const hs_atoms *atoms, int64_t step, hs_error *err)
@@ -111,15 +109,17 @@ static double room_to_move(const hs_neighbor *neighbor, const hs_box *box)
     return fmax(0.0, 0.5 * (neighbor->settings.skin - (sqrt(lo2) + sqrt(hi2))));
 }
 
-hs_status hs_neighbor_is_due(hs_neighbor *neighbor, const hs_atoms *atoms, const hs_box *box, double displacement2,
-                             const hs_parallel *parallel, int64_t step, bool *is_due, bool *stop, hs_error *err)
+hs_status hs_neighbor_is_due(hs_neighbor *neighbor, const hs_atoms *atoms, const hs_box *box,
+                             const hs_displacements *moved, const hs_parallel *parallel, int64_t step, bool *is_due,
+                             bool *stop, hs_error *err)
 {
     const hs_neighbor_settings *settings = &neighbor->settings;
-    if (displacement2 == INFINITY) (void)report_bad_position(atoms, step, err);
-    double most[3] = {displacement2, err->status != HS_OK, *stop};
-    hs_parallel_max_double(parallel, most, 3);
+    if (moved->largest2 == INFINITY) (void)report_bad_position(atoms, step, err);
+    double most[4] = {moved->largest2, err->status != HS_OK, *stop, moved->has_z};
+    hs_parallel_max_double(parallel, most, 4);
     if (most[1] > 0.0) HS_TRY(hs_parallel_agree(parallel, err));
     *stop = most[2] > 0.0;
+    neighbor->is_flat = most[3] == 0.0;
 
     const double room = room_to_move(neighbor, box);
     const bool has_moved = most[0] > room * room;
@@ -147,6 +147,9 @@ void hs_neighbor_list_now(hs_neighbor *neighbor, const hs_atoms *atoms)
 {
     for (int axis = 0; axis < 3; ++axis)
         memcpy(neighbor->x_listed[axis], atoms->x[axis], (size_t)atoms->n_local * sizeof(double));
+    neighbor->was_flat = true;
+    for (int i = 0; i < atoms->n_local && neighbor->was_flat; ++i) neighbor->was_flat = atoms->x[2][i] == 0.0;
+    neighbor->is_flat = false; /* until the ranks agree on it, at the next step */
     neighbor->ago = 0;
     neighbor->is_late = false;
 }

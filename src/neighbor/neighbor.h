@@ -13,6 +13,7 @@
 #include "core/box.h"
 #include "neighbor/chains.h"
 #include "neighbor/clusters.h"
+#include "neighbor/settle.h"
 #include "parallel/parallel.h"
 
 /** `neigh_modify exclude`: pairs that do not interact. */
@@ -68,6 +69,8 @@ typedef struct hs_neighbor {
     int64_t ago;         /**< steps since the last scheduled build */
     double *x_listed[3]; /**< atom field: positions at the last scheduled build, in the images of x; with halo */
     double lo_listed[3], hi_listed[3]; /**< the box at the last scheduled build */
+    bool was_flat;                     /**< all z of this rank were 0 at the last scheduled build */
+    bool is_flat; /**< in two dimensions: they were, and are, on all ranks, so that z may be left alone */
     bool is_late; /**< an atom is more than half the skin from x_listed: pairs may be missing from the list */
     hs_cells cells;
     hs_clusters clusters;
@@ -85,16 +88,23 @@ HS_MUST_USE hs_status hs_neighbor_set_method(hs_neighbor *neighbor, const char *
 void hs_neighbor_start(hs_neighbor *neighbor);
 /** Start of a run without set-up: schedule, lists and counters of builds go on, as in LAMMPS; late steps are counted anew. */
 void hs_neighbor_continue(hs_neighbor *neighbor);
-/** Once per step after the drift: round the positions to their grid, if there is one (@p position_magic, see hs_env). Returns the
- *  largest squared displacement from the listed positions; infinite when a coordinate is not a number. Not collective. */
-double hs_neighbor_settle(const hs_neighbor *neighbor, hs_atoms *atoms, double position_magic);
-/** Then (collective), with what this rank has measured: bring is_late up to date (in a box that changes, the displacements
+/** How far this rank's atoms have moved from their listed positions. */
+typedef struct hs_displacements {
+    double largest2; /**< the largest squared distance; infinite when a coordinate is not a number */
+    bool has_z;      /**< some z is not 0, or is not known to have been when lists were made */
+} hs_displacements;
+
+/** Once per step after the drift: round the positions to their grid, if there is one (@p magic, see hs_env), and measure how far atoms have
+ *  moved, with the pass made for the machine's instruction set. Not collective. */
+hs_displacements hs_neighbor_settle(const hs_neighbor *neighbor, hs_atoms *atoms, double magic, bool is_2d,
+                                    hs_settle settle);
+/** Then (collective), with what this rank has measured: bring is_late and is_flat up to date (in a box that changes, the displacements
  *  of its corners count, too), and tell whether lists are due: by LAMMPS's
  *  schedule, or with `pairs exact` when an atom has moved more than half the skin. An error when a position is not a number, or
  *  when a rank holds one in @p err already. Also agrees on *stop: whether this rank was asked to stop becomes whether any was. */
 HS_MUST_USE hs_status hs_neighbor_is_due(hs_neighbor *neighbor, const hs_atoms *atoms, const hs_box *box,
-                                         double displacement2, const hs_parallel *parallel, int64_t step, bool *is_due,
-                                         bool *stop, hs_error *err);
+                                         const hs_displacements *moved, const hs_parallel *parallel, int64_t step,
+                                         bool *is_due, bool *stop, hs_error *err);
 /** A scheduled build happens now: remember the positions. */
 void hs_neighbor_list_now(hs_neighbor *neighbor, const hs_atoms *atoms);
 

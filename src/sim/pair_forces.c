@@ -29,6 +29,7 @@ hs_force_job hs_sim_make_job(hs_sim *sim, bool with_energy)
                         .is_remote = sim->halo.is_remote};
     job.input = (hs_kernel_input){.x = {atoms->x[0], atoms->x[1], atoms->x[2]},
                                   .x_listed = {neighbor->x_listed[0], neighbor->x_listed[1], neighbor->x_listed[2]},
+                                  .is_flat = neighbor->is_flat,
                                   .listed_only = neighbor->is_late && !neighbor->settings.exact,
                                   .radius = hs_pair_has_radii(sim->pair, false) ? atoms->radius : NULL,
                                   .listed_by_radius = hs_pair_has_radii(sim->pair, true),
@@ -145,7 +146,7 @@ static hs_status evaluate(hs_sim *sim, bool with_energy, hs_force_result *result
     hs_timer_add(&sim->timer, HS_PHASE_PAIR);
     take_halo_forces(sim, is_fixed);
     if (!is_fixed) return HS_OK;
-    hs_force_settle(&sim->atoms, sim->grid.force);
+    hs_force_settle(&sim->atoms, sim->isa, sim->grid.force, sim->neighbor.is_flat);
     hs_timer_add(&sim->timer, HS_PHASE_PAIR);
     return HS_OK;
 }

@@ -25,10 +25,11 @@ static hs_status bring_neighbors_up_to_date(hs_sim *sim, hs_error *err)
 {
     bool is_due;
     sim->is_stopping = hs_sim_is_asked_to_stop(sim);
-    const double displacement2 = hs_neighbor_settle(&sim->neighbor, &sim->atoms, sim->env.position_magic);
+    const hs_displacements moved = hs_neighbor_settle(&sim->neighbor, &sim->atoms, sim->env.position_magic,
+                                                      sim->box.dimension == 2, hs_isa_settle(sim->isa));
     hs_timer_add(&sim->timer, HS_PHASE_NEIGH);
-    HS_TRY(hs_neighbor_is_due(&sim->neighbor, &sim->atoms, &sim->box, displacement2, &sim->parallel, sim->env.step,
-                              &is_due, &sim->is_stopping, err));
+    HS_TRY(hs_neighbor_is_due(&sim->neighbor, &sim->atoms, &sim->box, &moved, &sim->parallel, sim->env.step, &is_due,
+                              &sim->is_stopping, err));
     hs_timer_add_comm(&sim->timer, HS_COMM_AGREE);
     is_due = is_due || is_wanted(sim);
     if (is_due) {

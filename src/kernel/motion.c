@@ -1,0 +1,57 @@
+/* Motion of atoms without inertia, and forces out of fixed point; compiled for every instruction set. */
+#include "kernel/motion.h"
+
+#include "core/noise_formulas.h"
+
+static inline __attribute__((always_inline)) void move(const hs_overdamped *motion, int n,
+                                                       const uint32_t *restrict group, uint32_t mask,
+                                                       const double *restrict f, const double *restrict noise,
+                                                       double *restrict x, double *restrict v, const bool is_all)
+{
+    const double drift = motion->drift, kick = motion->kick, dt = motion->dt, magic = motion->magic;
+    for (int i = 0; i < n; ++i) {
+        const bool is_moved = is_all || (group[i] & mask) != 0;
+        const double v_new = drift * f[i] + kick * noise[i];
+        const double x_new = x[i] + ((dt * v_new + magic) - magic); /* as hs_moved */
+        v[i] = is_moved ? v_new : v[i];
+        x[i] = is_moved ? x_new : x[i];
+    }
+}
+
+static void translate(const hs_overdamped *motion, int n, const uint32_t *group, uint32_t mask, const double *f,
+                      const double *noise, double *x, double *v)
+{
+    if (group == NULL)
+        move(motion, n, group, mask, f, noise, x, v, true);
+    else
+        move(motion, n, group, mask, f, noise, x, v, false);
+}
+
+static void rotate(int n, const double *restrict angle, double *restrict x, double *restrict y)
+{
+    for (int i = 0; i < n; ++i) {
+        const double a = x[i], b = y[i];
+        double sine, cosine;
+        hs_sincos(angle[i], &sine, &cosine);
+        x[i] = cosine * a - sine * b;
+        y[i] = sine * a + cosine * b;
+    }
+}
+
+/** Not every set can convert 64-bit integers: two halves, each exact, are added with one rounding, as a conversion would. */
+static void settle(double *f, int64_t n, double unit)
+{
+    for (int64_t i = 0; i < n; ++i) {
+        const uint64_t shifted = hs_bits_of(f[i]) ^ UINT64_C(1) << 63; /* the integer plus 2^63 */
+        const double high = (hs_whole_number(shifted >> 32) - 0x1p31) * 0x1p32;
+        f[i] = (high + hs_whole_number(shifted & UINT64_C(0xffffffff))) * unit;
+    }
+}
+
+#define PASTE_(a, b) a##b
+#define PASTE(a, b)  PASTE_(a, b)
+const hs_motion_set PASTE(hs_motion_set_, HS_KERNEL_ISA) = {
+    .translate = translate,
+    .rotate = rotate,
+    .settle = settle,
+};

@@ -1,0 +1,54 @@
+/* One pass over the positions after the drift: rounding, displacements, flatness. Maxima are taken of bit patterns, which compilers turn
+ * into vector code; for doubles they would have to heed nan. */
+#include "neighbor/settle.h"
+
+#include <string.h>
+
+static inline uint64_t bits_of(double value)
+{
+    uint64_t bits;
+    memcpy(&bits, &value, sizeof bits);
+    return bits;
+}
+
+static inline __attribute__((always_inline)) void
+pass(const hs_settle_input *in, int begin, int end, hs_settle_result *result, const bool is_rounded, const bool is_flat)
+{
+    double *restrict x = in->x[0], *restrict y = in->x[1], *restrict z = in->x[2];
+    const double *restrict x0 = in->listed[0], *restrict y0 = in->listed[1], *restrict z0 = in->listed[2];
+    const double magic = in->magic;
+    uint64_t largest = result->displacement2, highest = result->z;
+    for (int i = begin; i < end; ++i) {
+        if (is_rounded) {
+            x[i] = (x[i] + magic) - magic;
+            y[i] = (y[i] + magic) - magic;
+            if (!is_flat) z[i] = (z[i] + magic) - magic;
+        }
+        const double dx = x[i] - x0[i], dy = y[i] - y0[i], dz = is_flat ? z[i] : z[i] - z0[i];
+        const uint64_t d2 = bits_of(dx * dx + dy * dy + dz * dz);
+        largest = d2 > largest ? d2 : largest;
+        if (is_flat) highest |= bits_of(z[i]) & INT64_MAX;
+    }
+    result->displacement2 = largest;
+    result->z = highest;
+}
+
+static void settle(const hs_settle_input *in, int begin, int end, hs_settle_result *result)
+{
+    const bool is_rounded = in->magic != 0.0;
+    if (in->is_flat) {
+        if (is_rounded)
+            pass(in, begin, end, result, true, true);
+        else
+            pass(in, begin, end, result, false, true);
+    } else {
+        if (is_rounded)
+            pass(in, begin, end, result, true, false);
+        else
+            pass(in, begin, end, result, false, false);
+    }
+}
+
+#define PASTE_(a, b) a##b
+#define PASTE(a, b)  PASTE_(a, b)
+const hs_settle PASTE(hs_settle_, HS_KERNEL_ISA) = settle;
