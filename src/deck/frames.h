@@ -7,11 +7,11 @@
 
 /** A place within a command; lives on the stack of the function that carries the command out. */
 typedef struct hs_frame {
-    enum { HS_FRAME_LIST = 1, HS_FRAME_RUN = 2 } kind;
-    hs_args words;       /**< list: the commands; run: its words. Borrowed */
+    enum { HS_FRAME_LIST = 1, HS_FRAME_RUN = 2, HS_FRAME_MINIMIZE = 3 } kind;
+    hs_args words;       /**< list: the commands; run, minimize: their words. Borrowed */
     int64_t next;        /**< the command after the present one */
-    int64_t left;        /**< run: steps from the beginning of the present part on */
-    int64_t part;        /**< run: steps of the present part */
+    int64_t left;        /**< run: steps from the beginning of the present part on; minimize: iterations */
+    int64_t part;        /**< run: steps of the present part; minimize: evaluations left */
     bool is_first;       /**< run: the present part is the first */
     bool is_in_commands; /**< run: the part's steps are done, its commands are being carried out */
     int source_depth;    /**< files that were open */
@@ -26,6 +26,9 @@ HS_MUST_USE hs_status hs_frame_run_list(hs_deck *deck, hs_frame *frame, hs_error
 /** Go on with a run; with @p is_within in the midst of its present part, else with its commands from frame->next on.
  *  cmd_run.c */
 HS_MUST_USE hs_status hs_frame_run_run(hs_deck *deck, hs_frame *frame, bool is_within, hs_error *err);
+
+/** Go on with a minimisation.  cmd_minimize.c */
+HS_MUST_USE hs_status hs_frame_run_minimize(hs_deck *deck, hs_frame *frame, bool is_within, hs_error *err);
 
 /** Remember a command that was carried out, for making the simulation anew. */
 HS_MUST_USE hs_status hs_deck_remember(hs_deck *deck, const hs_args *args, hs_error *err);

@@ -295,11 +295,11 @@ static hs_status enter_frame(hs_deck *deck, places *where, int k, int kind, hs_s
     hs_frame frame = {0};
     char *text = NULL;
     hs_status status = hs_saved_keep_frame(&frame, state, err);
-    frame.kind = kind == HS_FRAME_RUN ? HS_FRAME_RUN : HS_FRAME_LIST;
+    frame.kind = kind == HS_FRAME_RUN || kind == HS_FRAME_MINIMIZE ? kind : HS_FRAME_LIST;
     if (status == HS_OK) status = hs_state_text(state, "words", &text, err);
     if (status == HS_OK && text == NULL) status = hs_fail(err, HS_ERROR_INPUT, "a command has no words");
     if (status == HS_OK) status = cut_words(text, &frame.words, err);
-    frame.words.command = kind == HS_FRAME_RUN ? "run" : "if";
+    frame.words.command = kind == HS_FRAME_RUN ? "run" : kind == HS_FRAME_MINIMIZE ? "minimize" : "if";
     if (status == HS_OK) {
         hs_frame_push(deck, &frame);
         const bool is_innermost = k + 1 == where->n;
@@ -308,6 +308,8 @@ static hs_status enter_frame(hs_deck *deck, places *where, int k, int kind, hs_s
         if (status == HS_OK && kind == HS_FRAME_LIST) status = hs_frame_run_list(deck, &frame, err);
         if (status == HS_OK && kind == HS_FRAME_RUN)
             status = hs_frame_run_run(deck, &frame, is_innermost && !frame.is_in_commands, err);
+        if (status == HS_OK && kind == HS_FRAME_MINIMIZE)
+            status = hs_frame_run_minimize(deck, &frame, is_innermost, err);
     }
     hs_memory_free((void *)(uintptr_t)frame.words.word);
     HS_FREE(text);

@@ -43,6 +43,7 @@ const hs_fix_style hs_fix_style_aveforce = {
     .destroy = hs_replaced_force_destroy,
     .init = init,
     .post_force = post_force,
+    .acts_in_minimize = true,
     .keep_state = hs_replaced_force_keep_state,
     .vector = hs_replaced_force_vector,
     .n_vector = 3,

@@ -44,4 +44,5 @@ const hs_fix_style hs_fix_style_enforce2d = {
               .example = "fix flat all enforce2d"},
     .create = create,
     .post_force = post_force,
+    .acts_in_minimize = true,
 };

@@ -90,6 +90,7 @@ const hs_fix_style hs_fix_style_spring_self = {
     .create = create,
     .destroy = destroy,
     .post_force = post_force,
+    .acts_in_minimize = true,
     .scalar = scalar,
     .is_extensive = true,
     .has_energy = true,

@@ -168,7 +168,7 @@ static inline hs_status wall_vector(hs_fix *fix, int i, double *value, hs_error 
 /** The rest of a wall style's descriptor. */
 #define WALL_HOOKS                                                                                                     \
     .state_size = sizeof(wall_potential_state), .create = create, .destroy = wall_destroy,                             \
-    .post_force = wall_post_force, .scalar = wall_scalar, .vector = wall_vector, .n_vector = WALL_MAX,                 \
-    .is_extensive = true, .is_vector_extensive = true, .has_energy = true, .has_virial = true
+    .post_force = wall_post_force, .acts_in_minimize = true, .scalar = wall_scalar, .vector = wall_vector,             \
+    .n_vector = WALL_MAX, .is_extensive = true, .is_vector_extensive = true, .has_energy = true, .has_virial = true
 
 #endif

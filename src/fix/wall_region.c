@@ -194,6 +194,7 @@ const hs_fix_style hs_fix_style_wall_region = {
     .destroy = destroy,
     .init = init,
     .post_force = post_force,
+    .acts_in_minimize = true,
     .scalar = scalar,
     .vector = vector,
     .n_vector = 3,

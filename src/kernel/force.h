@@ -67,6 +67,8 @@ typedef struct hs_force_job {
     const hs_cells *cells;
     const hs_clusters *clusters;
     const hs_chains *chains; /**< methods linked, incremental and hash only */
+    const hs_chains
+        *coarse; /**< the same: chains of large atoms, whose radii make the cutoffs; NULL: `chains` hold all atoms */
     const hs_evaluator *evaluator;
     hs_isa isa;
     hs_precision precision;

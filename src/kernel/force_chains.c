@@ -1,5 +1,6 @@
 /* The loop over cells of methods `linked`, `incremental` and `hash`: each pair of atoms in the same cell or in cells that
  * the stencil joins is met once. */
+#include <math.h>
 #include <string.h>
 
 #include "base/memory.h"
@@ -26,10 +27,11 @@ hs_status hs_candidates_reserve(hs_candidates *candidates, int n_needed, hs_erro
     return HS_OK;
 }
 
-/** Append the atoms of a chain. */
-static hs_status follow(hs_candidates *candidates, const hs_force_job *job, int32_t first, hs_error *err)
+/** Append the atoms of a chain; its first atom is `first`. */
+static hs_status follow(hs_candidates *candidates, const hs_force_job *job, const hs_chains *chains, int32_t first,
+                        hs_error *err)
 {
-    for (int32_t i = first; i != HS_CHAIN_END; i = job->chains->next[i]) {
+    for (int32_t i = first; i != HS_CHAIN_END; i = chains->next[i]) {
         HS_TRY(hs_candidates_reserve(candidates, candidates->n + 1, err));
         candidates->index[candidates->n] = i;
         for (int axis = 0; axis < 3; ++axis) candidates->x[axis][candidates->n] = job->input.x[axis][i];
@@ -39,12 +41,12 @@ static hs_status follow(hs_candidates *candidates, const hs_force_job *job, int3
 }
 
 /** The atoms of a cell, *n_own of them, and after these the ones of the cells of the stencil. */
-static hs_status gather(hs_candidates *candidates, const hs_force_job *job, int64_t cell, int *n_own, hs_error *err)
+static hs_status gather(hs_candidates *candidates, const hs_force_job *job, const hs_chains *chains, int64_t cell,
+                        int *n_own, hs_error *err)
 {
-    const hs_chains *chains = job->chains;
     const hs_grid *grid = &chains->grid;
     candidates->n = 0;
-    HS_TRY(follow(candidates, job, chains->head[cell], err));
+    HS_TRY(follow(candidates, job, chains, chains->head[cell], err));
     *n_own = candidates->n;
     if (*n_own == 0) return HS_OK;
     int here[3];
@@ -52,24 +54,44 @@ static hs_status gather(hs_candidates *candidates, const hs_force_job *job, int6
     for (int k = 0; k < grid->n_stencil; ++k) {
         const int *offset = grid->stencil[k],
                   there[3] = {here[0] + offset[0], here[1] + offset[1], here[2] + offset[2]};
-        HS_TRY(follow(candidates, job, hs_chains_first(chains, there), err));
+        HS_TRY(follow(candidates, job, chains, hs_chains_first(chains, there), err));
     }
     return HS_OK;
 }
 
-/** Candidates [begin, n) closer than the largest cutoff to candidate a, into near; a hair more, for the kernel, which looks again, may round
- *  otherwise. */
-static int find_near(hs_candidates *candidates, int a, double cutoff)
+/** Append the large atoms of all coarse cells that come within reach of the cell's own atoms, which are the first n_own. */
+static hs_status gather_large(hs_candidates *candidates, const hs_force_job *job, int n_own, double reach,
+                              hs_error *err)
+{
+    const hs_grid *grid = &job->coarse->grid;
+    int lo[3], hi[3], c[3];
+    for (int axis = 0; axis < 3; ++axis) {
+        double least = candidates->x[axis][0], most = least;
+        for (int a = 1; a < n_own; ++a) {
+            least = fmin(least, candidates->x[axis][a]);
+            most = fmax(most, candidates->x[axis][a]);
+        }
+        lo[axis] = hs_grid_coordinate(grid, axis, least - reach);
+        hi[axis] = hs_grid_coordinate(grid, axis, most + reach);
+    }
+    for (c[0] = lo[0]; c[0] <= hi[0]; ++c[0])
+        for (c[1] = lo[1]; c[1] <= hi[1]; ++c[1])
+            for (c[2] = lo[2]; c[2] <= hi[2]; ++c[2])
+                HS_TRY(follow(candidates, job, job->coarse, hs_chains_first(job->coarse, c), err));
+    return HS_OK;
+}
+
+/** Candidates [begin, end) closer than `cutoff` to candidate a, appended to the n_near ones there are; their new number. Some a hair
+ *  beyond it come along, for the kernel, which looks again, may round otherwise. */
+static int find_near(hs_candidates *candidates, int a, int begin, int end, double cutoff, int n_near)
 {
     const double limit = cutoff * cutoff * (1.0 + 1e-12);
     const double x = candidates->x[0][a], y = candidates->x[1][a], z = candidates->x[2][a];
-    const int n = candidates->n, begin = a + 1;
-    for (int b = begin; b < n; ++b) {
+    for (int b = begin; b < end; ++b) {
         const double dx = candidates->x[0][b] - x, dy = candidates->x[1][b] - y, dz = candidates->x[2][b] - z;
         candidates->r2[b] = dx * dx + dy * dy + dz * dz;
     }
-    int n_near = 0;
-    for (int b = begin; b < n; ++b) {
+    for (int b = begin; b < end; ++b) {
         candidates->near[n_near] = candidates->index[b];
         n_near += candidates->r2[b] < limit;
     }
@@ -91,11 +113,20 @@ static inline bool does_count(const hs_kernel_input *in, int n_local, int i, int
     return r2 < in->table->values[row * (size_t)in->table->stride + HS_TABLE_LISTED_R2];
 }
 
+/** What is searched around the atoms of a cell. */
+typedef struct surroundings {
+    int n_own;           /**< the first candidates are the cell's own atoms */
+    int n_alike;         /**< candidates from the same chains, the own ones too; large atoms come behind them */
+    double reach, cross; /**< largest cutoffs of pairs of the same chains, and with large atoms; distance */
+} surroundings;
+
 /** The neighbors of candidate a among the candidates after it; their number. */
-static int find_neighbors(hs_candidates *candidates, const hs_force_job *job, int a)
+static int find_neighbors(hs_candidates *candidates, const hs_force_job *job, const surroundings *around, int a)
 {
     const int i = candidates->index[a], n_local = job->atoms->n_local;
-    const int n_near = find_near(candidates, a, job->cutoff_max);
+    int n_near = find_near(candidates, a, a + 1, around->n_alike, around->reach, 0);
+    if (around->n_alike < candidates->n)
+        n_near = find_near(candidates, a, around->n_alike, candidates->n, around->cross, n_near);
     if (i < n_local && !job->input.listed_only) return n_near;
     int n = 0;
     for (int k = 0; k < n_near; ++k) {
@@ -103,6 +134,21 @@ static int find_neighbors(hs_candidates *candidates, const hs_force_job *job, in
         if (does_count(&job->input, n_local, i, j)) candidates->near[n++] = j;
     }
     return n;
+}
+
+/** Gather what is around a cell: of the chains, or from n_fine on of the coarse ones. */
+static hs_status look_around(hs_candidates *candidates, const hs_force_job *job, int64_t cell, surroundings *around,
+                             hs_error *err)
+{
+    const int64_t n_fine = job->chains->n_cells;
+    const bool is_coarse = cell >= n_fine, is_fine = job->coarse != NULL && !is_coarse;
+    const double small = is_fine ? job->chains->radius_hi : 0.0, large = is_fine ? job->coarse->radius_hi : 0.0;
+    around->reach = is_fine ? 2.0 * small : job->cutoff_max;
+    around->cross = small + large;
+    HS_TRY(gather(candidates, job, is_coarse ? job->coarse : job->chains, is_coarse ? cell - n_fine : cell,
+                  &around->n_own, err));
+    around->n_alike = candidates->n;
+    return is_fine && around->n_own > 0 ? gather_large(candidates, job, around->n_own, around->cross, err) : HS_OK;
 }
 
 static hs_status work_chains(hs_force_space *space, const hs_force_job *job, hs_force_stage stage, int thread)
@@ -113,21 +159,22 @@ static hs_status work_chains(hs_force_space *space, const hs_force_job *job, hs_
     const int64_t n_room = (int64_t)job->atoms->n_local + job->atoms->n_halo + HS_ATOMS_PAD;
     const hs_verlet_kernel kernel =
         job->evaluator->set[job->isa][job->precision]->verlet[job->with_energy][!job->input.table->is_uniform];
+    const int64_t n_cells = job->chains->n_cells + (job->coarse != NULL ? job->coarse->n_cells : 0);
     int64_t begin, end;
-    hs_force_share(space, job->chains->n_cells, thread, &begin, &end);
+    hs_force_share(space, n_cells, thread, &begin, &end);
     for (int64_t cell = begin; cell < end; ++cell) {
-        int n_own;
-        HS_TRY(gather(candidates, job, cell, &n_own, &buffer->error));
-        for (int a = 0; a < n_own; ++a) {
+        surroundings around;
+        HS_TRY(look_around(candidates, job, cell, &around, &buffer->error));
+        for (int a = 0; a < around.n_own; ++a) {
             const int i = candidates->index[a];
-            const int64_t range[2] = {0, find_neighbors(candidates, job, a)};
+            const int64_t range[2] = {0, find_neighbors(candidates, job, &around, a)};
             if (range[1] == 0) continue;
             hs_force_touch(buffer, i, n_room);
             for (int k = 0; k < range[1]; ++k) hs_force_touch(buffer, candidates->near[k], n_room);
             for (int k = 0; k < HS_VERLET_PAD; ++k) candidates->near[range[1] + k] = i;
             kernel(&job->input, &buffer->out, i, i + 1, range, candidates->near);
         }
-        if (n_own > 0) hs_force_weigh(buffer, cell, job->chains->n_cells, (int64_t)n_own * candidates->n);
+        if (around.n_own > 0) hs_force_weigh(buffer, cell, n_cells, (int64_t)around.n_own * candidates->n);
     }
     return HS_OK;
 }

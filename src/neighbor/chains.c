@@ -18,6 +18,20 @@ hs_status hs_chains_set_grid(hs_chains *chains, const hs_grid_plan *plan, hs_cel
     return HS_OK;
 }
 
+void hs_chains_set_sizes(hs_chains *chains, double radius_lo, double radius_hi)
+{
+    if (!chains->is_sized || chains->radius_lo != radius_lo || chains->radius_hi != radius_hi) chains->is_void = true;
+    chains->is_sized = true;
+    chains->radius_lo = radius_lo;
+    chains->radius_hi = radius_hi;
+}
+
+void hs_chains_set_all_sizes(hs_chains *chains)
+{
+    if (chains->is_sized) chains->is_void = true;
+    chains->is_sized = false;
+}
+
 typedef struct keyed {
     uint64_t key;
     int64_t tie; /**< place or id: no two are equal */

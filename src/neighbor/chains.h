@@ -6,7 +6,12 @@
  *    incremental  the chains are doubly linked, and only atoms that have changed cell are moved
  *    hash         only occupied cells have a head, found by a hash table: memory goes by atoms, not by volume
  *
- *  Local and halo atoms are in the same chains. */
+ *  Local and halo atoms are in the same chains.
+ *
+ *  Where the cutoff of a pair is the sum of two radii, cells must be as wide as the largest sum, and when sizes differ much each holds
+ *  many small atoms. Then there are two chains: small atoms in fine cells, as wide as their own largest sum, and large ones in coarse
+ *  cells; pairs of a small and a large atom are found from the small one, which looks into the coarse cells around.
+ *  Source: V. Ogarko, S. Luding, Comput. Phys. Commun. 183, 931 (2012), doi:10.1016/j.cpc.2011.12.019. */
 #ifndef HS_NEIGHBOR_CHAINS_H
 #define HS_NEIGHBOR_CHAINS_H
 
@@ -20,10 +25,12 @@ enum { HS_CHAIN_END = -1 }; /**< in head: the cell is empty; in next and previou
 typedef struct hs_chains {
     hs_grid grid;
     hs_cell_order order;
-    int64_t n_cells; /**< cells with a head: all of the grid, or (hash) the occupied ones */
-    int n_atoms;     /**< atoms in the chains, local and halo */
-    int32_t *head;   /**< owned [n_cells] */
-    int32_t *next;   /**< owned [n_atoms] */
+    bool is_sized;               /**< only atoms of some sizes are in the chains: */
+    double radius_lo, radius_hi; /**< lo < radius <= hi, distance */
+    int64_t n_cells;             /**< cells with a head: all of the grid, or (hash) the occupied ones */
+    int n_atoms;                 /**< atoms in the chains, local and halo */
+    int32_t *head;               /**< owned [n_cells] */
+    int32_t *next;               /**< owned [n_atoms] */
     int64_t capacity_cells, capacity_atoms;
 
     /* linked, incremental, in Morton order: numbers of the cells along the curve; NULL when they are numbered row by row */
@@ -43,6 +50,10 @@ typedef struct hs_chains {
     hs_hash_table table; /**< owned */
 } hs_chains;
 
+/** Which atoms the next builds put into the chains: those with lo < radius <= hi. */
+void hs_chains_set_sizes(hs_chains *chains, double radius_lo, double radius_hi);
+/** All atoms, whatever their size. */
+void hs_chains_set_all_sizes(hs_chains *chains);
 /** Lay the grid for the next builds. */
 HS_MUST_USE hs_status hs_chains_set_grid(hs_chains *chains, const hs_grid_plan *plan, hs_cell_order order,
                                          hs_error *err);
@@ -65,6 +76,12 @@ HS_MUST_USE hs_status hs_chains_reserve(hs_chains *chains, int64_t n, hs_error *
 
 /** New order of the local atoms, cell by cell (order[k]: old index of the atom that comes k-th); those of one cell by id. */
 HS_MUST_USE hs_status hs_chains_sort(const hs_chains *chains, const hs_atoms *atoms, int32_t *order, hs_error *err);
+
+/** Whether the chains are to hold atom i. */
+static inline bool hs_chains_takes(const hs_chains *chains, const hs_atoms *atoms, int64_t i)
+{
+    return !chains->is_sized || (atoms->radius[i] > chains->radius_lo && atoms->radius[i] <= chains->radius_hi);
+}
 
 /** The cell of the grid that atom i is in. */
 static inline void hs_chains_locate(const hs_chains *chains, const hs_atoms *atoms, int64_t i, int c[3])

@@ -21,6 +21,7 @@ hs_status hs_hash_build(hs_chains *chains, const hs_atoms *atoms, hs_error *err)
     for (int i = 0; i < n; ++i) {
         int c[3];
         bool is_new;
+        if (!hs_chains_takes(chains, atoms, i)) continue;
         hs_chains_locate(chains, atoms, i, c);
         const int32_t cell = hs_hash_table_insert(&chains->table, hs_grid_place(&chains->grid, c), &is_new);
         chains->next[i] = is_new ? HS_CHAIN_END : chains->head[cell];

@@ -27,6 +27,10 @@ static void insert_all(hs_chains *chains, const hs_atoms *atoms, int begin, int 
 {
     for (int i = end - 1; i >= begin; --i) {
         int c[3];
+        if (!hs_chains_takes(chains, atoms, i)) {
+            chains->cell[i] = HS_CHAIN_END; /* in none */
+            continue;
+        }
         hs_chains_locate(chains, atoms, i, c);
         insert(chains, i, hs_chains_number(chains, c));
     }
@@ -37,6 +41,7 @@ static void move_changed(hs_chains *chains, const hs_atoms *atoms, int end)
 {
     for (int i = 0; i < end; ++i) {
         int c[3];
+        if (!hs_chains_takes(chains, atoms, i)) continue;
         hs_chains_locate(chains, atoms, i, c);
         const int32_t cell = hs_chains_number(chains, c);
         if (cell == chains->cell[i]) continue;
@@ -62,7 +67,8 @@ hs_status hs_incremental_update(hs_chains *chains, const hs_atoms *atoms, bool h
                         chains->n_local != atoms->n_local;
     HS_TRY(hs_chains_number_cells(chains, err));
     if (!is_new && has_new_halo)
-        for (int i = atoms->n_local; i < chains->n_atoms; ++i) remove_atom(chains, i);
+        for (int i = atoms->n_local; i < chains->n_atoms; ++i)
+            if (chains->cell[i] != HS_CHAIN_END) remove_atom(chains, i);
     HS_TRY(reserve(chains, n, err));
     if (is_new) {
         for (int64_t cell = 0; cell < chains->n_cells; ++cell) chains->head[cell] = HS_CHAIN_END;

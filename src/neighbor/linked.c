@@ -14,6 +14,7 @@ hs_status hs_linked_build(hs_chains *chains, const hs_atoms *atoms, hs_error *er
     for (int64_t cell = 0; cell < chains->n_cells; ++cell) chains->head[cell] = HS_CHAIN_END;
     for (int i = n - 1; i >= 0; --i) { /* backwards, so that chains ascend */
         int c[3];
+        if (!hs_chains_takes(chains, atoms, i)) continue;
         hs_chains_locate(chains, atoms, i, c);
         int32_t *head = &chains->head[hs_chains_number(chains, c)];
         chains->next[i] = *head;

@@ -29,6 +29,7 @@ void hs_neighbor_fini(hs_neighbor *neighbor)
     hs_cells_fini(&neighbor->cells);
     hs_clusters_fini(&neighbor->clusters);
     hs_chains_fini(&neighbor->chains);
+    hs_chains_fini(&neighbor->coarse);
 }
 
 hs_status hs_neighbor_set_method(hs_neighbor *neighbor, const char *name, hs_error *err)

@@ -74,7 +74,9 @@ typedef struct hs_neighbor {
     bool is_late; /**< an atom is more than half the skin from x_listed: pairs may be missing from the list */
     hs_cells cells;
     hs_clusters clusters;
-    hs_chains chains;       /**< methods linked, incremental, hash */
+    hs_chains chains;       /**< methods linked, incremental, hash: of all atoms, or of the small ones */
+    hs_chains coarse;       /**< of the large ones, when has_levels */
+    bool has_levels;        /**< small and large atoms are in cells of their own: see neighbor/chains.h */
     int64_t last_sort_step; /**< when atoms were last sorted for them; -1: not in this run */
 } hs_neighbor;
 

@@ -3,6 +3,9 @@
 
 #include "sim/sim.h"
 
+/** Whether the forces of a fix are to be heard now. */
+static bool acts(const hs_sim *sim, const hs_fix *fix) { return !sim->is_minimizing || fix->style->acts_in_minimize; }
+
 /** Energies and virials of the fixes that count, over all ranks. What a fix gives is summed over ranks already. */
 static hs_status add_up(hs_sim *sim, hs_error *err)
 {
@@ -12,6 +15,7 @@ static hs_status add_up(hs_sim *sim, hs_error *err)
     for (int k = 0; k < sim->n_fixes; ++k) {
         hs_fix *fix = sim->fix[k];
         double energy = 0.0;
+        if (!acts(sim, fix)) continue;
         if (fix->adds_energy) HS_TRY(fix->style->scalar(fix, &energy, err));
         env->fix_energy += energy;
         if (!fix->adds_virial) continue;
@@ -24,7 +28,8 @@ hs_status hs_sim_post_force(hs_sim *sim, hs_error *err)
 {
     hs_env_changed(&sim->env);
     for (int k = 0; k < sim->n_fixes; ++k)
-        if (sim->fix[k]->style->post_force != NULL) HS_TRY(sim->fix[k]->style->post_force(sim->fix[k], err));
+        if (sim->fix[k]->style->post_force != NULL && acts(sim, sim->fix[k]))
+            HS_TRY(sim->fix[k]->style->post_force(sim->fix[k], err));
     return sim->env.with_energy ? add_up(sim, err) : HS_OK;
 }
 

@@ -1,5 +1,7 @@
 #include "sim/methods.h"
 
+#include <math.h>
+
 #include "base/memory.h"
 
 /* Steps after which atoms are sorted again for methods whose lists do not need it: diffusion undoes the order slowly. */
@@ -33,27 +35,83 @@ static hs_status forces_nsq(hs_sim *sim, const hs_force_job *job, hs_force_resul
 
 /* linked, incremental, hash */
 
+/* Sizes that differ by more than this are worth cells of their own. */
+static const double ratio_of_levels = 2.0;
+
+/** Largest radius of an atom up to @p limit, on all ranks (collective); 0 without atoms. */
+static double largest_radius(const hs_sim *sim, double limit)
+{
+    double largest = 0.0;
+    for (int i = 0; i < sim->atoms.n_local; ++i)
+        if (sim->atoms.radius[i] <= limit) largest = fmax(largest, sim->atoms.radius[i]);
+    hs_parallel_max_double(&sim->parallel, &largest, 1);
+    return largest;
+}
+
+/** Small and large atoms into chains of their own where radii make the cutoffs and differ enough (collective): the border is the
+ *  geometric mean of the extremes. */
+static void choose_levels(hs_sim *sim)
+{
+    hs_neighbor *neighbor = &sim->neighbor;
+    double largest = 0.0, smallest = 0.0, small = 0.0;
+    neighbor->has_levels = false;
+    if (hs_pair_has_radii(sim->pair, true)) {
+        largest = largest_radius(sim, INFINITY);
+        smallest = largest;
+        for (int i = 0; i < sim->atoms.n_local; ++i) smallest = fmin(smallest, sim->atoms.radius[i]);
+        hs_parallel_min_double(&sim->parallel, &smallest, 1);
+        neighbor->has_levels = largest > ratio_of_levels * smallest;
+    }
+    if (neighbor->has_levels) small = largest_radius(sim, sqrt(fmax(smallest, largest / 64.0) * largest));
+    neighbor->has_levels = small > 0.0;
+    if (neighbor->has_levels) {
+        hs_chains_set_sizes(&neighbor->chains, -1.0, small);
+        hs_chains_set_sizes(&neighbor->coarse, small, largest);
+    } else {
+        hs_chains_set_all_sizes(&neighbor->chains);
+    }
+}
+
 /** Cells over this rank's brick and the halo around it. */
 static hs_status set_chain_grid(hs_sim *sim, hs_error *err)
 {
-    const hs_neighbor_settings *settings = &sim->neighbor.settings;
-    hs_grid_plan plan = {.dimension = sim->box.dimension,
-                         .reach = sim->pair->cutoff_max,
-                         .edge = (settings->cell > 0.0 ? settings->cell : 1.0) * sim->pair->cutoff_max,
-                         .is_cube = settings->is_cube};
+    hs_neighbor *neighbor = &sim->neighbor;
+    const hs_neighbor_settings *settings = &neighbor->settings;
+    const double edge = settings->cell > 0.0 ? settings->cell : 1.0;
+    hs_grid_plan plan = {.dimension = sim->box.dimension, .is_cube = settings->is_cube};
     hs_domain_brick(&sim->domain, &sim->box, plan.lo, plan.hi);
     for (int axis = 0; axis < 3; ++axis) {
         const bool has_halo = sim->box.periodic[axis] || sim->domain.n[axis] > 1;
         plan.lo[axis] -= has_halo ? listed_reach(sim) : 0.0;
         plan.hi[axis] += has_halo ? listed_reach(sim) : 0.0;
     }
-    return hs_chains_set_grid(&sim->neighbor.chains, &plan, settings->order, err);
+    if (neighbor->has_levels) {
+        plan.reach = sim->pair->cutoff_max;
+        plan.edge = edge * plan.reach;
+        HS_TRY(hs_chains_set_grid(&neighbor->coarse, &plan, settings->order, err));
+    }
+    plan.reach = neighbor->has_levels ? 2.0 * neighbor->chains.radius_hi : sim->pair->cutoff_max;
+    plan.edge = edge * plan.reach;
+    return hs_chains_set_grid(&neighbor->chains, &plan, settings->order, err);
+}
+
+/** One step of a method for all chains there are. */
+typedef hs_status (*chains_step)(hs_chains *chains, const hs_atoms *atoms, hs_error *err);
+
+static hs_status for_chains(hs_sim *sim, chains_step step, hs_error *err)
+{
+    hs_neighbor *neighbor = &sim->neighbor;
+    HS_TRY(step(&neighbor->chains, &sim->atoms, err));
+    return neighbor->has_levels ? step(&neighbor->coarse, &sim->atoms, err) : HS_OK;
 }
 
 /** Lay the cells, and sort the atoms in memory by them now and then. */
 static hs_status sort_atoms(hs_sim *sim, hs_error *err)
 {
     hs_neighbor *neighbor = &sim->neighbor;
+    choose_levels(sim);
+    if (neighbor->last_sort_step < 0)
+        neighbor->chains.is_void = neighbor->coarse.is_void = true; /* sizes may be others */
     HS_TRY(set_chain_grid(sim, err));
     if (neighbor->settings.order == HS_CELL_ORDER_NONE) return HS_OK;
     if (neighbor->last_sort_step >= 0 && sim->env.step < neighbor->last_sort_step + SORT_EVERY) return HS_OK;
@@ -73,10 +131,7 @@ static hs_status renew_atoms_of_chains(hs_sim *sim, hs_error *err)
     return renew_halo(sim, err);
 }
 
-static hs_status update_linked(hs_sim *sim, hs_error *err)
-{
-    return hs_linked_build(&sim->neighbor.chains, &sim->atoms, err);
-}
+static hs_status update_linked(hs_sim *sim, hs_error *err) { return for_chains(sim, hs_linked_build, err); }
 
 static hs_status renew_linked(hs_sim *sim, hs_error *err)
 {
@@ -84,21 +139,25 @@ static hs_status renew_linked(hs_sim *sim, hs_error *err)
     return update_linked(sim, err);
 }
 
-static hs_status update_incremental(hs_sim *sim, hs_error *err)
+static hs_status with_old_halo(hs_chains *chains, const hs_atoms *atoms, hs_error *err)
 {
-    return hs_incremental_update(&sim->neighbor.chains, &sim->atoms, false, err);
+    return hs_incremental_update(chains, atoms, false, err);
 }
+
+static hs_status with_new_halo(hs_chains *chains, const hs_atoms *atoms, hs_error *err)
+{
+    return hs_incremental_update(chains, atoms, true, err);
+}
+
+static hs_status update_incremental(hs_sim *sim, hs_error *err) { return for_chains(sim, with_old_halo, err); }
 
 static hs_status renew_incremental(hs_sim *sim, hs_error *err)
 {
     HS_TRY(renew_atoms_of_chains(sim, err));
-    return hs_incremental_update(&sim->neighbor.chains, &sim->atoms, true, err);
+    return for_chains(sim, with_new_halo, err);
 }
 
-static hs_status update_hash(hs_sim *sim, hs_error *err)
-{
-    return hs_hash_build(&sim->neighbor.chains, &sim->atoms, err);
-}
+static hs_status update_hash(hs_sim *sim, hs_error *err) { return for_chains(sim, hs_hash_build, err); }
 
 static hs_status renew_hash(hs_sim *sim, hs_error *err)
 {
@@ -218,8 +277,11 @@ static hs_status describe_columns(const hs_cells *cells, hs_text *text, hs_error
 static hs_status describe_chains(const hs_chains *chains, hs_text *text, hs_error *err)
 {
     const hs_grid *grid = &chains->grid;
-    HS_TRY(hs_text_printf(text, err, "  cells = %d x %d x %d of %.4g x %.4g", grid->n[0], grid->n[1], grid->n[2],
-                          grid->pitch[0], grid->pitch[1]));
+    HS_TRY(hs_text_printf(text, err, "  cells%s = %d x %d x %d of %.4g x %.4g",
+                          !chains->is_sized         ? ""
+                          : chains->radius_lo < 0.0 ? " of small atoms"
+                                                    : " of large atoms",
+                          grid->n[0], grid->n[1], grid->n[2], grid->pitch[0], grid->pitch[1]));
     if (grid->inv_pitch[2] > 0.0) HS_TRY(hs_text_printf(text, err, " x %.4g", grid->pitch[2]));
     return hs_text_printf(text, err, ", order %s, %d neighbor cells in the half stencil\n",
                           hs_cell_order_names[chains->order], grid->n_stencil);
@@ -228,7 +290,11 @@ static hs_status describe_chains(const hs_chains *chains, hs_text *text, hs_erro
 hs_status hs_sim_describe_cells(const hs_sim *sim, hs_text *text, hs_error *err)
 {
     const unsigned options = hs_sim_method(sim)->options;
-    if (options & HS_METHOD_TAKES_STENCIL) return describe_chains(&sim->neighbor.chains, text, err);
+    if (options & HS_METHOD_TAKES_STENCIL) {
+        const hs_neighbor *neighbor = &sim->neighbor;
+        HS_TRY(describe_chains(&neighbor->chains, text, err));
+        return neighbor->has_levels ? describe_chains(&neighbor->coarse, text, err) : HS_OK;
+    }
     if (options & HS_METHOD_TAKES_CELL) return describe_columns(&sim->neighbor.cells, text, err);
     return HS_OK;
 }

@@ -21,6 +21,7 @@ hs_force_job hs_sim_make_job(hs_sim *sim, bool with_energy)
                         .cells = &neighbor->cells,
                         .clusters = &neighbor->clusters,
                         .chains = &neighbor->chains,
+                        .coarse = neighbor->has_levels ? &neighbor->coarse : NULL,
                         .evaluator = sim->pair->part[part]->style->evaluator,
                         .isa = sim->isa,
                         .precision = sim->kernel_precision,

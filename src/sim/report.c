@@ -187,7 +187,7 @@ static void say_memory(const hs_sim *sim, int64_t n_atoms)
                bytes[1] / mib, bytes[0] / (double)n_atoms);
 }
 
-void hs_report_finish(hs_sim *sim, int64_t n_steps, double loop_s, double cpu_s)
+void hs_report_finish(hs_sim *sim, int64_t n_steps, double loop_s, double cpu_s, const char *statistics)
 {
     hs_sink *out = sim->env.out;
     const int n_ranks = sim->parallel.n_ranks > 1 ? sim->parallel.n_ranks : 1;
@@ -197,9 +197,10 @@ void hs_report_finish(hs_sim *sim, int64_t n_steps, double loop_s, double cpu_s)
     loop_s = spread_of(&sim->parallel, loop_s).mean;
     cpu_s = spread_of(&sim->parallel, cpu_s).mean;
     hs_report_loop(sim, n_steps, loop_s);
-    say_performance(sim, n_steps, loop_s);
+    if (statistics == NULL) say_performance(sim, n_steps, loop_s);
     hs_say(out, "%.1f%% CPU use with %d MPI tasks x %d OpenMP threads\n", loop_s > 0.0 ? 100.0 * cpu_s / loop_s : 0.0,
            n_ranks, n_threads);
+    if (statistics != NULL) hs_say(out, "%s", statistics);
     say_timing(sim, loop_s);
     say_comm_timing(sim, loop_s);
     say_histogram(sim, "Nlocal:", sim->atoms.n_local);

@@ -7,8 +7,9 @@
 /** Before the first row: how neighbors are found (when that changed since the last run) and memory (collective). */
 void hs_report_setup(hs_sim *sim);
 /** After the last row: loop time, performance, the timing table, counts of atoms and list builds (collective).
- *  @param loop_s  wall time of the steps, seconds   @param cpu_s  processor time of this rank's threads, seconds */
-void hs_report_finish(hs_sim *sim, int64_t n_steps, double loop_s, double cpu_s);
+ *  @param loop_s  wall time of the steps, seconds   @param cpu_s  processor time of this rank's threads, seconds
+ *  @param statistics  of a minimisation, in place of the performance; NULL: of a run */
+void hs_report_finish(hs_sim *sim, int64_t n_steps, double loop_s, double cpu_s, const char *statistics);
 /** The first line of that alone. */
 void hs_report_loop(hs_sim *sim, int64_t n_steps, double loop_s);
 /** After a step: bring the line on the terminal up to date, at most twice a second. Not collective; does nothing when the

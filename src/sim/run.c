@@ -29,7 +29,7 @@ static hs_status init_styles(hs_sim *sim, hs_error *err)
         n_integrators += sim->fix[k]->style->is_integrator;
     }
     HS_TRY(hs_restored_give_states(sim, err));
-    if (n_integrators == 0 && !sim->is_rerunning)
+    if (n_integrators == 0 && !sim->is_rerunning && !sim->is_minimizing)
         hs_warn(&*sim->env.out, "no fix moves the atoms: a time integrator such as 'fix nve' is missing");
     hs_env_changed(&sim->env);
     for (int k = 0; k < sim->n_computes; ++k) {
@@ -70,7 +70,8 @@ hs_status hs_sim_setup_forces(hs_sim *sim, hs_error *err)
     sim->env.with_energy = true;
     hs_env_changed(&sim->env);
     for (int k = 0; k < sim->n_fixes; ++k)
-        if (sim->fix[k]->style->setup != NULL) HS_TRY(sim->fix[k]->style->setup(sim->fix[k], err));
+        if (sim->fix[k]->style->setup != NULL && (!sim->is_minimizing || sim->fix[k]->style->acts_in_minimize))
+            HS_TRY(sim->fix[k]->style->setup(sim->fix[k], err));
     HS_TRY(hs_sim_post_force(sim, err));
     sim->is_initialized = true;
     return HS_OK;
@@ -120,6 +121,14 @@ static bool is_energy_due(const hs_sim *sim, int64_t step)
     return false;
 }
 
+hs_status hs_sim_begin_output(hs_sim *sim, hs_error *err)
+{
+    hs_thermo_header(sim->thermo);
+    HS_TRY(hs_sim_write_due(sim, true, err));
+    hs_timer_reset(&sim->timer);
+    return HS_OK;
+}
+
 static hs_status begin_run(hs_sim *sim, const hs_run_plan *plan, hs_error *err)
 {
     if (plan->is_resumed) { /* all is as it was at this step, and its output is written */
@@ -140,10 +149,7 @@ static hs_status begin_run(hs_sim *sim, const hs_run_plan *plan, hs_error *err)
         HS_TRY(init_styles(sim, err));
         hs_neighbor_continue(&sim->neighbor);
     }
-    hs_thermo_header(sim->thermo);
-    HS_TRY(hs_sim_write_due(sim, true, err));
-    hs_timer_reset(&sim->timer);
-    return HS_OK;
+    return hs_sim_begin_output(sim, err);
 }
 
 /** A file could not be written, but the step is whole: a checkpoint, perhaps on another disk, loses nothing. */
@@ -164,6 +170,14 @@ static hs_status write_output(hs_sim *sim, hs_error *err)
     hs_timer_mark(&sim->timer);
     const hs_status status = hs_sim_write_due(sim, false, err);
     if (status != HS_OK) return rescue(sim, status);
+    hs_timer_add(&sim->timer, HS_PHASE_OUTPUT);
+    return HS_OK;
+}
+
+hs_status hs_sim_output_if_due(hs_sim *sim, bool is_last, hs_error *err)
+{
+    hs_timer_mark(&sim->timer);
+    if (is_last || is_output_due(sim, sim->env.step)) HS_TRY(hs_sim_write_due(sim, false, err));
     hs_timer_add(&sim->timer, HS_PHASE_OUTPUT);
     return HS_OK;
 }
@@ -242,7 +256,8 @@ hs_status hs_sim_run(hs_sim *sim, const hs_run_plan *plan, hs_error *err)
     const hs_status status = run_steps(sim, plan, err);
     hs_progress_wipe(sim->env.out);
     if (status != HS_OK) return tell_last_checkpoint(sim, status, err);
-    if (plan->post) hs_report_finish(sim, plan->n_steps, hs_time_now_s() - start_s, hs_time_cpu_s() - start_cpu_s);
+    if (plan->post)
+        hs_report_finish(sim, plan->n_steps, hs_time_now_s() - start_s, hs_time_cpu_s() - start_cpu_s, NULL);
     hs_thermo_say_means(sim->thermo);
     for (int k = 0; k < sim->n_fixes; ++k)
         if (sim->fix[k]->style->say_results != NULL) sim->fix[k]->style->say_results(sim->fix[k]);

@@ -139,20 +139,36 @@ static bool is_due_by_time(hs_sim *sim)
     return is_due;
 }
 
+static bool is_checkpoint_due(hs_sim *sim)
+{
+    const hs_saving *saving = sim->saving;
+    return (saving->every_steps > 0 && sim->env.step % saving->every_steps == 0) || is_due_by_time(sim);
+}
+
+static bool is_restart_due(const hs_sim *sim)
+{
+    return sim->saving->restart_every > 0 && sim->env.step % sim->saving->restart_every == 0;
+}
+
+bool hs_sim_is_save_due(hs_sim *sim)
+{
+    return (!sim->saving->is_automatic && is_checkpoint_due(sim)) || is_restart_due(sim);
+}
+
 hs_status hs_sim_save_if_due(hs_sim *sim, hs_error *err)
 {
     hs_saving *saving = sim->saving;
     const int64_t step = sim->env.step;
     char *path = NULL;
     hs_status status = HS_OK;
-    if (saving->is_automatic && is_due_by_time(sim))
+    const bool is_due = is_checkpoint_due(sim);
+    if (is_due && saving->is_automatic)
         save_automatically(sim);
-    else if (!saving->is_automatic &&
-             ((saving->every_steps > 0 && step % saving->every_steps == 0) || is_due_by_time(sim)))
+    else if (is_due)
         status = hs_sim_save_now(sim, &path, err);
     HS_FREE(path);
     HS_TRY(status);
-    if (saving->restart_every <= 0 || step % saving->restart_every != 0) return HS_OK;
+    if (!is_restart_due(sim)) return HS_OK;
     const int turn = saving->restart_turn;
     if (saving->n_restart_files == 2) saving->restart_turn = 1 - turn;
     status = hs_writer_step_name(&path, saving->restart_file[turn], step, 0, err);

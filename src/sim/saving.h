@@ -43,6 +43,8 @@ void hs_saving_be_asked(hs_saving *saving);
 void hs_sim_remove_automatic(hs_sim *sim);
 /** Settings of the program, kept over `clear`. */
 void hs_saving_inherit(hs_saving *saving, hs_saving *from);
+/** Whether something is due that the deck asks for (collective). */
+bool hs_sim_is_save_due(hs_sim *sim);
 /** After a step (collective): write what is due. */
 HS_MUST_USE hs_status hs_sim_save_if_due(hs_sim *sim, hs_error *err);
 /** A checkpoint under the default name, for a run that stops now; *path is the caller's (collective). */

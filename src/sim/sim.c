@@ -38,6 +38,7 @@ static hs_status create(hs_sim *sim, const hs_options *options, hs_sink *out, hs
     HS_TRY(hs_groups_init(&sim->groups, err));
     HS_TRY(hs_atoms_init(&sim->atoms, err));
     const hs_units *units = hs_units_find("lj");
+    hs_min_settings_init(&sim->minimize);
     HS_TRY(hs_neighbor_init(&sim->neighbor, &sim->atoms, units->skin, err));
     if (options->precision[0] != '\0') HS_TRY(hs_precision_get(options->precision, &sim->precision, err));
     sim->reproducible = options->reproducible;

@@ -10,6 +10,7 @@
 #include "kernel/cluster_list.h"
 #include "kernel/verlet_list.h"
 #include "neighbor/neighbor.h"
+#include "sim/minimize.h"
 #include "sim/tuner.h"
 #include "style/compute.h"
 #include "style/dump.h"
@@ -72,6 +73,8 @@ typedef struct hs_sim {
     int force_exponent;            /**< fixed point: grid of the next forces; part of the state of a run */
     hs_fixed_grid grid;            /**< fixed point: grids of the latest forces and energies */
     hs_timer timer;
+    hs_min_settings minimize; /**< of min_style and min_modify */
+    bool is_minimizing;       /**< within hs_sim_minimize: only fixes that act in it are heard */
 
     bool is_initialized; /**< a run has been set up since the last change of the system (run pre no is allowed) */
     int64_t *n_of_type;  /**< owned [n_types + 1]: atoms of each type on all ranks, counted at set-up */
@@ -190,6 +193,13 @@ HS_MUST_USE hs_status hs_sim_pair_forces(hs_sim *sim, bool with_energy, hs_error
 HS_MUST_USE hs_status hs_sim_post_force(hs_sim *sim, hs_error *err);
 /** fix_modify <ID> keyword value ...  sim/fix_forces.c */
 HS_MUST_USE hs_status hs_sim_modify_fix(hs_sim *sim, const char *id, const hs_args *args, hs_error *err);
+/** Atoms were moved by other means than a step: lists and halo as they need it, forces and energy of their places, with what fixes
+ *  add that act in minimisations (collective).  sim/step.c */
+HS_MUST_USE hs_status hs_sim_move_forces(hs_sim *sim, hs_error *err);
+/** The first snapshots and the first row of a run (collective).  sim/run.c */
+HS_MUST_USE hs_status hs_sim_begin_output(hs_sim *sim, hs_error *err);
+/** Snapshots and the row that are due at the present step, or all of the last one (collective).  sim/run.c */
+HS_MUST_USE hs_status hs_sim_output_if_due(hs_sim *sim, bool is_last, hs_error *err);
 /** One timestep, without output (collective).  sim/step.c */
 HS_MUST_USE hs_status hs_sim_step(hs_sim *sim, bool with_energy, hs_error *err);
 /** Cells, lists, forces, energy and virial of atoms that were placed anew, when all else is set up. */

@@ -49,6 +49,18 @@ static hs_status bring_neighbors_up_to_date(hs_sim *sim, hs_error *err)
     return HS_OK;
 }
 
+hs_status hs_sim_move_forces(hs_sim *sim, hs_error *err)
+{
+    sim->env.with_energy = true;
+    hs_timer_mark(&sim->timer);
+    HS_TRY(bring_neighbors_up_to_date(sim, err));
+    HS_TRY(hs_sim_pair_forces(sim, true, err));
+    hs_timer_mark(&sim->timer);
+    HS_TRY(hs_sim_post_force(sim, err));
+    hs_timer_add(&sim->timer, HS_PHASE_MODIFY);
+    return HS_OK;
+}
+
 hs_status hs_sim_step(hs_sim *sim, bool with_energy, hs_error *err)
 {
     ++sim->env.step;

@@ -11,6 +11,17 @@ enum {
     STEPS_TO_PAY = 1000, /* shorter runs would spend too much of their time on the slower method */
 };
 
+/* With fewer neighbors in its half list than this, an atom is better served by `verlet`: short runs, which try nothing, use that. */
+static const double short_list = 6.0;
+
+/** Neighbors that an atom has in half a list, if the density is even. */
+static double expected_neighbors(const hs_sim *sim)
+{
+    const double reach = sim->pair->cutoff_max + sim->neighbor.settings.skin;
+    const double region = sim->box.dimension == 2 ? M_PI * reach * reach : 4.0 / 3.0 * M_PI * reach * reach * reach;
+    return 0.5 * (double)sim->atoms.n_all * region / hs_box_volume(&sim->box);
+}
+
 static double busy_s(const hs_sim *sim)
 {
     const double *phase_s = sim->timer.phase_s;
@@ -25,11 +36,12 @@ static void begin_trial(hs_sim *sim)
 
 void hs_tuner_start(hs_sim *sim)
 {
-    hs_tuner *tuner = &sim->tuner;
-    *tuner = (hs_tuner){.method = candidates[0],
-                        .is_trying = sim->neighbor.settings.method == HS_METHOD_AUTO &&
-                                     sim->env.last_step - sim->env.step >= STEPS_TO_PAY,
-                        .n_atoms = (double)sim->atoms.n_all};
+    const bool is_trying =
+        sim->neighbor.settings.method == HS_METHOD_AUTO && sim->env.last_step - sim->env.step >= STEPS_TO_PAY;
+    const bool is_short = expected_neighbors(sim) < short_list;
+    sim->tuner = (hs_tuner){.method = is_short && !is_trying ? HS_METHOD_VERLET : candidates[0],
+                            .is_trying = is_trying,
+                            .n_atoms = (double)sim->atoms.n_all};
 }
 
 /** The slowest rank's seconds a step since the trial began. */

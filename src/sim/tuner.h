@@ -23,7 +23,8 @@ typedef struct hs_tuner {
     double n_atoms; /**< on all ranks, for the report */
 } hs_tuner;
 
-/** Start of a run with set-up: begin with the first candidate; trials are made if the run is long enough to pay them back. */
+/** Start of a run with set-up: trials are made if the run is long enough to pay them back; else the method is chosen by the expected
+ *  length of lists. */
 void hs_tuner_start(struct hs_sim *sim);
 /** A scheduled build is about to be made (collective): judge the trial that ends here, and choose the method of the next. */
 void hs_tuner_at_build(struct hs_sim *sim);

@@ -52,6 +52,7 @@ typedef struct hs_fix_style {
     HS_MUST_USE hs_status (*set_temperature)(struct hs_fix *fix, const char *id, hs_error *err);
     HS_MUST_USE hs_status (*set_pressure)(struct hs_fix *fix, const char *id, hs_error *err);
     bool is_time_dependent; /**< counts steps: reset_timestep is refused while there is one */
+    bool acts_in_minimize;  /**< setup and post_force are called when the energy is minimised, too */
     bool is_integrator;     /**< moves its atoms: two of them on one atom are warned about */
     bool has_energy;        /**< `fix_modify energy yes` adds the scalar to the potential energy */
     bool has_virial;        /**< `fix_modify virial yes` adds virial[] to the pressure */

@@ -139,3 +139,34 @@ END
 sed 's/^write_data.*/write_restart restart.h5/' run.in >first.in
 run first.in && run next.in || fail "read_restart: $(cat err)"
 grep -q '^ *290 ' out || fail "read_restart did not go on at step 290"
+
+# A minimisation goes on from its checkpoints to the same bits, and so does the run after it.
+cat >min.in <<'END'
+lattice fcc 0.9
+region box block 0 4 0 4 0 4
+region hole sphere 2 2 2 0.9 side out
+create_box 2 box
+create_atoms 1 region hole
+set type 1 type/fraction 2 0.4 17
+mass * 1.0
+pair_style lj/cut 2.0
+pair_coeff * * 1.0 1.0
+pair_coeff 2 2 1.0 0.85
+pair_modify shift yes
+neigh_modify every 3 delay 0 check yes
+fix 1 all nve
+min_style ${style}
+checkpoint every 7 steps keep 9 file min.*.h5
+minimize 0 0 30 1000
+run 10
+write_data end.data
+END
+for style in cg sd fire; do
+    rm -f min.*.h5
+    run min.in -var style "$style" || fail "minimize with $style: $(cat err)"
+    mv end.data "whole/$style.data"
+    for step in 7 28 35; do
+        run resume "min.$step.h5" || fail "minimize with $style resumed from step $step: $(cat err)"
+        cmp end.data "whole/$style.data" || fail "minimize with $style resumed from step $step ended otherwise"
+    done
+done

@@ -238,7 +238,7 @@ static forces_t evaluate_with(system_t *s, method_t method, hs_isa isa, hs_preci
     }
     hs_halo_reverse(&halo, atoms, is_fixed);
     if (is_fixed) {
-        hs_force_settle(atoms, job->isa, grid.force, false);
+        hs_force_settle(atoms, job.isa, grid.force, false);
         result.energy = ldexp((double)result.energy_fixed, grid.energy);
         for (int k = 0; k < 6; ++k) result.virial[k] = ldexp((double)result.virial_fixed[k], grid.energy);
     }

@@ -169,10 +169,35 @@ compute c all com
 compute v all gyration
 D
 } >in.more
+{
+    system valley 10 'f_s' <<D
+lattice fcc 0.8
+region box block 0 6 0 5 0 4
+region hole cylinder z 3 2.5 0.9 0 4 side out
+create_box 2 box
+create_atoms 1 region hole
+set type 1 type/ratio 2 0.3 4711
+mass * 1.0
+$liquid
+pair_coeff 2 2 1.0 0.9
+pair_modify shift yes
+velocity all create 0.1 5
+fix s all spring/self 0.5
+fix_modify s energy yes
+thermo_modify norm no format float %.17g
+thermo 5
+minimize 0 0 25 1000
+min_style fire
+minimize 0 0 25 1000
+fix 1 all nve
+D
+} >in.minimize
 
 bits bits 0 1
 bits more 0 1
 [ "$(cat bits/thermo more/thermo | wc -l)" -eq 39 ] || fail "$(cat bits/thermo more/thermo | wc -l) rows"
+bits minimize 0 1
+[ "$(wc -l <minimize/thermo)" -eq 14 ] || fail "$(wc -l <minimize/thermo) rows of minimize"
 for threads in 1 2; do
     for n in 1 2 3 4 6 8; do bits bits "$n" "$threads"; done
 done
@@ -188,3 +213,6 @@ bits bits 2 1 -neigh nsq
 bits more 0 1 -neigh linked
 bits bits 3 1 -neigh incremental
 bits more 2 1 -neigh hash
+bits minimize 1 3 -neigh verlet
+bits minimize 3 1 -neigh cell
+bits minimize 4 2

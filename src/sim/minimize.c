@@ -1,0 +1,271 @@
+#include "sim/minimize.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "sim/minimizer.h"
+#include "sim/report.h"
+#include "sim/saving.h"
+#include "sim/thermo_internal.h"
+#include "style/atom_sum.h"
+
+const hs_min_style *const hs_min_styles[] = {&hs_min_style_cg, &hs_min_style_sd, &hs_min_style_fire, NULL};
+
+static const char *const reasons[HS_N_MIN_REASONS] = {
+    [HS_MIN_MAX_ITERATIONS] = "max iterations",
+    [HS_MIN_MAX_EVALUATIONS] = "max force evaluations",
+    [HS_MIN_ENERGY] = "energy tolerance",
+    [HS_MIN_FORCE] = "force tolerance",
+    [HS_MIN_UPHILL] = "search direction is not downhill",
+    [HS_MIN_ALPHA] = "linesearch alpha is zero",
+    [HS_MIN_NO_FORCES] = "forces are zero",
+    [HS_MIN_NEGATIVE_POWER] = "max iterations with v.f negative",
+};
+
+void hs_min_settings_init(hs_min_settings *settings)
+{
+    *settings = (hs_min_settings){.style = &hs_min_style_cg,
+                                  .dmax = 0.1,
+                                  .line = HS_LINE_QUADRATIC,
+                                  .norm = HS_NORM_TWO,
+                                  .integrator = HS_FIRE_EULER_IMPLICIT,
+                                  .tmax = 10.0,
+                                  .tmin = 0.02,
+                                  .delaystep = 20,
+                                  .dtgrow = 1.1,
+                                  .dtshrink = 0.5,
+                                  .alpha0 = 0.25,
+                                  .alphashrink = 0.99,
+                                  .vdfmax = 2000,
+                                  .halfstepback = true,
+                                  .initialdelay = true};
+}
+
+/* ---- Sums over atoms ---- */
+
+enum { FORCE_FORCE, FORCE_BEFORE, FORCE_DIRECTION, N_SUMS };
+
+static void add_products(const hs_atoms *atoms, const void *context, int begin, int end, hs_exact_sum *sums)
+{
+    const hs_minimizer *min = context;
+    const bool has_direction = min->direction[0] != NULL;
+    for (int axis = 0; axis < 3; ++axis)
+        for (int i = begin; i < end; ++i) {
+            const double f = atoms->f[axis][i];
+            hs_exact_add(&sums[FORCE_FORCE], f * f);
+            if (!has_direction) continue;
+            hs_exact_add(&sums[FORCE_BEFORE], f * min->before[axis][i]);
+            hs_exact_add(&sums[FORCE_DIRECTION], f * min->direction[axis][i]);
+        }
+}
+
+void hs_min_add_up(const hs_minimizer *min, hs_min_sums *sums)
+{
+    double value[N_SUMS];
+    hs_atom_sum(&min->sim->atoms, &min->sim->parallel, add_products, min, N_SUMS, value);
+    *sums = (hs_min_sums){value[FORCE_FORCE], value[FORCE_BEFORE], value[FORCE_DIRECTION]};
+}
+
+double hs_min_largest(const hs_minimizer *min, double *const vector[3])
+{
+    double largest = 0.0;
+    const hs_atoms *atoms = &min->sim->atoms;
+#pragma omp parallel for schedule(static) reduction(max : largest)
+    for (int i = 0; i < atoms->n_local; ++i)
+        for (int axis = 0; axis < 3; ++axis) largest = fmax(largest, fabs(vector[axis][i]));
+    hs_parallel_max_double(&min->sim->parallel, &largest, 1);
+    return largest;
+}
+
+double hs_min_force_norm(const hs_minimizer *min, hs_force_norm norm)
+{
+    const hs_atoms *atoms = &min->sim->atoms;
+    if (norm == HS_NORM_INF) return hs_min_largest(min, atoms->f);
+    if (norm == HS_NORM_TWO) {
+        hs_min_sums sums;
+        hs_min_add_up(min, &sums);
+        return sqrt(sums.force_force);
+    }
+    double largest2 = 0.0;
+#pragma omp parallel for schedule(static) reduction(max : largest2)
+    for (int i = 0; i < atoms->n_local; ++i) {
+        const double x = atoms->f[0][i], y = atoms->f[1][i], z = atoms->f[2][i];
+        largest2 = fmax(largest2, x * x + y * y + z * z);
+    }
+    hs_parallel_max_double(&min->sim->parallel, &largest2, 1);
+    return sqrt(largest2);
+}
+
+/* ---- Iterations ---- */
+
+static double energy_of(const hs_sim *sim) { return sim->env.pair_energy + sim->env.tail_energy + sim->env.fix_energy; }
+
+hs_status hs_min_evaluate(hs_minimizer *min, hs_error *err)
+{
+    HS_TRY(hs_sim_move_forces(min->sim, err));
+    min->energy = energy_of(min->sim);
+    ++min->n_evaluations;
+    --*min->plan->evaluations_left;
+    return HS_OK;
+}
+
+hs_min_reason hs_min_check(const hs_minimizer *min, bool with_energy)
+{
+    const double tiny = 1e-8; /* energies of about zero have no meaningful relative change */
+    const double size = 0.5 * (fabs(min->energy) + fabs(min->energy_before) + tiny);
+    if (*min->plan->evaluations_left <= 0) return HS_MIN_MAX_EVALUATIONS;
+    if (with_energy && fabs(min->energy - min->energy_before) < min->plan->energy_tolerance * size)
+        return HS_MIN_ENERGY;
+    if (min->plan->force_tolerance > 0.0 && hs_min_force_norm(min, min->settings->norm) < min->plan->force_tolerance)
+        return HS_MIN_FORCE;
+    return HS_MIN_GOES_ON;
+}
+
+static void forget_vectors(hs_minimizer *min)
+{
+    for (int axis = 0; axis < 3; ++axis) {
+        hs_atoms_remove_field(&min->sim->atoms, (void **)&min->direction[axis]);
+        hs_atoms_remove_field(&min->sim->atoms, (void **)&min->before[axis]);
+    }
+}
+
+/** Begin, or begin again, from the present forces. */
+static hs_status begin(hs_minimizer *min, hs_error *err)
+{
+    static const char *const names[2][3] = {{"minimize direction x", "minimize direction y", "minimize direction z"},
+                                            {"minimize before x", "minimize before y", "minimize before z"}};
+    hs_atoms *atoms = &min->sim->atoms;
+    for (int axis = 0; axis < 3 && min->settings->style->has_direction; ++axis) {
+        HS_TRY(hs_atoms_add_field(atoms, names[0][axis], (void **)&min->direction[axis], sizeof(double), false, err));
+        HS_TRY(hs_atoms_add_field(atoms, names[1][axis], (void **)&min->before[axis], sizeof(double), false, err));
+    }
+    min->settings->style->begin(min);
+    return HS_OK;
+}
+
+/** Checkpoints hold no directions: whenever one is written the search begins again from the forces, so that one that is resumed is the
+ *  same, bit by bit, as the one that went on. */
+static hs_status save_if_due(hs_minimizer *min, hs_error *err)
+{
+    hs_sim *sim = min->sim;
+    const bool is_stopping = sim->parallel.n_ranks > 1 ? sim->is_stopping : hs_sim_is_asked_to_stop(sim);
+    if (!is_stopping && !hs_sim_is_save_due(sim)) return HS_OK;
+    forget_vectors(min);
+    HS_TRY(hs_sim_save_if_due(sim, err));
+    if (is_stopping) {
+        char where[64];
+        snprintf(where, sizeof where, "after step %lld, within minimize", (long long)sim->env.step);
+        return hs_sim_stop(sim, where, err);
+    }
+    return begin(min, err);
+}
+
+static hs_status iterate(hs_minimizer *min, hs_min_reason *reason, hs_error *err)
+{
+    hs_sim *sim = min->sim;
+    *reason = HS_MIN_GOES_ON;
+    while (*reason == HS_MIN_GOES_ON) {
+        if (*min->plan->iterations_left <= 0) {
+            *reason = HS_MIN_MAX_ITERATIONS;
+            return HS_OK;
+        }
+        ++sim->env.step;
+        ++min->n_iterations;
+        --*min->plan->iterations_left;
+        min->energy_before = min->energy;
+        HS_TRY(min->settings->style->iterate(min, reason, err));
+        hs_env_changed(&sim->env);
+        sim->env.energy_step = sim->env.step; /* the latest evaluation was of these places */
+        const bool is_last = *reason != HS_MIN_GOES_ON || *min->plan->iterations_left <= 0;
+        if (is_last) sim->env.last_step = sim->env.step;
+        HS_TRY(hs_sim_output_if_due(sim, is_last, err));
+        hs_report_progress(sim);
+        if (!is_last) HS_TRY(save_if_due(min, err));
+    }
+    return HS_OK;
+}
+
+/** What a minimisation began with. */
+typedef struct beginning {
+    double energy, norm, largest;
+} beginning;
+
+static void describe(const hs_minimizer *min, const beginning *start, hs_min_reason reason, char *text, size_t size)
+{
+    const hs_sim *sim = min->sim;
+    const double scale = sim->thermo->is_norm ? 1.0 / fmax((double)sim->atoms.n_all, 1.0) : 1.0;
+    const bool has_direction = min->settings->style->has_direction;
+    const double norm = hs_min_force_norm(min, HS_NORM_TWO), largest = hs_min_force_norm(min, HS_NORM_INF);
+    snprintf(text, size,
+             "\nMinimization stats:\n  Stopping criterion = %s\n"
+             "  Energy initial, next-to-last, final = \n    %18.15g %18.15g %18.15g\n"
+             "  Force two-norm initial, final = %#.8g %#.8g\n"
+             "  Force max component initial, final = %#.8g %#.8g\n"
+             "  Final line search alpha, max atom move = %#.8g %#.8g\n"
+             "  Iterations, force evaluations = %lld %lld\n",
+             reasons[reason], scale * start->energy, scale * min->energy_before, scale * min->energy, start->norm, norm,
+             start->largest, largest, has_direction ? min->alpha_tried : 0.0,
+             has_direction ? min->alpha_tried * largest : 0.0, (long long)min->n_iterations,
+             (long long)min->n_evaluations);
+}
+
+static hs_status set_up(hs_sim *sim, const hs_min_plan *plan, const char *style, hs_error *err)
+{
+    if (plan->is_resumed) { /* all is as it was at this step, and its output is written */
+        hs_thermo_header(sim->thermo);
+        hs_timer_reset(&sim->timer);
+        return HS_OK;
+    }
+    sim->env.first_step = sim->env.ramp_start = sim->env.step;
+    sim->env.last_step = sim->env.ramp_stop = sim->env.step + *plan->iterations_left;
+    HS_TRY(hs_sim_setup(sim, err));
+    sim->tuner.is_trying = false;
+    hs_say(sim->env.out, "Setting up %s style minimization ...\n  Unit style    : %s\n  Current step  : %lld\n", style,
+           sim->env.units->name, (long long)sim->env.step);
+    hs_report_setup(sim);
+    return hs_sim_begin_output(sim, err);
+}
+
+static hs_status minimize(hs_sim *sim, hs_min_plan *plan, hs_error *err)
+{
+    const hs_min_settings *settings = &sim->minimize;
+    HS_TRY(set_up(sim, plan, settings->style->name, err));
+    const double start_s = hs_time_now_s(), start_cpu_s = hs_time_cpu_s();
+    hs_minimizer min = {.sim = sim, .settings = settings, .plan = plan};
+    hs_min_reason reason;
+    min.energy = min.energy_before = energy_of(sim);
+    const beginning start = {min.energy, hs_min_force_norm(&min, HS_NORM_TWO), hs_min_force_norm(&min, HS_NORM_INF)};
+    hs_status status = begin(&min, err);
+    if (status == HS_OK) status = iterate(&min, &reason, err);
+    hs_progress_wipe(sim->env.out);
+    forget_vectors(&min);
+    HS_TRY(status);
+    char text[1024];
+    describe(&min, &start, reason, text, sizeof text);
+    hs_report_finish(sim, min.n_iterations, hs_time_now_s() - start_s, hs_time_cpu_s() - start_cpu_s, text);
+    return HS_OK;
+}
+
+hs_status hs_sim_minimize(hs_sim *sim, hs_min_plan *plan, hs_error *err)
+{
+    hs_neighbor_settings *settings = &sim->neighbor.settings;
+    const hs_neighbor_settings before = *settings;
+    /* line searches compare energies of the same pairs: lists must never be late */
+    if (settings->every != 1 || settings->delay != 0 || !settings->check || settings->once)
+        hs_warn(sim->env.out, "minimize makes lists as 'neigh_modify every 1 delay 0 check yes' says");
+    settings->every = 1;
+    settings->delay = 0;
+    settings->check = true;
+    settings->once = false;
+    sim->is_minimizing = true;
+    const hs_status status = minimize(sim, plan, err);
+    sim->is_minimizing = false;
+    settings->every = before.every;
+    settings->delay = before.delay;
+    settings->check = before.check;
+    settings->once = before.once;
+    sim->is_initialized =
+        false; /* a run without set-up would go on with another schedule, and without the other fixes' forces */
+    return status;
+}

@@ -1,0 +1,46 @@
+/** What the ways to a minimum share. Included by the files of sim/ that minimise. */
+#ifndef HS_SIM_MINIMIZER_H
+#define HS_SIM_MINIMIZER_H
+
+#include "sim/minimize.h"
+#include "sim/sim.h"
+
+/** A minimisation in progress. */
+typedef struct hs_minimizer {
+    hs_sim *sim;
+    const hs_min_settings *settings;
+    hs_min_plan *plan;
+    int64_t n_iterations, n_evaluations;
+    double energy, energy_before; /**< now, and at the end of the iteration before */
+    double alpha;                 /**< of the line search: distance moved = alpha times direction */
+    double alpha_tried; /**< last distance of the line search that was not guessed from a parabola, for the log */
+    /** Search direction and forces of the iteration before; fields of the atoms, only when the style wants them. */
+    double *direction[3], *before[3];
+    double squared; /**< cg: square of those forces */
+    /* fire */
+    double dt, dt_min, dt_max, mixing;
+    int64_t n_downhill, n_uphill, n_since_begin;
+    int64_t last_uphill; /**< iteration */
+} hs_minimizer;
+
+/** Sums over all atoms and axes, exact (collective). */
+typedef struct hs_min_sums {
+    double force_force, force_before, force_direction;
+} hs_min_sums;
+void hs_min_add_up(const hs_minimizer *min, hs_min_sums *sums);
+/** The length of all forces by the norm of the settings (collective). */
+double hs_min_force_norm(const hs_minimizer *min, hs_force_norm norm);
+/** Largest |value| of all components of a vector of the atoms (collective). */
+double hs_min_largest(const hs_minimizer *min, double *const vector[3]);
+/** Forces and energy of the present places (collective); counts as one evaluation. */
+HS_MUST_USE hs_status hs_min_evaluate(hs_minimizer *min, hs_error *err);
+/** Whether a tolerance is met, or too many evaluations were made (collective). */
+hs_min_reason hs_min_check(const hs_minimizer *min, bool with_energy);
+
+/** Move along the direction to a lower energy (collective). *reason is HS_MIN_ALPHA when there was none to be found; atoms are where
+ *  they were then. */
+HS_MUST_USE hs_status hs_min_search_line(hs_minimizer *min, hs_min_reason *reason, hs_error *err);
+
+extern const hs_min_style hs_min_style_cg, hs_min_style_sd, hs_min_style_fire;
+
+#endif
