@@ -129,7 +129,7 @@ lattice sq2 1.0
 region box block 0 14 0 11 -0.5 0.5
 create_box 1 box
 create_atoms 1 box
-variable d atom 0.7+0.8*((id*61)%101)/100
+variable d atom 0.3+1.5*(((id*61)%101)/100)^3
 set group all diameter v_d
 set group all mass 1.0
 velocity all create 1.0 99 loop geom
