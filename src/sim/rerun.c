@@ -115,7 +115,7 @@ hs_status hs_sim_rerun(hs_sim *sim, const hs_rerun_plan *plan, hs_error *err)
     sim->env.first_step = sim->env.last_step = sim->env.ramp_start = sim->env.ramp_stop = sim->env.step;
     const double loop_s = hs_time_now_s() - start_s;
     if (plan->post)
-        hs_report_finish(sim, self.n_done, loop_s, hs_time_cpu_s() - start_cpu_s);
+        hs_report_finish(sim, self.n_done, loop_s, hs_time_cpu_s() - start_cpu_s, NULL);
     else
         hs_report_loop(sim, self.n_done, loop_s);
     hs_thermo_say_means(sim->thermo);
