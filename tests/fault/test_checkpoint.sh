@@ -161,6 +161,7 @@ minimize 0 0 30 1000
 run 10
 write_data end.data
 END
+mkdir -p whole
 for style in cg sd fire; do
     rm -f min.*.h5
     run min.in -var style "$style" || fail "minimize with $style: $(cat err)"
