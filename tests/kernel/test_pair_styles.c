@@ -66,6 +66,7 @@ static hs_pair *make_pair(const struct usage *usage, int n_types, bool shift)
     char buffer[128];
     hs_pair *pair = NULL;
     memset(&err, 0, sizeof err);
+    two_spheres.n_local = n_types; /* one of each type that there is */
     const hs_pair_style *style = hs_pair_style_find(usage->style);
     ck_assert_msg(style != NULL, "there is no pair style %s", usage->style);
     ck_assert_hs_ok(hs_pair_create(&pair, style, &env, n_types, &err), err);

@@ -9,7 +9,7 @@
 #include "support/harness.h"
 
 extern const vector_math vector_math_portable, vector_math_portable_mixed;
-#if defined(__x86_64__)
+#if defined(__x86_64__) && !defined(HS_PORTABLE_ONLY)
 extern const vector_math vector_math_sse2, vector_math_sse2_mixed, vector_math_avx2, vector_math_avx2_mixed,
     vector_math_avx512, vector_math_avx512_mixed;
 #endif
@@ -19,7 +19,7 @@ enum { N_WIDTHS = HS_PRECISION_MIXED + 1 };
 
 static const vector_math *const sets[HS_N_ISAS][N_WIDTHS] = {
     [HS_ISA_PORTABLE] = {&vector_math_portable, &vector_math_portable_mixed},
-#if defined(__x86_64__)
+#if defined(__x86_64__) && !defined(HS_PORTABLE_ONLY)
     [HS_ISA_SSE2] = {&vector_math_sse2, &vector_math_sse2_mixed},
     [HS_ISA_AVX2] = {&vector_math_avx2, &vector_math_avx2_mixed},
     [HS_ISA_AVX512] = {&vector_math_avx512, &vector_math_avx512_mixed},
