@@ -9,6 +9,7 @@
 #include "deck/command.h"
 #include "deck/frames.h"
 #include "deck/interpreter.h"
+#include "deck/printed.h"
 #include "deck/source.h"
 #include "deck/substitute.h"
 #include "deck/variables.h"
@@ -85,13 +86,15 @@ static hs_status read_print(const hs_args *args, print_plan *plan, hs_error *err
     return HS_OK;
 }
 
-static hs_status print_to_file(const print_plan *plan, const char *text, hs_error *err)
+static hs_status print_to_file(hs_deck *deck, const print_plan *plan, const char *text, hs_error *err)
 {
     FILE *stream = fopen(plan->file, plan->is_append ? "a" : "w");
     if (stream == NULL)
         return hs_fail(err, HS_ERROR_IO, "print: the file '%.400s' cannot be written: %s", plan->file, strerror(errno));
     const bool is_written = fprintf(stream, "%s\n", text) >= 0;
-    if (fclose(stream) == 0 && is_written) return HS_OK;
+    const int64_t size = ftello(stream); /* -1 for a pipe */
+    if (fclose(stream) == 0 && is_written)
+        return size < 0 ? HS_OK : hs_printed_note(&deck->printed, plan->file, size, err);
     return hs_fail(err, HS_ERROR_IO, "print: the file '%.400s' could not be written in full: %s", plan->file,
                    strerror(errno));
 }
@@ -108,7 +111,7 @@ static hs_status print_run(hs_deck *deck, const hs_args *args, hs_error *err)
         if (plan.to_screen) hs_say_screen(deck->out, "%s\n", hs_text_get(&text));
         if (plan.to_screen || plan.to_universe) hs_say_log(deck->out, "%s\n", hs_text_get(&text));
         if (plan.file != NULL && deck->sim->parallel.rank == 0 && !deck->options.dry_run)
-            (void)print_to_file(&plan, hs_text_get(&text), err);
+            (void)print_to_file(deck, &plan, hs_text_get(&text), err);
         status = hs_parallel_agree(&deck->sim->parallel, err);
     }
     hs_text_fini(&text);

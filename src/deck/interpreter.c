@@ -100,6 +100,7 @@ void hs_deck_destroy(hs_deck **deck)
     HS_FREE((*deck)->pipe_name);
     HS_FREE((*deck)->label_wanted);
     HS_FREE((*deck)->log_name);
+    HS_FREE((*deck)->printed);
     hs_text_fini(&(*deck)->done);
     HS_FREE(*deck);
 }

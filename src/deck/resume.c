@@ -6,6 +6,7 @@
 #include "comm/domain.h"
 #include "deck/command.h"
 #include "deck/interpreter.h"
+#include "deck/printed.h"
 #include "deck/saved.h"
 #include "deck/source.h"
 #include "io/checkpoint.h"
@@ -347,6 +348,8 @@ static hs_status get_settings(hs_checkpoint *checkpoint, hs_deck *deck, char **c
     if (status == HS_OK) status = hs_state_text(&state, "neighbor method", &method, err);
     if (status == HS_OK) status = hs_state_text(&state, "precision", &precision, err);
     if (status == HS_OK && deck->log_name == NULL) status = hs_state_text(&state, "log", &deck->log_name, err);
+    if (status == HS_OK && hs_state_find(&state, "printed files") != NULL) /* older checkpoints have none */
+        status = hs_state_text(&state, "printed files", &deck->printed, err);
     if (status == HS_OK) status = hs_state_bool(&state, "jump is skipped", &deck->jump_skipped, err);
     hs_options *options = &deck->options; /* the present command line wins */
     if (method != NULL && options->neighbor_method[0] == '\0')
@@ -367,6 +370,9 @@ hs_status hs_deck_resume(hs_deck *deck, const char *path, hs_error *err)
     HS_TRY(hs_checkpoint_open(&where.checkpoint, path, &deck->sim->parallel, err));
     if (deck->sim->parallel.rank == 0) hs_part_file_sweep(path); /* of the run that was killed */
     hs_status status = get_settings(where.checkpoint, deck, &commands, &where.n, err);
+    if (status == HS_OK && deck->printed != NULL && deck->sim->parallel.rank == 0)
+        (void)(hs_printed_cut(deck->printed, err) == HS_OK);
+    if (status == HS_OK) status = hs_parallel_agree(&deck->sim->parallel, err);
     if (status == HS_OK) status = hs_deck_clear(deck, err); /* with the settings */
     if (status == HS_OK) status = get_variables(where.checkpoint, deck, err);
     if (status == HS_OK) status = get_simulation(where.checkpoint, deck, commands, err);

@@ -244,6 +244,7 @@ static hs_status put_settings(hs_checkpoint *checkpoint, hs_deck *deck, int n_pl
     if (status == HS_OK) status = hs_state_text(&state, "neighbor method", &method, err);
     if (status == HS_OK) status = hs_state_text(&state, "precision", &precision, err);
     if (status == HS_OK) status = hs_state_text(&state, "log", &deck->log_name, err);
+    if (status == HS_OK) status = hs_state_text(&state, "printed files", &deck->printed, err);
     if (status == HS_OK) status = hs_state_bool(&state, "jump is skipped", &deck->jump_skipped, err);
     if (status == HS_OK) status = keep_names(deck->sim, &state, err);
     if (status == HS_OK) status = hs_checkpoint_put(checkpoint, "deck", &state, err);
