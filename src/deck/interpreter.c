@@ -30,10 +30,7 @@ static int variable_kind(void *deck, const char *name)
     return variable == NULL ? 0 : variable->style == HS_VARIABLE_ATOM ? 2 : 1;
 }
 
-static hs_status substitute(void *deck, hs_text *text, hs_error *err)
-{
-    return hs_substitute(deck, text, false, err);
-}
+static hs_status substitute(void *deck, hs_text *text, hs_error *err) { return hs_substitute(deck, text, false, err); }
 
 static const char *deck_text(void *deck)
 {

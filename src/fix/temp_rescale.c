@@ -49,7 +49,8 @@ static hs_status set_temperature(hs_fix *fix, const char *id, hs_error *err)
 static hs_status find_temperature(const hs_fix *fix, hs_compute **temperature, hs_error *err)
 {
     const rescale_state *state = fix->state;
-    *temperature = state->temperature_id != NULL ? fix->env->find_compute(fix->env, state->temperature_id) : fix->own[0];
+    *temperature =
+        state->temperature_id != NULL ? fix->env->find_compute(fix->env, state->temperature_id) : fix->own[0];
     if (*temperature != NULL) return HS_OK;
     return hs_fail(err, HS_ERROR_INPUT, "fix '%s' (temp/rescale): there is no compute '%s' any more", fix->id,
                    state->temperature_id);
@@ -125,22 +126,22 @@ static hs_status keep_state(hs_fix *fix, hs_state *kept, hs_error *err)
 }
 
 const hs_fix_style hs_fix_style_temp_rescale = {
-    .about = {.name = "temp/rescale",
-              .syntax = {.usage = "<N> <Tstart> <Tstop> <window> <fraction>", .n_min = 5, .n_max = 5},
-              .summary = "scale velocities to a temperature",
-              .details =
-                  "At steps that are multiples of N, when the temperature is farther than window from the wanted one, "
-                  "the velocities of the group are scaled so that the difference is smaller by the fraction (1: it "
-                  "vanishes). The wanted temperature goes from Tstart to Tstop over the run (or from `run start` to "
-                  "`run stop`); Tstart may be an equal-style variable `v_name`, which then is the temperature at every "
-                  "step. The fix moves nothing: use it with `fix nve` or another integrator. It does not give the "
-                  "canonical ensemble; it serves to bring a system to a temperature.\n\nThe temperature is that of the "
-                  "group, the compute `ID_temp` that the fix makes, or that of `fix_modify temp`; of a temperature that "
-                  "leaves out a part of the velocities only the thermal part is scaled. The scalar `f_ID` is the "
-                  "energy taken from the atoms so far; `fix_modify energy yes` adds it to the potential energy.",
-              .example =
-                  "fix 1 all temp/rescale 100 1.0 1.1 0.02 0.5\n"
-                  "compute t beads temp/partial 0 1 1\nfix 2 beads temp/rescale 1 2.0 2.0 0 1\nfix_modify 2 temp t"},
+    .about =
+        {.name = "temp/rescale",
+         .syntax = {.usage = "<N> <Tstart> <Tstop> <window> <fraction>", .n_min = 5, .n_max = 5},
+         .summary = "scale velocities to a temperature",
+         .details =
+             "At steps that are multiples of N, when the temperature is farther than window from the wanted one, "
+             "the velocities of the group are scaled so that the difference is smaller by the fraction (1: it "
+             "vanishes). The wanted temperature goes from Tstart to Tstop over the run (or from `run start` to "
+             "`run stop`); Tstart may be an equal-style variable `v_name`, which then is the temperature at every "
+             "step. The fix moves nothing: use it with `fix nve` or another integrator. It does not give the "
+             "canonical ensemble; it serves to bring a system to a temperature.\n\nThe temperature is that of the "
+             "group, the compute `ID_temp` that the fix makes, or that of `fix_modify temp`; of a temperature that "
+             "leaves out a part of the velocities only the thermal part is scaled. The scalar `f_ID` is the "
+             "energy taken from the atoms so far; `fix_modify energy yes` adds it to the potential energy.",
+         .example = "fix 1 all temp/rescale 100 1.0 1.1 0.02 0.5\n"
+                    "compute t beads temp/partial 0 1 1\nfix 2 beads temp/rescale 1 2.0 2.0 0 1\nfix_modify 2 temp t"},
     .state_size = sizeof(rescale_state),
     .create = create,
     .destroy = destroy,
