@@ -11,6 +11,7 @@
 #include "deck/formula.h"
 #include "deck/interpreter.h"
 #include "deck/lexer.h"
+#include "deck/printed.h"
 #include "deck/source.h"
 #include "deck/substitute.h"
 #include "deck/variables.h"
@@ -159,6 +160,20 @@ static hs_status check_run(checker *c, file *f, const hs_args *args)
     return HS_OK;
 }
 
+/** The files that `print` writes to. What those hold that it adds to is noted: a run that is killed after its first line there, and before
+ *  its next checkpoint, can then be resumed without that line twice. */
+static hs_status check_print(checker *c, const hs_args *args)
+{
+    for (int i = 1; i + 1 < args->n; i += 2) {
+        const bool is_append = strcmp(args->word[i], "append") == 0;
+        if (!is_append && strcmp(args->word[i], "file") != 0) continue;
+        HS_TRY(hs_name_list_add(&c->names.written, args->word[i + 1], c->err));
+        if (is_append && !is_open(args->word[i + 1]) && c->deck->sim->parallel.rank == 0)
+            HS_TRY(hs_printed_expect(&c->deck->printed, args->word[i + 1], c->err));
+    }
+    return HS_OK;
+}
+
 /** What a command tells about others: variables, files, labels, commands within it. */
 static hs_status check_meaning(checker *c, file *f, const hs_args *args)
 {
@@ -172,10 +187,7 @@ static hs_status check_meaning(checker *c, file *f, const hs_args *args)
     if (strcmp(args->command, "quit") == 0 && c->nesting == 0) f->is_dead = true;
     if (strcmp(args->command, "write_data") == 0 && args->n > 0)
         return hs_name_list_add(&c->names.written, args->word[0], c->err);
-    for (int i = 0; strcmp(args->command, "print") == 0 && i + 1 < args->n; ++i)
-        if (strcmp(args->word[i], "file") == 0 || strcmp(args->word[i], "append") == 0)
-            HS_TRY(hs_name_list_add(&c->names.written, args->word[i + 1], c->err));
-    return HS_OK;
+    return strcmp(args->command, "print") == 0 ? check_print(c, args) : HS_OK;
 }
 
 static hs_status check_words(checker *c, file *f, const hs_words *words)
