@@ -137,7 +137,7 @@ hs_status hs_value_check(hs_env *env, const hs_value *value, hs_value_shape shap
     if (compute_of(env, value) == NULL && fix_of(env, value) == NULL)
         return hs_fail(err, HS_ERROR_INPUT, "%s: there is no %s '%s' for %s: the command '%s' makes one", command, kind,
                        value->id, value->word, kind);
-    char has[600];
+    char has[640]; /* four parts of less than 160 characters */
     describe(env, value, has, sizeof has);
     const char *style =
         value->kind == 'c' ? compute_of(env, value)->style->about.name : fix_of(env, value)->style->about.name;
