@@ -2,6 +2,7 @@
 
 #include <errno.h>
 #include <fcntl.h>
+#include <stdbool.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
@@ -50,6 +51,39 @@ static int write_at(h5_file *file, haddr_t at, const char *bytes, size_t size)
     return file->failed == 0 ? 0 : -1;
 }
 
+/** What the kernel copies in one go: a process can be killed in the middle of a longer write. */
+enum { PAGE = 4096 };
+
+/** Layout of a node of an index, HDF5's "version 1 B-trees": "TREE", type, level, entries in use (2 bytes). */
+enum { NODE_LEVEL = 5, NODE_USED = 6, NODE_HEAD = 8 };
+
+static int entries_of(const char *node)
+{
+    return (unsigned char)node[NODE_USED] + 256 * (unsigned char)node[NODE_USED + 1];
+}
+
+/** Is this a node to which entries were added, so that what is new in it counts only with its head? */
+static bool grows(const h5_file *file, const held *write)
+{
+    char old[NODE_HEAD];
+    return write->kind == H5FD_MEM_BTREE && write->size > NODE_HEAD &&
+           pread(file->fd, old, sizeof old, (off_t)write->at) == sizeof old &&
+           memcmp(old, write->bytes, NODE_LEVEL + 1) == 0 && entries_of(write->bytes) >= entries_of(old);
+}
+
+/** Overwrite structure page by page: with the head last when entries were added, else with the head first. */
+static void overwrite(h5_file *file, const held *write)
+{
+    const haddr_t first = write->at / PAGE, last = (write->at + write->size - 1) / PAGE;
+    const bool is_backward = grows(file, write);
+    for (haddr_t k = first; k <= last; ++k) {
+        const haddr_t page = is_backward ? last - (k - first) : k;
+        const haddr_t begin = page == first ? write->at : page * PAGE;
+        const haddr_t end = page == last ? write->at + write->size : (page + 1) * PAGE;
+        (void)write_at(file, begin, write->bytes + (begin - write->at), (size_t)(end - begin));
+    }
+}
+
 static void forget_waiting(h5_file *file)
 {
     for (size_t i = 0; i < file->n_waiting; ++i) free(file->waiting[i].bytes);
@@ -64,9 +98,10 @@ static int rank_of(const h5_file *file, const held *write)
     if (write->at >= file->committed) return NEW;
     if (write->kind == H5FD_MEM_SUPER) return SUPERBLOCK;
     if (write->kind == H5FD_MEM_OHDR) return HEADER;
-    /* "TREE", type, level: a node is split by moving entries to a new node, telling the parent, and only then shortening
+    /* A node is split by moving entries to a new node, telling the parent, and only then shortening
      * the old node; so parents (of higher level) come first. */
-    if (write->kind == H5FD_MEM_BTREE && write->size > 5) return TREE_LEAF - (unsigned char)write->bytes[5];
+    if (write->kind == H5FD_MEM_BTREE && write->size > NODE_HEAD)
+        return TREE_LEAF - (unsigned char)write->bytes[NODE_LEVEL];
     return OTHER;
 }
 
@@ -95,8 +130,7 @@ static int commit(h5_file *file)
         (void)write_at(file, file->waiting[i].at, file->waiting[i].bytes, file->waiting[i].size);
     /* The superblock names the file's length: the file must have it first. */
     if (file->failed == 0 && ftruncate(file->fd, (off_t)end) != 0) file->failed = errno;
-    for (; i < file->n_waiting; ++i)
-        (void)write_at(file, file->waiting[i].at, file->waiting[i].bytes, file->waiting[i].size);
+    for (; i < file->n_waiting; ++i) overwrite(file, &file->waiting[i]);
     if (file->failed != 0) {
         roll_back(file);
         return -1;
@@ -146,6 +180,18 @@ static int driver_cmp(const H5FD_t *a, const H5FD_t *b)
     if (first->device != second->device) return first->device < second->device ? -1 : 1;
     if (first->inode != second->inode) return first->inode < second->inode ? -1 : 1;
     return 0;
+}
+
+/** At the end of the file. Structure of less than a page does not cross the border of one, longer structure begins at one, so
+ *  that `overwrite` changes every head at once. */
+static haddr_t driver_alloc(H5FD_t *head, H5FD_mem_t kind, hid_t dxpl, hsize_t size)
+{
+    (void)dxpl;
+    h5_file *file = (h5_file *)head;
+    haddr_t at = file->eoa;
+    if (kind != H5FD_MEM_DRAW && at % PAGE + size > PAGE) at = (at + PAGE - 1) / PAGE * PAGE;
+    file->eoa = at + size;
+    return at;
 }
 
 /** No accumulation, sieving or aggregation: each piece comes by itself and at a place of its own. */
@@ -266,6 +312,7 @@ static const H5FD_class_t driver = {
     .close = driver_close,
     .cmp = driver_cmp,
     .query = driver_query,
+    .alloc = driver_alloc,
     .get_eoa = driver_get_eoa,
     .set_eoa = driver_set_eoa,
     .get_eof = driver_get_eof,

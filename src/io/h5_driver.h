@@ -13,7 +13,8 @@
  *  file that cannot be opened. (The single-writer mode would order writes, but leaves a mark in the file that makes plain
  *  readers refuse it; and it cannot be had together with MPI-IO.) This driver holds back what is overwritten until
  *  H5Fflush, and then writes first what is new and not yet referred to, then the structure from the top down, and last the
- *  headers that hold the datasets' extents: each state between is consistent. A flush that fails (full disk) leaves the
+ *  headers that hold the datasets' extents: each state between is consistent, also in the middle of a write, which the kernel
+ *  may leave after any page when the process is killed. A flush that fails (full disk) leaves the
  *  file as it was before. What it relies on:
  *  - formats of HDF5 1.8, whose superblock has no mark of being open, and whose chunk index is a B-tree;
  *  - every piece of structure is allocated at the end of the file (no aggregation), and freed space is not used again

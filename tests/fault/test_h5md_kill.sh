@@ -50,7 +50,7 @@ END
 # Killed at single writes.
 if [ -z "$(ldd "$HALFSHELL" | grep -E 'asan|ubsan' || true)" ] &&
     "${CC:-cc}" -shared -fPIC -O1 -o die.so "$PROJECT_ROOT/tests/fault/preload/die_at_write.c" -ldl; then
-    n_frames=258 # the index has 256 entries a node: it splits here
+    n_frames=258 # the index has 256 entries a node: it splits here, in the last 140 writes
     LD_PRELOAD=$folder/die.so COUNT_WRITES=$folder/total "$HALFSHELL" run.in -var level 0 -var steps $n_frames -log none >/dev/null
     total=$(cat total)
     rm -f run.h5md
@@ -60,7 +60,7 @@ if [ -z "$(ldd "$HALFSHELL" | grep -E 'asan|ubsan' || true)" ] &&
             LD_PRELOAD=$folder/die.so DIE_AT_WRITE=$1 "$HALFSHELL" ../run.in -var level 0 -var steps $n_frames -log none
         ) >/dev/null 2>&1 || true
     }
-    { for at in $(seq 1 9 90) $(seq $((total - 60)) $((total - 2))); do kill_at "$at"; done; } 2>/dev/null # not one line for each
+    { for at in $(seq 1 9 90) $(seq $((total - 140)) $((total - 2))); do kill_at "$at"; done; } 2>/dev/null # not one line for each
     "$python" look.py at*/run.h5md >frames || { echo "killed at a single write: the file is not readable" >&2; exit 1; }
     [ "$(sort -n frames | tail -1)" -ge $((n_frames - 1)) ] || { echo "kills did not come late enough" >&2; exit 1; }
 fi

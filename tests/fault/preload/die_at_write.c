@@ -1,4 +1,5 @@
-/* Loaded before a program (LD_PRELOAD) this kills it at the N-th change it makes to a file: N in DIE_AT_WRITE. Without, the
+/* Loaded before a program (LD_PRELOAD) this kills it at the N-th change it makes to a file: N in DIE_AT_WRITE. A write is done
+ * up to the first border of a page inside it, as the kernel may leave it; one within a page is not done. Without, the
  * changes are counted into the file named by COUNT_WRITES. Used by tests/fault. */
 #define _GNU_SOURCE
 #include <dlfcn.h>
@@ -9,18 +10,26 @@
 
 static long n_changes;
 
-static void count(void)
+static int is_last(void)
 {
     const char *limit = getenv("DIE_AT_WRITE");
     ++n_changes;
-    if (limit != NULL && n_changes >= atol(limit)) raise(SIGKILL);
+    return limit != NULL && n_changes >= atol(limit);
+}
+
+static void count(void)
+{
+    if (is_last()) raise(SIGKILL);
 }
 
 ssize_t pwrite64(int fd, const void *bytes, size_t n, off64_t at)
 {
     ssize_t (*real)(int, const void *, size_t, off64_t) = dlsym(RTLD_NEXT, "pwrite64");
-    count();
-    return real(fd, bytes, n, at);
+    if (!is_last()) return real(fd, bytes, n, at);
+    const size_t in_page = 4096 - (size_t)at % 4096;
+    if (in_page < n) (void)!real(fd, bytes, in_page, at);
+    raise(SIGKILL);
+    return -1;
 }
 
 ssize_t pwrite(int fd, const void *bytes, size_t n, off_t at) { return pwrite64(fd, bytes, n, at); }
