@@ -32,7 +32,7 @@ static hs_status put_cell(hs_text *page, double value, const char *fmt, hs_error
     return hs_text_printf(page, err, "<td>%s</td>", isfinite(value) ? text : "–");
 }
 
-static hs_status put_row(hs_text *page, const hs_table *table, int k, const hs_deck_facts *facts, bool *has_lower_bound,
+static hs_status put_row(hs_text *page, const hs_table *table, int k, const hs_deck_facts *facts, bool *is_uncertain,
                          hs_error *err)
 {
     const column_facts found = facts_of(table->column[k].value, table->n_rows);
@@ -40,7 +40,7 @@ static hs_status put_row(hs_text *page, const hs_table *table, int k, const hs_d
     double slope, ignored;
     hs_text label = {0};
     hs_line_slope(&found.line, &slope, &ignored);
-    *has_lower_bound |= e.n > 1 && !e.is_converged;
+    *is_uncertain |= e.n > 1 && !e.is_converged;
     hs_status status = hs_quantity_label(&label, table->column[k].name, facts, err);
     if (status == HS_OK) status = hs_text_printf(page, err, "<tr><th scope=\"row\">");
     if (status == HS_OK) status = hs_html_text(page, table->column[k].name, err);
@@ -58,7 +58,7 @@ static hs_status put_row(hs_text *page, const hs_table *table, int k, const hs_d
     return hs_text_printf(page, err, "</tr>\n");
 }
 
-static hs_status put_run(hs_text *page, const hs_table *table, const hs_deck_facts *facts, bool *has_lower_bound,
+static hs_status put_run(hs_text *page, const hs_table *table, const hs_deck_facts *facts, bool *is_uncertain,
                          hs_error *err)
 {
     const int step = hs_table_find(table, "Step");
@@ -73,19 +73,19 @@ static hs_status put_run(hs_text *page, const hs_table *table, const hs_deck_fac
                        "</tr></thead>\n<tbody>\n",
                        (long long)table->n_rows));
     for (int k = 0; k < table->n_columns; ++k)
-        if (k != step && table->column[k].word == NULL) HS_TRY(put_row(page, table, k, facts, has_lower_bound, err));
+        if (k != step && table->column[k].word == NULL) HS_TRY(put_row(page, table, k, facts, is_uncertain, err));
     return hs_text_printf(page, err, "</tbody></table></div>\n");
 }
 
 hs_status hs_html_means(hs_text *page, const hs_table_file *log, const hs_deck_facts *facts, hs_error *err)
 {
-    bool has_lower_bound = false;
+    bool is_uncertain = false;
     for (int t = 0; t < log->n_tables; ++t)
-        if (log->table[t].n_rows > 1) HS_TRY(put_run(page, &log->table[t], facts, &has_lower_bound, err));
+        if (log->table[t].n_rows > 1) HS_TRY(put_run(page, &log->table[t], facts, &is_uncertain, err));
     return hs_text_printf(
         page, err,
         "<p class=\"note\">Means over all rows of a run, its beginning too. Errors are standard errors by "
         "blocking (Flyvbjerg and Petersen 1989, Lee and others 2011); the inefficiency is the number of neighboring "
         "rows that count as one. %sDrift: change from the first to the last row of a straight-line fit.</p>\n",
-        has_lower_bound ? "* Rows are correlated over too much of the run to tell: the error is a lower bound. " : "");
+        is_uncertain ? "* Fewer than 20 independent rows: the error may be too small. " : "");
 }

@@ -1,10 +1,16 @@
 /** Means of correlated series and how far they can be trusted.
  *
- *  Blocks of 2, 4, 8, ... neighbors are averaged as values come in, in memory that grows with the logarithm of their number.
- *  The error of the mean is the one that blocks of the right length show: H. Flyvbjerg, H. G. Petersen, J. Chem. Phys. 91, 461
- *  (1989), doi:10.1063/1.457480. The length is the shortest B with B^3 > 2 n g_B^2, where g_B is the inefficiency that blocks of
- *  B show, which balances their bias against their scatter: R. M. Lee et al., Phys. Rev. E 83, 066706 (2011),
- *  doi:10.1103/PhysRevE.83.066706. */
+ *  Blocks of 2, 4, 8, ... neighbors are averaged as values come in, in memory that grows with the logarithm of their number:
+ *  H. Flyvbjerg, H. G. Petersen, J. Chem. Phys. 91, 461 (1989), doi:10.1063/1.457480. Scatter of blocks alone shows too small an
+ *  error, because neighboring blocks are correlated still, the more so where a slow mode hides below a fast one. So the
+ *  correlation c of neighboring blocks is counted too: with the variance s2 of n blocks the square of the error is
+ *      (s2 + 2 c) / n = (3 S - q) / (n - 3),
+ *  S the mean squared deviation from the mean of the series (which is too small by that square itself), q = 2 (s2 - c) the mean
+ *  squared difference of neighbors. That is the sum of the autocorrelation through a window that is flat up to one block and falls
+ *  to 0 at two: D. N. Politis, J. P. Romano, J. Time Series Anal. 16, 67 (1995), doi:10.1111/j.1467-9892.1995.tb00223.x.
+ *  The length is the shortest B with B^3 > 2 n g^2, where g is the inefficiency that blocks of B show: R. M. Lee et al., Phys. Rev.
+ *  E 83, 066706 (2011), doi:10.1103/PhysRevE.83.066706; there are at least 8 blocks. The error is the half width of the interval
+ *  that holds the true mean with the probability erf(1/sqrt(2)) = 68.3 %, of Student's t, for it rests on few blocks. */
 #ifndef HS_CORE_STATISTICS_H
 #define HS_CORE_STATISTICS_H
 
@@ -20,8 +26,8 @@ typedef struct hs_block_level {
     int64_t n;
     double mean, m2;               /**< mean of the blocks, and sum of their squared deviations from it */
     double weight, weight2, cross; /**< the same of their weights, and sum of the products of both deviations */
-    double half, half_weight;      /**< the first of two blocks of the length below */
-    bool has_half;
+    double last, last_weight;      /**< the latest block */
+    double step2, step_weight2, step_cross; /**< sums of squares and products of differences of neighboring blocks */
 } hs_block_level;
 
 /** A series. Zero-initialised it is empty. */
@@ -34,11 +40,11 @@ typedef struct hs_series {
 typedef struct hs_estimate {
     int64_t n;
     double mean;
-    double variance;     /**< of single values */
-    double error;        /**< standard error of the mean; 0 for fewer than two values, which show none */
-    double inefficiency; /**< values per independent one, at least about 1 */
+    double variance; /**< of single values */
+    double error; /**< the true mean is that near in 68 % of all series; 0 for fewer than two values, which show none */
+    double inefficiency; /**< values per independent one */
     int64_t block;       /**< length of the blocks that the error is taken from */
-    bool is_converged;   /**< blocks were long enough; else the error is too small, a lower bound */
+    bool is_converged;   /**< at least 20 independent values; with fewer the error may be too small */
 } hs_estimate;
 
 void hs_series_add(hs_series *series, double value);

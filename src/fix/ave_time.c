@@ -235,7 +235,7 @@ static void say_results(const hs_fix *fix)
 {
     const ave_state *state = fix->state;
     char title[160];
-    bool has_lower_bound = false;
+    bool is_uncertain = false;
     if (state->run.n_series == 0 || state->run.n_levels == 0) return;
     hs_estimate e = hs_series_set_estimate(&state->run, 0);
     if (e.n < 2) return;
@@ -244,9 +244,9 @@ static void say_results(const hs_fix *fix)
     for (int k = 0; k < state->n_values; ++k) {
         e = hs_series_set_estimate(&state->run, k);
         hs_average_say_row(fix->env->out, state->values[k].word, &e);
-        has_lower_bound |= !e.is_converged;
+        is_uncertain |= !e.is_converged;
     }
-    hs_average_say_foot(fix->env->out, has_lower_bound);
+    hs_average_say_foot(fix->env->out, is_uncertain);
 }
 
 static hs_status scalar(hs_fix *fix, double *value, hs_error *err)
@@ -301,15 +301,17 @@ const hs_fix_style hs_fix_style_ave_time = {
              "`f_ID` is the mean in mode scalar with one value, with several `f_ID[i]`; in mode vector `f_ID` is the "
              "mean vector, with several values `f_ID[i][j]` an array whose columns they are. Before the first window "
              "is complete they are 0. The group has no meaning.\n\n"
-             "With `error yes` columns `X_err` and `X_ineff` follow: the standard error of the mean by blocking, and "
-             "the statistical inefficiency, the number of samples that count as one. They belong to the mean beside "
+             "With `error yes` columns `X_err` and `X_ineff` follow: the standard error of the mean by blocking (the "
+             "true mean is that near in 68 % of all runs; where blocks are few, it is widened by Student's t), and the "
+             "statistical inefficiency, the number of samples that count as one. They belong to the mean beside "
              "them: of the samples of the window (`ave one`), of all samples (`running`), of the last M windows "
              "(`window M`); `nan` where there is one alone. `f_ID` has them too: n means, then n errors, then n "
              "inefficiencies, as elements of the vector in mode scalar and as columns of the array in mode vector. In "
              "mode scalar a table of the means over all samples is printed after each run; a star marks an error that "
-             "is only a lower bound, because the samples are correlated over too much of the run.",
+             "rests on fewer than 20 independent values and may be too small.",
          .reference = "H. Flyvbjerg, H. G. Petersen, J. Chem. Phys. 91, 461 (1989), doi:10.1063/1.457480; R. M. Lee et "
-                      "al., Phys. Rev. E 83, 066706 (2011), doi:10.1103/PhysRevE.83.066706",
+                      "al., Phys. Rev. E 83, 066706 (2011), doi:10.1103/PhysRevE.83.066706; D. N. Politis, J. P. "
+                      "Romano, J. Time Series Anal. 16, 67 (1995), doi:10.1111/j.1467-9892.1995.tb00223.x",
          .example = "fix 1 all ave/time 100 5 1000 c_myTemp c_thermo_temp file temp.profile\n"
                     "fix 2 all ave/time 100 10 1000 c_myRDF[*] file tmp.rdf mode vector\n"
                     "fix 3 all ave/time 10 1 10 c_thermo_press ave running error yes"},

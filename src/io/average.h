@@ -116,7 +116,7 @@ HS_MUST_USE hs_status hs_average_error_head(hs_text *head, int n, hs_name_of nam
 void hs_average_say_head(hs_sink *out, const char *title);
 void hs_average_say_row(hs_sink *out, const char *name, const hs_estimate *estimate);
 /** What the star at some rows means; nothing unless a row had one. */
-void hs_average_say_foot(hs_sink *out, bool has_lower_bound);
+void hs_average_say_foot(hs_sink *out, bool is_uncertain);
 /** Append to the present piece. */
 HS_MUST_USE hs_status hs_average_file_number(hs_average_file *file, double value, hs_error *err);
 /** The piece is complete: write it. Collective: a failure stops all ranks. */

@@ -55,13 +55,13 @@ void hs_fold_find_errors(hs_fold *fold)
     if (fold->mode == HS_FOLD_ONE) hs_series_set_clear(&fold->samples);
 }
 
-enum { LEVEL_NUMBERS = 9 }; /* of an hs_block_level */
+enum { LEVEL_NUMBERS = 11 }; /* of an hs_block_level */
 
 static void pack_level(const hs_block_level *level, double *out)
 {
-    const double values[LEVEL_NUMBERS] = {(double)level->n, level->mean,        level->m2,
-                                          level->weight,    level->weight2,     level->cross,
-                                          level->half,      level->half_weight, level->has_half};
+    const double values[LEVEL_NUMBERS] = {(double)level->n, level->mean,         level->m2,        level->weight,
+                                          level->weight2,   level->cross,        level->last,      level->last_weight,
+                                          level->step2,     level->step_weight2, level->step_cross};
     for (int k = 0; k < LEVEL_NUMBERS; ++k) out[k] = values[k];
 }
 
@@ -73,9 +73,11 @@ static hs_block_level unpack_level(const double *in)
                             .weight = in[3],
                             .weight2 = in[4],
                             .cross = in[5],
-                            .half = in[6],
-                            .half_weight = in[7],
-                            .has_half = in[8] != 0.0};
+                            .last = in[6],
+                            .last_weight = in[7],
+                            .step2 = in[8],
+                            .step_weight2 = in[9],
+                            .step_cross = in[10]};
 }
 
 hs_status hs_series_set_keep(hs_series_set *set, hs_state *state, const char *name, hs_error *err)
@@ -129,8 +131,7 @@ void hs_average_say_row(hs_sink *out, const char *name, const hs_estimate *estim
            estimate->is_converged ? "" : " *");
 }
 
-void hs_average_say_foot(hs_sink *out, bool has_lower_bound)
+void hs_average_say_foot(hs_sink *out, bool is_uncertain)
 {
-    if (has_lower_bound)
-        hs_say(out, "* values are correlated over too much of the run to tell: the error is a lower bound\n");
+    if (is_uncertain) hs_say(out, "* fewer than 20 independent values: the error may be too small\n");
 }

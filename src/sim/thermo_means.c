@@ -55,7 +55,7 @@ void hs_thermo_say_means(hs_thermo *thermo)
         hs_say(out, "\nMeans: fewer than two rows of thermo output after the first: nothing to average\n");
         return;
     }
-    bool is_lower_bound = false;
+    bool is_uncertain = false;
     char title[64];
     snprintf(title, sizeof title, "Means of %lld rows", (long long)thermo->means[0].n);
     hs_average_say_head(out, title);
@@ -64,8 +64,8 @@ void hs_thermo_say_means(hs_thermo *thermo)
         const hs_estimate e = hs_series_estimate(&thermo->means[k]);
         if (column->entry != NULL && strcmp(column->entry->name, "step") == 0) continue;
         hs_average_say_row(out, column->header, &e);
-        is_lower_bound |= !e.is_converged;
+        is_uncertain |= !e.is_converged;
     }
-    hs_average_say_foot(out, is_lower_bound);
+    hs_average_say_foot(out, is_uncertain);
     say_drift(thermo);
 }
