@@ -205,6 +205,5 @@ void hs_sim_atoms_changed(hs_sim *sim)
     sim->atoms.n_halo = 0;
     ++sim->atoms.generation;
     sim->is_initialized = false;
-    sim->env.energy_step = -1;
     hs_env_changed(&sim->env);
 }
