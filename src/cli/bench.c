@@ -115,6 +115,7 @@ static hs_status measure(const hs_cli *cli, const bench *plan, int n_threads, co
     hs_status status = hs_deck_create(&deck, &options, &silent, err);
     if (status == HS_OK) {
         deck->sim->stop_requested = cli->stop_requested;
+        if (cli->parallel->n_ranks == 1) hs_threads_bind();
         status = hs_bench_feed_liquid(deck, plan->size, err);
         if (status == HS_OK) status = hs_deck_command(deck, warm_up, err);
     }

@@ -42,6 +42,7 @@ hs_status hs_cli_resume(const hs_cli *cli, int *exit_code, hs_error *err)
     hs_sink out = {.screen = cli->parallel->rank == 0 ? stdout : NULL};
     hs_deck *deck = NULL;
     hs_threads_set(settings.options.n_threads);
+    if (cli->parallel->n_ranks == 1) hs_threads_bind();
     HS_TRY(hs_deck_create(&deck, &settings.options, &out, err));
     hs_status status = resume(cli, &settings, deck, exit_code, err);
     hs_progress_wipe(&out);

@@ -126,6 +126,7 @@ hs_status hs_cli_run(const hs_cli *cli, int *exit_code, hs_error *err)
                                                         : NULL,
                    .no_progress = cli->parallel->is_launched};
     hs_threads_set(settings.options.n_threads);
+    if (cli->parallel->n_ranks == 1) hs_threads_bind();
     hs_status status = run_deck(cli, &settings, &out, exit_code, err);
     if (status == HS_OK) status = hs_cli_flush(out.screen, "screen output", err);
     if (file != NULL) fclose(file);

@@ -208,10 +208,6 @@ static void work_all(const chunk_work *w)
     for (int ci = w->chunk->begin; ci < w->chunk->end; ++ci) apply_kernel(w, ci);
 }
 
-/* One chunk of so many is cut into inner and outer clusters at each end of a thread's share. Time enough for messages; outer
-   clusters apart from their neighbors find less in the caches, so more of them would cost more than is gained. */
-enum { CUT_SHARE = 8 };
-
 static hs_status work_cluster(hs_force_space *space, const hs_force_job *job, hs_force_stage stage, int thread)
 {
     hs_force_buffer *buffer = &space->buffer[thread];
@@ -222,15 +218,9 @@ static hs_status work_cluster(hs_force_space *space, const hs_force_job *job, hs
         .out = &buffer->out,
         .kernel =
             job->evaluator->set[job->isa][job->precision]->cluster[job->with_energy][!job->input.table->is_uniform][0]};
-    int begin, end;
-    hs_list_share(list, weight, list->n_chunks, thread, space->n_threads, &begin, &end);
-    const int n_cut = stage == HS_STAGE_ALL ? 0 : (end - begin) / CUT_SHARE, before = begin + n_cut,
-              after = end - n_cut;
-    if (stage == HS_STAGE_BEFORE) end = before;
-    if (stage == HS_STAGE_AFTER) begin = after;
-    for (int k = begin; k < end; ++k) {
+    bool is_cut;
+    for (int k; (k = hs_list_take(space, job, stage, thread, &is_cut)) >= 0;) {
         w.chunk = &list->chunk[k];
-        const bool is_cut = k < before || k >= after;
         hs_block_list_touch(&w.chunk->blocks, buffer, job);
         if (!is_cut)
             work_all(&w);
@@ -248,5 +238,7 @@ hs_status hs_force_cluster(hs_force_space *space, const hs_cluster_list *list, c
     hs_force_job listed = *job;
     listed.list = list;
     HS_TRY(hs_force_pack(space, &listed, false, err));
+    HS_TRY(hs_force_space_reserve(space, job->atoms, err));
+    hs_list_share(space, list, weight, list->n_chunks);
     return hs_force_run_threads(space, &listed, work_cluster, true, result, err);
 }

@@ -23,6 +23,7 @@ static void fini_buffers(hs_force_space *space)
 {
     for (int t = 0; t < space->n_threads; ++t) fini_buffer(&space->buffer[t], t > 0);
     HS_FREE(space->buffer);
+    HS_FREE(space->share);
     space->n_threads = 0;
     space->capacity_packed = 0;
 }
@@ -43,6 +44,7 @@ hs_status hs_force_space_reserve(hs_force_space *space, const hs_atoms *atoms, h
         fini_buffers(space);
         memset(space->weight, 0, sizeof space->weight);
         HS_TRY(HS_ALLOC(space->buffer, (size_t)n_threads, err));
+        HS_TRY(HS_ALLOC(space->share, HS_N_STAGES * (size_t)n_threads, err));
         space->n_threads = n_threads;
         space->capacity_atoms = n_atoms + n_atoms / 8;
         const size_t room = (size_t)n_blocks(space->capacity_atoms) * HS_FORCE_BLOCK + HS_ATOMS_PAD;

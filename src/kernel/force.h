@@ -9,6 +9,7 @@
 #include "kernel/packed.h"
 #include "neighbor/chains.h"
 #include "neighbor/clusters.h"
+#include "parallel/share.h"
 
 enum {
     HS_FORCE_BLOCK_BITS = 8, /**< forces are cleared and reduced in blocks of this many atoms */
@@ -25,6 +26,10 @@ typedef struct hs_candidates {
     int n, capacity;
 } hs_candidates;
 
+/** Stages of an evaluation. Where there are messages, some inner work, which needs no other rank's atoms, is done while they
+ *  travel: a part while positions come; then all outer work, and most of the rest; a part while forces go. */
+typedef enum { HS_STAGE_ALL, HS_STAGE_BEFORE, HS_STAGE_MAIN, HS_STAGE_AFTER, HS_N_STAGES } hs_force_stage;
+
 /** Buffers of one thread. Thread 0 adds to the atoms' own force arrays. */
 typedef struct hs_force_buffer {
     double *f[3];           /**< owned (borrowed from atoms for thread 0): [n_local + n_halo + pad] */
@@ -37,11 +42,13 @@ typedef struct hs_force_buffer {
     hs_error error;                  /**< what went wrong on this thread */
     hs_kernel_output out;            /**< its f are those above */
     int64_t weight[HS_FORCE_CHUNKS]; /**< methods without lists: pairs met in each chunk of the clusters or cells */
+    int uncut_begin, uncut_end; /**< stored lists: chunks of the thread's share that are not cut, see hs_list_take */
 } hs_force_buffer;
 
 /** Work space of force evaluations; one per simulation. Zero it before use. */
 typedef struct hs_force_space {
     hs_force_buffer *buffer; /**< owned [n_threads] */
+    hs_share *share;         /**< owned [HS_N_STAGES * n_threads]: stored lists, chunks that no thread has taken yet */
     int n_threads;
     int64_t capacity_atoms;          /**< room of each buffer */
     int64_t capacity_packed;         /**< room of each packed_f */
@@ -136,10 +143,6 @@ static inline int hs_force_place(const hs_force_space *space, const hs_force_job
 /** Have the job read packed clusters if its precision is mixed; hs_force_run_threads fills them. @p is_new: clusters are others
  *  than at the call before. */
 HS_MUST_USE hs_status hs_force_pack(hs_force_space *space, hs_force_job *job, bool is_new, hs_error *err);
-
-/** Stages of an evaluation. Where there are messages, some inner work, which needs no other rank's atoms, is done while they
- *  travel: a part while positions come; then all outer work, and most of the rest; a part while forces go. */
-typedef enum { HS_STAGE_ALL, HS_STAGE_BEFORE, HS_STAGE_MAIN, HS_STAGE_AFTER } hs_force_stage;
 
 /** Work of one thread in a stage: fill its buffer. */
 typedef hs_status (*hs_force_work)(hs_force_space *space, const hs_force_job *job, hs_force_stage stage, int thread);

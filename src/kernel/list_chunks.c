@@ -3,7 +3,12 @@
 #include "base/memory.h"
 #include "parallel/parallel.h"
 
-enum { CHUNKS_MIN = 64 };
+enum {
+    CHUNKS_MIN = 64,
+    /* One chunk of so many is cut into inner and outer clusters at each end of a thread's share. Time enough for messages; outer
+       clusters apart from their neighbors find less in the caches, so more of them would cost more than is gained. */
+    CUT_SHARE = 8,
+};
 
 int hs_list_chunks_for(int n_clusters, int n_per_chunk_max)
 {
@@ -19,23 +24,47 @@ void hs_list_chunk_range(int n_clusters, int n_chunks, int chunk, int *begin, in
     *end = (int)last;
 }
 
-void hs_list_share(const void *list, int64_t (*weight)(const void *list, int chunk), int n_chunks, int thread,
-                   int n_threads, int *begin, int *end)
+/** What stages find to do of the chunks [begin, end) of a thread. */
+static void set_stages(hs_force_space *space, int thread, int begin, int end)
+{
+    hs_share *share = space->share + thread;
+    hs_force_buffer *buffer = &space->buffer[thread];
+    const int n_cut = (end - begin) / CUT_SHARE;
+    buffer->uncut_begin = begin + n_cut;
+    buffer->uncut_end = end - n_cut;
+    hs_share_set(&share[HS_STAGE_ALL * space->n_threads], begin, end);
+    hs_share_set(&share[HS_STAGE_BEFORE * space->n_threads], begin, buffer->uncut_begin);
+    hs_share_set(&share[HS_STAGE_MAIN * space->n_threads], begin, end);
+    hs_share_set(&share[HS_STAGE_AFTER * space->n_threads], buffer->uncut_end, end);
+}
+
+void hs_list_share(hs_force_space *space, const void *list, int64_t (*weight)(const void *list, int chunk),
+                   int n_chunks)
 {
     int64_t total = 0, before = 0;
     for (int k = 0; k < n_chunks; ++k) total += weight(list, k);
-    *begin = *end = n_chunks;
-    for (int k = 0; k < n_chunks; ++k) {
-        const int64_t middle = 2 * before + weight(list, k); /* twice the chunk's middle */
-        const int owner = total == 0 ? 0 : (int)(middle * n_threads / (2 * total + 1));
-        if (owner >= thread && *begin == n_chunks) *begin = k;
-        if (owner > thread) {
-            *end = k;
-            break;
+    int begin = 0;
+    for (int thread = 0; thread < space->n_threads; ++thread) {
+        int end = begin;
+        /* a chunk belongs to the thread whose part of the weight has its middle */
+        for (int64_t here; end < n_chunks; before += here, ++end) {
+            here = weight(list, end);
+            if ((2 * before + here) * space->n_threads >= (thread + 1) * (2 * total + 1)) break;
         }
-        before += weight(list, k);
+        set_stages(space, thread, begin, end);
+        begin = end;
     }
-    if (*begin > *end) *begin = *end;
+}
+
+int hs_list_take(hs_force_space *space, const hs_force_job *job, hs_force_stage stage, int thread, bool *is_cut)
+{
+    hs_share *share = space->share + (int)stage * space->n_threads;
+    int owner = thread;
+    const int chunk = job->precision == HS_PRECISION_FIXED ? hs_share_take_any(share, space->n_threads, thread, &owner)
+                                                           : hs_share_take(&share[thread], false);
+    const hs_force_buffer *buffer = &space->buffer[owner];
+    *is_cut = stage != HS_STAGE_ALL && (chunk < buffer->uncut_begin || chunk >= buffer->uncut_end);
+    return chunk;
 }
 
 hs_status hs_block_list_set(hs_block_list *list, const unsigned char *touched, int64_t n_blocks, hs_error *err)

@@ -2,8 +2,8 @@
  *  forces that a chunk adds to.
  *
  *  A chunk is a contiguous range of i-clusters with the lists of these. There are many more chunks than threads, so that handing out
- *  whole ones, in order, balances the threads by the length of their lists; and they do not depend on the number of
- *  threads, so neither do lists. */
+ *  whole ones, in order, balances the threads by the length of their lists, and a thread that is done can take what another has not
+ *  begun; they do not depend on the number of threads, so neither do lists. */
 #ifndef HS_KERNEL_LIST_CHUNKS_H
 #define HS_KERNEL_LIST_CHUNKS_H
 
@@ -20,9 +20,14 @@ int hs_list_chunks_for(int n_clusters, int n_per_chunk_max);
 /** Clusters [*begin, *end) of a chunk. */
 void hs_list_chunk_range(int n_clusters, int n_chunks, int chunk, int *begin, int *end);
 
-/** Chunks [*begin, *end) of one thread, of equal weight as far as whole chunks allow; @p weight of(list, chunk) is its length. */
-void hs_list_share(const void *list, int64_t (*weight)(const void *list, int chunk), int n_chunks, int thread,
-                   int n_threads, int *begin, int *end);
+/** Share the chunks among the threads, in order and with equal weight as far as whole chunks allow, for all stages of an evaluation;
+ *  @p weight of(list, chunk) is its length. To be called before each evaluation, outside of parallel regions. */
+void hs_list_share(hs_force_space *space, const void *list, int64_t (*weight)(const void *list, int chunk),
+                   int n_chunks);
+/** The next chunk for a thread in a stage, -1 when there is none. In fixed point, where the order of sums does not matter, a thread
+ *  whose share is done takes chunks of others; in floating point runs of as many threads shall have the same bits.
+ *  @p is_cut: of this chunk stages BEFORE and AFTER do the inner clusters, MAIN the outer ones; else MAIN does it all. */
+int hs_list_take(hs_force_space *space, const hs_force_job *job, hs_force_stage stage, int thread, bool *is_cut);
 
 /** Copy the blocks that are marked in touched[n_blocks]. */
 HS_MUST_USE hs_status hs_block_list_set(hs_block_list *list, const unsigned char *touched, int64_t n_blocks,

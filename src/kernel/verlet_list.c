@@ -225,16 +225,14 @@ static int64_t weight(const void *list, int chunk) { return n_pairs_of(&((const 
 
 static hs_status work_verlet(hs_force_space *space, const hs_force_job *job, hs_force_stage stage, int thread)
 {
-    (void)stage;
     hs_force_buffer *buffer = &space->buffer[thread];
     const hs_verlet_list *list = job->verlet;
     const hs_kernel_set *set = job->evaluator->set[job->isa][job->precision];
     const bool by_type = !job->input.table->is_uniform;
     const hs_verlet_kernel kernel = set->verlet[job->with_energy][by_type];
     const hs_pairs_kernel pairs_kernel = set->pairs[job->with_energy][by_type];
-    int begin, end;
-    hs_list_share(list, weight, list->n_chunks, thread, space->n_threads, &begin, &end);
-    for (int k = begin; k < end; ++k) {
+    bool is_cut; /* never: there are no stages */
+    for (int k; (k = hs_list_take(space, job, stage, thread, &is_cut)) >= 0;) {
         const hs_verlet_chunk *chunk = &list->chunk[k];
         if (n_pairs_of(chunk) == 0) continue;
         hs_block_list_touch(&chunk->blocks, buffer, job);
@@ -252,5 +250,7 @@ hs_status hs_force_verlet(hs_force_space *space, const hs_verlet_list *list, con
     hs_force_job listed = *job;
     assert(list->generation == job->atoms->generation);
     listed.verlet = list;
+    HS_TRY(hs_force_space_reserve(space, job->atoms, err));
+    hs_list_share(space, list, weight, list->n_chunks);
     return hs_force_run_threads(space, &listed, work_verlet, false, result, err);
 }

@@ -1,7 +1,23 @@
+#define _GNU_SOURCE /* sched_setaffinity */
 #include "parallel/parallel.h"
 
 #include <omp.h>
+#include <pthread.h>
+#include <sched.h>
 #include <stdlib.h>
+
+/** Cores are the process's, not a simulation's: those it may run on are looked up once, before any thread is bound to one. */
+static struct {
+    pthread_once_t once;
+    cpu_set_t allowed;
+    int n;
+    bool is_bound;
+} cores = {.once = PTHREAD_ONCE_INIT};
+
+static void find_cores(void)
+{
+    cores.n = sched_getaffinity(0, sizeof cores.allowed, &cores.allowed) == 0 ? CPU_COUNT(&cores.allowed) : 0;
+}
 
 void hs_threads_set(int n_threads)
 {
@@ -11,7 +27,37 @@ void hs_threads_set(int n_threads)
 
 int hs_threads_get(void) { return omp_get_max_threads(); }
 
-int hs_threads_available(void) { return omp_get_num_procs(); }
+int hs_threads_available(void)
+{
+    pthread_once(&cores.once, find_cores);
+    return cores.n > 0 ? cores.n : omp_get_num_procs();
+}
+
+/** Bind the calling thread to the k-th allowed core from core `first` on. */
+static void bind_to(int first, int k)
+{
+    int core = first;
+    while (!CPU_ISSET(core, &cores.allowed) || k-- > 0) core = (core + 1) % CPU_SETSIZE;
+    cpu_set_t one;
+    CPU_ZERO(&one);
+    CPU_SET(core, &one);
+    sched_setaffinity(0, sizeof one, &one);
+}
+
+void hs_threads_bind(void)
+{
+    const int n_cores = hs_threads_available(), first = sched_getcpu();
+    const bool is_users =
+        getenv("OMP_PROC_BIND") != NULL || getenv("OMP_PLACES") != NULL || getenv("GOMP_CPU_AFFINITY") != NULL;
+    const bool bind = n_cores > 1 && cores.n == n_cores && hs_threads_get() == n_cores && first >= 0;
+    if (is_users || (!bind && !cores.is_bound)) return;
+    cores.is_bound = bind;
+#pragma omp parallel
+    if (bind)
+        bind_to(first, hs_thread_number());
+    else
+        sched_setaffinity(0, sizeof cores.allowed, &cores.allowed);
+}
 
 int hs_thread_number(void) { return omp_get_thread_num(); }
 

@@ -51,6 +51,12 @@ void hs_threads_set(int n_threads);
 int hs_threads_get(void);
 /** Cores this process may run on. */
 int hs_threads_available(void);
+/** Give each thread a core of its own when there are as many threads as cores, and take that back when there are not. Without it systems
+ *  put two threads on one core as soon as another program uses the other: a thread that wakes goes where it is woken from, and threads
+ *  that wait for each other sleep too often to be moved apart (two threads then took twice as long as one; bound ones two thirds).
+ *  Not for a library, whose caller's threads these are, nor with several ranks, which mpirun places. What the user has set
+ *  (OMP_PROC_BIND, OMP_PLACES, GOMP_CPU_AFFINITY) is left alone. */
+void hs_threads_bind(void);
 /** Number of the calling thread in its parallel region, and the region's threads. */
 int hs_thread_number(void);
 int hs_thread_count(void);
