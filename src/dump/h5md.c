@@ -2,10 +2,9 @@
 #include <string.h>
 
 #include "base/memory.h"
-#include "io/h5md.h"
+#include "io/observables.h"
 #include "io/rows.h"
 #include "style/dump.h"
-#include "style/value.h"
 
 typedef enum { POSITION, VELOCITY, FORCE, IMAGE, SPECIES, N_ELEMENTS } element_kind;
 
@@ -15,9 +14,7 @@ typedef struct h5md_dump {
     int n_elements;
     element_kind kind[N_ELEMENTS];
     hs_h5md_element element[N_ELEMENTS];
-    int n_observables;
-    hs_value *observable; /**< owned [n_observables] */
-    const char **names;   /**< owned [n_observables]: their words, borrowed */
+    hs_observables observables;
     int deflate;
     bool is_open;  /**< on all ranks */
     hs_h5md *file; /**< owned; rank 0 only */
@@ -25,6 +22,8 @@ typedef struct h5md_dump {
     bool is_regular;
     int64_t n_atoms, id_sum;
 } h5md_dump;
+
+static const char dump_command[] = "dump h5md";
 
 static hs_status check_words(const hs_args *args, hs_error *err)
 {
@@ -85,10 +84,7 @@ static hs_status create(hs_dump *dump, const hs_args *args, hs_error *err)
         add_element(self, (element_kind)kind, dump->env->units);
     }
     if (n_words < args->n)
-        HS_TRY(hs_values_create(&self->observable, &self->n_observables, dump->env, args, n_words, args->n - n_words,
-                                HS_VALUE_NUMBER, err));
-    HS_TRY(HS_ALLOC(self->names, (size_t)self->n_observables, err));
-    for (int k = 0; k < self->n_observables; ++k) self->names[k] = self->observable[k].word;
+        HS_TRY(hs_observables_create(&self->observables, dump->env, args, n_words, args->n - n_words, err));
     if (self->n_elements > 0) return HS_OK;
     add_element(self, POSITION, dump->env->units);
     add_element(self, IMAGE, dump->env->units);
@@ -100,8 +96,7 @@ static void destroy(hs_dump *dump)
     h5md_dump *self = dump->state;
     hs_error ignored = {0};
     (void)!hs_h5md_close(&self->file, &ignored); /* every frame was committed when it was written */
-    hs_values_destroy(&self->observable, self->n_observables);
-    HS_FREE(self->names);
+    hs_observables_fini(&self->observables);
 }
 
 static hs_status modify(hs_dump *dump, const hs_args *args, int *n_used, hs_error *err)
@@ -140,11 +135,12 @@ static hs_status modify(hs_dump *dump, const hs_args *args, int *n_used, hs_erro
 static hs_status open_file(hs_dump *dump, int64_t n_rows, hs_error *err)
 {
     h5md_dump *self = dump->state;
-    const hs_env *env = dump->env;
+    hs_env *env = dump->env;
+    HS_TRY(hs_observables_measure(&self->observables, env, dump_command, err));
     const hs_h5md_plan plan = {.element = self->element,
                                .n_elements = self->n_elements,
-                               .observable = self->names,
-                               .n_observables = self->n_observables,
+                               .observable = self->observables.what,
+                               .n_observables = self->observables.n,
                                .box = env->box,
                                .units = env->units,
                                .length_unit = strcmp(env->units->name, "lj") == 0 ? NULL : "Angstrom",
@@ -363,12 +359,7 @@ static hs_status write_frame(hs_dump *dump, hs_error *err)
     bool is_regular = true;
     if (is_root) (void)!hs_h5md_begin_frame(self->file, env->step, time, env->box, err);
     hs_status status = hs_parallel_agree(env->parallel, err);
-    for (int k = 0; k < self->n_observables && status == HS_OK; ++k) {
-        double value;
-        status = hs_value_number(dump->env, &self->observable[k], &value, err);
-        if (status == HS_OK && is_root) (void)!hs_h5md_put_observable(self->file, k, value, err);
-        status = hs_parallel_agree(env->parallel, err);
-    }
+    if (status == HS_OK) status = hs_observables_write(&self->observables, dump->env, self->file, dump_command, err);
     if (status == HS_OK) status = hs_rows_begin(&rows, env->parallel, env->atoms, dump->mask, err);
     while (status == HS_OK && hs_rows_next(&rows, &status, err))
         status = write_block(dump, &rows, &ids, &values, &is_regular, err);
@@ -415,9 +406,12 @@ const hs_dump_style hs_dump_style_h5md = {
              "what is stored of each atom of the group (default `position image`), in double precision: `position` "
              "(distance, wrapped into the box), `velocity` (distance/time), `force` (energy/distance), `image` (box "
              "lengths to add to an unwrapped position). `species` is the type; without the word it is stored once, as "
-             "are `id` and `mass`. Numbers of the whole system, `c_ID`, `c_ID[i]`, `f_ID`, `f_ID[i]` and `v_name`, "
-             "come "
-             "after these and go to `/observables`.\n\nRows are in the order of ids. An atom keeps its row; one that "
+             "are `id` and `mass`. Values of the whole system come after these and go to `/observables`: numbers, "
+             "`c_ID`, "
+             "`c_ID[i]`, `f_ID`, `f_ID[i]` and `v_name`, and where `c_ID` or `f_ID` is no number, all of the vector "
+             "or array that it is. So averages with their errors are kept beside the trajectory: give the dump the "
+             "Nfreq of `fix ave/time`; of a group without atoms it stores averages alone.\n\nRows are in the order of "
+             "ids. An atom keeps its row; one that "
              "is gone has NaN "
              "there (the least integer for images), and atoms that come later get rows at the end. The box's edges are "
              "stored with every frame, its lower corner as `box/offset`. The deck's text, version and build stand in "
@@ -428,7 +422,8 @@ const hs_dump_style hs_dump_style_h5md = {
          .reference = "P. de Buyl, P. H. Colberg, F. Höfling, Comput. Phys. Commun. 185, 1546 (2014), "
                       "doi:10.1016/j.cpc.2014.01.018",
          .example = "dump t all h5md 1000 run.h5\ndump t all h5md 1000 run.h5 position velocity image c_thermo_press\n"
-                    "dump_modify t append yes compress 4"},
+                    "group none empty\nfix g all ave/time 10 100 1000 c_rdf[*] mode vector error yes\n"
+                    "dump a none h5md 1000 averages.h5 f_g\ndump_modify t append yes compress 4"},
     .state_size = sizeof(h5md_dump),
     .check = check,
     .create = create,

@@ -101,9 +101,16 @@ static hs_status open_datasets(hs_h5md *self, const hs_h5md_plan *plan, hs_error
         if (extents[0] < self->n_frames) self->n_frames = extents[0];
     }
     for (int k = 0; k < plan->n_observables; ++k) {
-        snprintf(path, sizeof path, "observables/%.200s/value", plan->observable[k]);
+        const hs_h5md_observable *what = &plan->observable[k];
+        hsize_t there[3] = {0, 1, 1};
+        snprintf(path, sizeof path, "observables/%.200s/value", what->name);
         self->observable[k] = open_in(at, path);
         if (self->observable[k] < 0) return refuse(self, "its observables are others", err);
+        if (hs_h5_extents(self->observable[k], there) != 1 + what->rank || there[1] != (hsize_t)what->n[0] ||
+            there[2] != (hsize_t)what->n[1]) {
+            snprintf(path, sizeof path, "its observable '%.100s' has another length", what->name);
+            return refuse(self, path, err);
+        }
     }
     return HS_OK;
 }
@@ -132,7 +139,10 @@ static bool set_frames(hs_h5md *self, hsize_t n)
     const hsize_t edges[3] = {n, 3, 3};
     is_fine = H5Dset_extent(self->step, &n) >= 0 && H5Dset_extent(self->time, &n) >= 0;
     is_fine = is_fine && H5Dset_extent(self->edges, edges) >= 0 && H5Dset_extent(self->offset, edges) >= 0;
-    for (int k = 0; k < self->n_observables && is_fine; ++k) is_fine = H5Dset_extent(self->observable[k], &n) >= 0;
+    for (int k = 0; k < self->n_observables && is_fine; ++k) {
+        const hsize_t extents[3] = {n, (hsize_t)self->what[k].n[0], (hsize_t)self->what[k].n[1]};
+        is_fine = H5Dset_extent(self->observable[k], extents) >= 0;
+    }
     for (int k = 0; k < self->n_elements && is_fine; ++k) {
         const hsize_t extents[3] = {n, self->n_rows, (hsize_t)self->element[k].n_columns};
         is_fine = H5Dset_extent(self->value[k], extents) >= 0;
@@ -171,6 +181,7 @@ hs_status hs_h5md_open(hs_h5md **file, const char *path, const hs_h5md_plan *pla
     hs_h5md *self = *file;
     self->file = self->step = self->time = self->edges = self->offset = self->id = self->species = self->mass = -1;
     self->element = plan->element;
+    self->what = plan->observable;
     self->is_plain = true;
     self->is_single = plan->is_single;
     hs_status status = hs_memory_strdup(&self->path, path, err);
@@ -268,12 +279,13 @@ hs_status hs_h5md_put_rows(hs_h5md *self, int element, int64_t first, int64_t n,
     return is_fine ? HS_OK : hs_h5md_fail(self, "written", err);
 }
 
-hs_status hs_h5md_put_observable(hs_h5md *self, int observable, double value, hs_error *err)
+hs_status hs_h5md_put_observable(hs_h5md *self, int observable, const double *values, hs_error *err)
 {
-    const hsize_t start = self->n_frames - 1;
+    const hs_h5md_observable *what = &self->what[observable];
+    const hsize_t start[3] = {self->n_frames - 1, 0, 0}, count[3] = {1, (hsize_t)what->n[0], (hsize_t)what->n[1]};
     hs_h5_quiet quiet = hs_h5_be_quiet();
     const bool is_fine =
-        hs_h5_write_block(self->observable[observable], H5T_NATIVE_DOUBLE, 1, &start, (const hsize_t[]){1}, &value);
+        hs_h5_write_block(self->observable[observable], H5T_NATIVE_DOUBLE, 1 + what->rank, start, count, values);
     hs_h5_end_quiet(&quiet);
     return is_fine ? HS_OK : hs_h5md_fail(self, "written", err);
 }

@@ -17,11 +17,18 @@ typedef struct hs_h5md_element {
     const char *unit; /**< attribute; NULL or "": none */
 } hs_h5md_element;
 
+/** A number, vector or array of the whole system. */
+typedef struct hs_h5md_observable {
+    const char *name; /**< as in the deck: c_thermo_press; borrowed as long as the file is open */
+    int rank;         /**< 0: a number; 1: a vector; 2: an array */
+    int n[2];         /**< lengths; 1 beyond the rank */
+} hs_h5md_observable;
+
 /** What a file holds. Borrowed by hs_h5md_open for its call, except element and observable: as long as the file is open. */
 typedef struct hs_h5md_plan {
     const hs_h5md_element *element; /**< [n_elements] that change with time; the first is named in box/edges */
     int n_elements;
-    const char *const *observable; /**< [n_observables] names of numbers that change with time */
+    const hs_h5md_observable *observable; /**< [n_observables] that change with time */
     int n_observables;
     const hs_box *box;
     const hs_units *units;
@@ -61,7 +68,7 @@ HS_MUST_USE hs_status hs_h5md_set_rows(hs_h5md *file, int64_t first, int64_t n, 
 HS_MUST_USE hs_status hs_h5md_begin_frame(hs_h5md *file, int64_t step, double time, const hs_box *box, hs_error *err);
 HS_MUST_USE hs_status hs_h5md_put_rows(hs_h5md *file, int element, int64_t first, int64_t n, const void *values,
                                        hs_error *err);
-HS_MUST_USE hs_status hs_h5md_put_observable(hs_h5md *file, int observable, double value, hs_error *err);
+HS_MUST_USE hs_status hs_h5md_put_observable(hs_h5md *file, int observable, const double *values, hs_error *err);
 /** The frame is in the file from here on, and survives a kill of the process. */
 HS_MUST_USE hs_status hs_h5md_end_frame(hs_h5md *file, hs_error *err);
 /** Close; NULL is fine. */

@@ -14,6 +14,7 @@ struct hs_h5md {
     bool is_failed;
     hid_t file;
     const hs_h5md_element *element; /**< borrowed */
+    const hs_h5md_observable *what; /**< borrowed [n_observables] */
     int n_elements, n_observables;
     hid_t *value;      /**< owned [n_elements] datasets */
     hid_t *observable; /**< owned [n_observables] datasets */

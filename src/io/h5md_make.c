@@ -13,7 +13,7 @@
 #include "io/h5md_internal.h"
 
 /** Rows of one chunk at most: 1.5 MB of vectors, few enough for viewers that read single atoms. */
-enum { CHUNK_ROWS = 1 << 16, CHUNK_FRAMES = 256 };
+enum { CHUNK_ROWS = 1 << 16, CHUNK_FRAMES = 256, CHUNK_NUMBERS = 1 << 13 };
 
 static const double no_number = NAN;
 static const int32_t no_integer = INT32_MIN;
@@ -27,6 +27,22 @@ static hid_t list_in_time(hid_t at, const char *name, hid_t type, const void *fi
                                .chunk = {CHUNK_FRAMES, n_columns, n_columns},
                                .fill = fill};
     return hs_h5_dataset(at, name, &shape);
+}
+
+/** Frames of a chunk of an observable: a chunk that is begun is written with every frame, so large ones get fewer. */
+static hid_t observable_in_time(hid_t at, const hs_h5md_observable *what)
+{
+    const hsize_t n = (hsize_t)what->n[0] * (hsize_t)what->n[1], fit = n > 0 ? CHUNK_NUMBERS / n : CHUNK_FRAMES;
+    const hsize_t columns[2] = {(hsize_t)what->n[0], (hsize_t)what->n[1]};
+    const hs_h5_shape shape = {.type = H5T_NATIVE_DOUBLE,
+                               .rank = 1 + what->rank,
+                               .now = {0, columns[0], columns[1]},
+                               .chunk = {fit < 1              ? 1
+                                         : fit < CHUNK_FRAMES ? fit
+                                                              : CHUNK_FRAMES,
+                                         columns[0] > 0 ? columns[0] : 1, columns[1] > 0 ? columns[1] : 1},
+                               .fill = &no_number};
+    return hs_h5_dataset(at, "value", &shape);
 }
 
 /** Rows of a chunk: few chunks in large systems, small files for small ones. */
@@ -131,9 +147,9 @@ static bool make_particles(hs_h5md *self, const hs_h5md_plan *plan)
     if (is_fine && plan->n_observables > 0) {
         const hid_t group = hs_h5_group(self->file, "observables");
         for (int k = 0; k < plan->n_observables && is_fine; ++k) {
-            const hid_t one = hs_h5_group(group, plan->observable[k]);
+            const hid_t one = hs_h5_group(group, plan->observable[k].name);
             is_fine = one >= 0 && link_times(particles, self, one);
-            self->observable[k] = list_in_time(one, "value", H5T_NATIVE_DOUBLE, &no_number, 1, 1);
+            self->observable[k] = observable_in_time(one, &plan->observable[k]);
             is_fine = is_fine && self->observable[k] >= 0;
             H5Gclose(one);
         }

@@ -212,6 +212,47 @@ hs_status hs_value_atoms(hs_env *env, const hs_value *value, double *out, hs_err
     return HS_OK;
 }
 
+hs_status hs_value_find_extents(hs_env *env, const hs_value *value, const char *command, hs_value_extents *extents,
+                                hs_error *err)
+{
+    const hs_compute *compute = compute_of(env, value);
+    const hs_fix *fix = fix_of(env, value);
+    const bool has_array = compute != NULL ? compute->has_array : fix != NULL && fix->has_array;
+    *extents = (hs_value_extents){.rank = 0, .n = {1, 1}};
+    if (hs_value_has(env, value, HS_VALUE_NUMBER)) return HS_OK;
+    if (has_array && value->n_indices == 0) {
+        extents->rank = 2;
+        extents->n[0] = compute != NULL ? compute->n_rows : fix->n_rows;
+        extents->n[1] = compute != NULL ? compute->n_columns : fix->n_columns;
+        return HS_OK;
+    }
+    if (!hs_value_has(env, value, HS_VALUE_VECTOR)) return hs_value_check(env, value, HS_VALUE_NUMBER, command, err);
+    extents->rank = 1;
+    extents->n[0] = hs_value_length(env, value);
+    return HS_OK;
+}
+
+hs_status hs_value_all(hs_env *env, const hs_value *value, const hs_value_extents *extents, double *out, hs_error *err)
+{
+    if (extents->rank == 0) return hs_value_number(env, value, out, err);
+    if (extents->rank == 1) return hs_value_vector(env, value, out, err);
+    const size_t n_columns = (size_t)extents->n[1];
+    hs_compute *compute = compute_of(env, value);
+    hs_fix *fix = fix_of(env, value);
+    if (compute != NULL) {
+        HS_TRY(hs_compute_eval_array(compute, err));
+        /* the number of rows may be another now */
+        const size_t n = (size_t)extents->n[0], n_there = (size_t)compute->n_rows < n ? (size_t)compute->n_rows : n;
+        memcpy(out, compute->array, n_there * n_columns * sizeof *out);
+        memset(out + n_there * n_columns, 0, (n - n_there) * n_columns * sizeof *out);
+        return HS_OK;
+    }
+    for (int i = 0; i < extents->n[0]; ++i)
+        for (int j = 0; j < extents->n[1]; ++j)
+            HS_TRY(fix->style->array(fix, i, j, &out[(size_t)i * n_columns + (size_t)j], err));
+    return HS_OK;
+}
+
 bool hs_value_needs_energy(hs_env *env, const hs_value *value)
 {
     const hs_compute *compute = compute_of(env, value);

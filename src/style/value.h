@@ -56,6 +56,20 @@ HS_MUST_USE hs_status hs_value_vector(hs_env *env, const hs_value *value, double
 /** out[n_local]: the value of each local atom (collective). */
 HS_MUST_USE hs_status hs_value_atoms(hs_env *env, const hs_value *value, double *out, hs_error *err);
 
+/** All that a reference stands for, of the first shape that is there: a number, an array (c_ID), a vector (c_ID; c_ID[j]: column
+ *  j of an array). */
+typedef struct hs_value_extents {
+    int rank; /**< 0: a number; 1: a vector; 2: an array */
+    int n[2]; /**< lengths; 1 beyond the rank */
+} hs_value_extents;
+
+/** Fail, naming @p command, unless there is one. Lengths may be others at another time. */
+HS_MUST_USE hs_status hs_value_find_extents(hs_env *env, const hs_value *value, const char *command,
+                                            hs_value_extents *extents, hs_error *err);
+/** out[n[0]][n[1]], with the extents of now (collective). */
+HS_MUST_USE hs_status hs_value_all(hs_env *env, const hs_value *value, const hs_value_extents *extents, double *out,
+                                   hs_error *err);
+
 /** Whether the value may ask for the pair energy or virial. What a variable asks for is not known before it does: yes. */
 bool hs_value_needs_energy(hs_env *env, const hs_value *value);
 /** Whether the number grows with the number of atoms. */
