@@ -188,6 +188,7 @@ static inline void add_back(double *to, const double *value, bool is_fixed)
 
 static void pack_back(const hs_halo *halo, int n_local, double *const values[3])
 {
+    if (halo->n == halo->in.n_self_atoms) return; /* a parallel region for nothing costs some microseconds */
 #pragma omp parallel for schedule(static)
     for (int k = halo->in.n_self_atoms; k < halo->n; ++k)
         for (int axis = 0; axis < 3; ++axis) words_of(&halo->in, k)[axis] = values[axis][n_local + halo->slot[k]];

@@ -1,6 +1,4 @@
 /* Keeps a two-dimensional system flat: no velocities, forces or rotations out of the plane. */
-#include <string.h>
-
 #include "style/fix.h"
 
 static hs_status create(hs_fix *fix, const hs_args *args, hs_error *err)
@@ -11,25 +9,22 @@ static hs_status create(hs_fix *fix, const hs_args *args, hs_error *err)
                    args->command);
 }
 
-static void clear(const hs_fix *fix, double *values)
-{
-    const hs_atoms *atoms = fix->env->atoms;
-    const uint32_t mask = fix->mask;
-    if (fix->group == 0) {
-#pragma omp parallel for simd schedule(static)
-        for (int i = 0; i < atoms->n_local; ++i) values[i] = 0.0;
-        return;
-    }
-#pragma omp parallel for schedule(static)
-    for (int i = 0; i < atoms->n_local; ++i) values[i] = atoms->mask[i] & mask ? 0.0 : values[i];
-}
-
 static hs_status post_force(hs_fix *fix, hs_error *err)
 {
     const hs_atoms *atoms = fix->env->atoms;
+    const uint32_t mask = fix->mask, *restrict group = atoms->mask;
+    double *restrict v = atoms->v[2], *restrict f = atoms->f[2];
     (void)err;
-    clear(fix, atoms->v[2]);
-    clear(fix, atoms->f[2]);
+    if (fix->group == 0) {
+#pragma omp parallel for simd schedule(static)
+        for (int i = 0; i < atoms->n_local; ++i) v[i] = f[i] = 0.0;
+        return HS_OK;
+    }
+#pragma omp parallel for schedule(static)
+    for (int i = 0; i < atoms->n_local; ++i) {
+        v[i] = group[i] & mask ? 0.0 : v[i];
+        f[i] = group[i] & mask ? 0.0 : f[i];
+    }
     return HS_OK;
 }
 

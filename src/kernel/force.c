@@ -154,12 +154,32 @@ static void add_output(hs_force_result *result, const hs_kernel_output *out)
     result->peak_energy = fmax(result->peak_energy, out->peak_energy);
 }
 
-/** One stage on all threads, then the reduction of the blocks [begin, end) of forces. */
+/** The first block of forces on halo atoms. */
+static int64_t first_halo_block(const hs_force_job *job)
+{
+    return hs_force_is_packed(job) ? (int64_t)job->clusters->local.n * HS_PACKED >> HS_PACKED_BLOCK_BITS
+                                   : job->atoms->n_local >> HS_FORCE_BLOCK_BITS;
+}
+
+/** Reduce one block of forces. */
+static void reduce(hs_force_space *space, const hs_force_job *job, const float **part, int64_t block)
+{
+    const int64_t n_room = (int64_t)job->atoms->n_local + job->atoms->n_halo + HS_ATOMS_PAD;
+    if (hs_force_is_packed(job))
+        unpack_block(space, job, part, block);
+    else
+        reduce_block(space, block, n_room, job->precision == HS_PRECISION_FIXED);
+}
+
+/** One stage on all threads, then the reduction of the blocks [begin, end) of forces: those of local atoms first, shared as the loops
+ *  over local atoms are that follow, so that each thread finds in its cache what it has written. */
 static void run_stage(hs_force_space *space, const hs_force_job *job, hs_force_work work, hs_force_stage stage,
                       int64_t begin, int64_t end)
 {
-    const int64_t n_room = (int64_t)job->atoms->n_local + job->atoms->n_halo + HS_ATOMS_PAD;
     const bool is_first = stage == HS_STAGE_ALL || stage == HS_STAGE_BEFORE, is_packed = hs_force_is_packed(job);
+    const int64_t first_halo = first_halo_block(job), middle = first_halo < begin ? begin
+                                                               : first_halo < end ? first_halo
+                                                                                  : end;
 #pragma omp parallel num_threads(space->n_threads)
     {
         const int thread = hs_thread_number();
@@ -168,21 +188,11 @@ static void run_stage(hs_force_space *space, const hs_force_job *job, hs_force_w
         if (is_first) begin_thread(buffer, n_blocks_of(space, job), job->is_added && thread == 0 && !is_packed);
         if (buffer->error.status == HS_OK) (void)work(space, job, stage, thread);
 #pragma omp barrier
+#pragma omp for schedule(static) nowait
+        for (int64_t block = begin; block < middle; ++block) reduce(space, job, part, block);
 #pragma omp for schedule(static)
-        for (int64_t block = begin; block < end; ++block) {
-            if (is_packed)
-                unpack_block(space, job, part, block);
-            else
-                reduce_block(space, block, n_room, job->precision == HS_PRECISION_FIXED);
-        }
+        for (int64_t block = middle; block < end; ++block) reduce(space, job, part, block);
     }
-}
-
-/** The first block of forces on halo atoms. */
-static int64_t first_halo_block(const hs_force_job *job)
-{
-    return hs_force_is_packed(job) ? (int64_t)job->clusters->local.n * HS_PACKED >> HS_PACKED_BLOCK_BITS
-                                   : job->atoms->n_local >> HS_FORCE_BLOCK_BITS;
 }
 
 /** Pack clusters from number `begin` on. */
