@@ -13,6 +13,7 @@ typedef enum {
     HS_OK = 0,
     HS_ERROR_INPUT,  /**< the deck, a file it names, or the command line is wrong: exit code 1 */
     HS_ERROR_RUN,    /**< the simulation failed (lost atoms, NaN, ...): exit code 2 */
+    HS_ERROR_ATOMS,  /**< atoms have moved as no system does, and all ranks know of it: exit code 2; sim/violation.h */
     HS_ERROR_IO,     /**< a file could not be written: exit code 2 */
     HS_ERROR_MEMORY, /**< out of memory: exit code 2 */
     HS_INTERRUPTED   /**< stopped by a signal: exit code 3 */

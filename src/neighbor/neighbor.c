@@ -83,18 +83,21 @@ hs_displacements hs_neighbor_settle(const hs_neighbor *neighbor, hs_atoms *atoms
     return (hs_displacements){.largest2 = largest2 < INFINITY ? largest2 : INFINITY, .has_z = !in.is_flat || z != 0};
 }
 
+/** Positions whose squares are no numbers: none of a simulation that makes sense is so far away. */
+static const double farthest = 1e150;
+
 static hs_status report_bad_position(const hs_atoms *atoms, int64_t step, hs_error *err)
 {
-    for (int i = 0; i < atoms->n_local; ++i)
-        if (!isfinite(atoms->x[0][i] + atoms->x[1][i] + atoms->x[2][i]))
-            return hs_fail(
-                err, HS_ERROR_RUN,
-                "at step %lld atom %lld has the position (%g %g %g) and the velocity (%g %g %g): the forces on it "
-                "were too large. Usually atoms overlap at the start or the timestep is too long: check "
-                "pair_coeff, the density, and 'timestep'",
-                (long long)step, (long long)atoms->id[i], atoms->x[0][i], atoms->x[1][i], atoms->x[2][i],
-                atoms->v[0][i], atoms->v[1][i], atoms->v[2][i]);
-    return hs_fail(err, HS_ERROR_RUN, "at step %lld an atom has moved out of the range of numbers", (long long)step);
+    int i = 0;
+    for (int k = 0; k < atoms->n_local && i == 0; ++k)
+        for (int axis = 0; axis < 3; ++axis)
+            if (!(fabs(atoms->x[axis][k]) < farthest)) i = k;
+    return hs_fail(err, HS_ERROR_ATOMS,
+                   "at step %lld atom %lld has the position (%g %g %g) and the velocity (%g %g %g): the forces on it "
+                   "were too large. Usually atoms overlap at the start or the timestep is too long: check "
+                   "pair_coeff, the density, and 'timestep'",
+                   (long long)step, (long long)atoms->id[i], atoms->x[0][i], atoms->x[1][i], atoms->x[2][i],
+                   atoms->v[0][i], atoms->v[1][i], atoms->v[2][i]);
 }
 
 /** How far atoms may move before two of them can have come nearer by the skin: half of it, less when the box has changed, for

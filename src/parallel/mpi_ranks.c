@@ -93,7 +93,7 @@ hs_status hs_parallel_agree(const hs_parallel *parallel, hs_error *err)
  *  one of several with errors tells its own and stops the others before they do the same. */
 static bool wait_for_all(MPI_Request *request, int rank, bool has_error)
 {
-    const double patience_s = 2.0 + 0.5 * (rank < 4 ? rank : 4), start_s = hs_time_now_s();
+    const double patience_s = 1.5 + 0.25 * (rank < 4 ? rank : 4), start_s = hs_time_now_s();
     const struct timespec nap = {.tv_nsec = 1000000};
     int is_done = 0;
     if (!has_error || !process.may_abort) {

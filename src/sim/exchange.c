@@ -99,7 +99,7 @@ static hs_status report_lost(const hs_sim *sim, int i, hs_error *err)
 {
     const hs_atoms *atoms = &sim->atoms;
     return hs_fail(
-        err, HS_ERROR_RUN,
+        err, HS_ERROR_ATOMS,
         "at step %lld atom %lld at (%g %g %g), velocity (%g %g %g), has left the box (%g %g) x (%g %g) x (%g %g). "
         "Usually the timestep is too long, atoms overlap, or a fixed boundary needs a wall "
         "('thermo_modify lost ignore' lets atoms go)",
@@ -247,6 +247,7 @@ hs_status hs_sim_exchange(hs_sim *sim, hs_error *err)
     if (sim->is_initialized) HS_TRY(before_exchange(sim, err));
     HS_TRY(hs_migrate(&sim->atoms, &sim->domain, &sim->parallel, &sim->box, err));
     hs_neighbor_list_now(&sim->neighbor, &sim->atoms);
+    sim->listed_step = sim->env.step;
     memcpy(sim->neighbor.lo_listed, sim->box.lo, sizeof sim->box.lo);
     memcpy(sim->neighbor.hi_listed, sim->box.hi, sizeof sim->box.hi);
     hs_timer_add_comm(&sim->timer, HS_COMM_EXCHANGE);

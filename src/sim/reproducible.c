@@ -1,7 +1,7 @@
 /* Reproducible runs: positions on a power-of-two grid, forces and energies in fixed point. docs/architecture.md, Numbers. */
 #include <math.h>
 
-#include "sim/sim.h"
+#include "sim/violation.h"
 
 /* A pair's force may grow by this factor before a run must go over to a coarser grid. */
 static const double headroom = 8.0;
@@ -83,11 +83,7 @@ hs_status hs_sim_fit_grid(hs_sim *sim, const hs_force_result *result, bool *fits
     hs_timer_add_comm(&sim->timer, HS_COMM_AGREE);
     *fits = true;
     if (!(peak[0] < too_large) || !(peak[1] < too_large))
-        return hs_fail(
-            err, HS_ERROR_RUN,
-            "at step %lld the force between two atoms is infinite: they are at the same place. Usually atoms "
-            "were created twice or overlap at the start: check create_atoms and read_data",
-            (long long)sim->env.step);
+        return hs_sim_report_overlap(sim, err);
     const int needed = peak[0] > 0.0 ? hs_fixed_exponent(peak[0] * headroom, HS_FIXED_BITS) : sim->grid.force;
     if (peak[0] >= ldexp(1.0, sim->grid.force + HS_FIXED_BITS)) {
         sim->force_exponent = needed;

@@ -124,6 +124,7 @@ static hs_status list_again(hs_sim *sim, hs_error *err)
     HS_TRY(hs_sim_exchange(sim, err));
     sim->box = box;
     neighbor->ago = before.ago;
+    sim->listed_step = sim->env.step - before.ago;
     neighbor->is_late = before.is_late;
     neighbor->counters.n_builds = before.counters.n_builds;
     return HS_OK;

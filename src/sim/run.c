@@ -8,6 +8,7 @@
 #include "sim/saving.h"
 #include "sim/sim.h"
 #include "sim/thermo.h"
+#include "sim/violation.h"
 
 /** Everything that must be right before atoms move. */
 static hs_status check_system(hs_sim *sim, hs_error *err)
@@ -227,10 +228,11 @@ static void warn_of_late_lists(hs_sim *sim)
         hs_neighbor_methods[neighbor->settings.method]);
 }
 
-/** A run that failed can go on from the last checkpoint, perhaps with other settings. */
-static hs_status tell_last_checkpoint(const hs_sim *sim, hs_status status, hs_error *err)
+/** A run that failed leaves a picture of what went wrong, and can go on from the last checkpoint, perhaps with other settings. */
+static hs_status tell_what_is_left(hs_sim *sim, hs_status status, hs_error *err)
 {
     const hs_saving *saving = sim->saving;
+    if (status == HS_ERROR_ATOMS) hs_sim_show_violation(sim, err);
     char *const end = err->text + strlen(err->text);
     const size_t n = sizeof err->text - strlen(err->text);
     const char *const path = saving->last_path;
@@ -255,7 +257,7 @@ hs_status hs_sim_run(hs_sim *sim, const hs_run_plan *plan, hs_error *err)
     const double start_s = hs_time_now_s(), start_cpu_s = hs_time_cpu_s();
     const hs_status status = run_steps(sim, plan, err);
     hs_progress_wipe(sim->env.out);
-    if (status != HS_OK) return tell_last_checkpoint(sim, status, err);
+    if (status != HS_OK) return tell_what_is_left(sim, status, err);
     if (plan->post)
         hs_report_finish(sim, plan->n_steps, hs_time_now_s() - start_s, hs_time_cpu_s() - start_cpu_s, NULL);
     hs_thermo_say_means(sim->thermo);

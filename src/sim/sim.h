@@ -76,6 +76,7 @@ typedef struct hs_sim {
     hs_min_settings minimize; /**< of min_style and min_modify */
     bool is_minimizing;       /**< within hs_sim_minimize: only fixes that act in it are heard */
 
+    int64_t listed_step; /**< of the last scheduled list build */
     bool is_initialized; /**< a run has been set up since the last change of the system (run pre no is allowed) */
     int64_t *n_of_type;  /**< owned [n_types + 1]: atoms of each type on all ranks, counted at set-up */
     volatile sig_atomic_t *stop_requested; /**< borrowed: set by a signal handler; NULL without one */

@@ -169,7 +169,7 @@ static hs_status check_lost(hs_thermo *thermo, hs_error *err)
         return HS_OK;
     if (thermo->lost == HS_LOST_ERROR)
         return hs_fail(
-            err, HS_ERROR_RUN,
+            err, HS_ERROR_ATOMS,
             "Lost atoms: original %lld current %lld, at step %lld. They left the box through a face "
             "that is not periodic, or moved too far in one step: use a shorter timestep, periodic or shrink-wrapped "
             "boundaries, or walls; 'thermo_modify lost ignore' goes on without them",
