@@ -219,7 +219,7 @@ START_TEST(test_lost_atoms)
                                  "pair_style lj/cut 2.5\npair_coeff * * 1 1\nvelocity all set 10 0 0\nfix 1 all nve\n"
                                  "thermo 10\nthermo_modify lost ignore\nthermo_style one\nrun 10\n",
                                  &err);
-    ck_assert_int_eq(err.status, HS_ERROR_RUN); /* thermo_style has set `lost` back to error */
+    ck_assert_int_eq(err.status, HS_ERROR_ATOMS); /* thermo_style has set `lost` back to error */
     free(log);
     log = hs_test_run_deck("boundary f f f\nregion box block 0 10 0 10 0 10\ncreate_box 1 box\n"
                            "create_atoms 1 single 5 5 5\ncreate_atoms 1 single 9.9 5 5\nmass 1 1\n"
