@@ -315,6 +315,19 @@ static hs_status set_keyword(const selection *s, const hs_args *args, int i, hs_
     return HS_OK;
 }
 
+/** Whether the command leaves everything but positions, velocities and image numbers as it is. */
+static bool only_moves(const hs_args *args)
+{
+    static const char *const movers[] = {"x", "y", "z", "vx", "vy", "vz", "image"};
+    for (int i = 2; i < args->n; i += 1 + words_of(args->word[i])) {
+        bool is_mover = false;
+        for (size_t k = 0; k < sizeof movers / sizeof movers[0]; ++k)
+            is_mover = is_mover || strcmp(args->word[i], movers[k]) == 0;
+        if (!is_mover) return false;
+    }
+    return true;
+}
+
 static hs_status set_run(hs_deck *deck, const hs_args *args, hs_error *err)
 {
     hs_sim *sim = deck->sim;
@@ -330,7 +343,10 @@ static hs_status set_run(hs_deck *deck, const hs_args *args, hs_error *err)
     for (int i = 2; status == HS_OK && i < args->n; i += 1 + words_of(args->word[i]))
         status = set_keyword(&s, args, i, err);
     HS_FREE(s.flag);
-    hs_sim_atoms_changed(sim);
+    if (only_moves(args))
+        hs_sim_atoms_moved(sim);
+    else
+        hs_sim_atoms_changed(sim);
     return status;
 }
 
@@ -349,7 +365,11 @@ const hs_command hs_commands_set[] = {
                     "an atom-style\n"
                     "variable's value for each atom. Positions are in distance units and are not wrapped into the box "
                     "until the\n"
-                    "next run. `type/fraction` draws for each atom from its place, so that the number of atoms is only "
+                    "next run; `run ... pre no` after a command that sets only positions and velocities goes on with "
+                    "the "
+                    "forces and lists\n"
+                    "there are, which is what Monte Carlo moves want. `type/fraction` draws for each atom from its "
+                    "place, so that the number of atoms is only "
                     "about right;\n"
                     "`type/ratio` and `type/subset` hit it exactly, going through atoms by ID. The choices are those "
                     "of "

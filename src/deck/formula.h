@@ -20,6 +20,8 @@ const char *hs_formula_text(const hs_formula *formula);
 HS_MUST_USE hs_status hs_formula_value(const hs_formula *formula, hs_deck *deck, double *value, hs_error *err);
 /** Evaluate for every local atom: values[n_local] (collective). */
 HS_MUST_USE hs_status hs_formula_atoms(const hs_formula *formula, hs_deck *deck, double *values, hs_error *err);
+/** The same for a formula that is part of another one: its random numbers are drawn together with that one's. */
+HS_MUST_USE hs_status hs_formula_atoms_within(const hs_formula *formula, hs_deck *deck, double *values, hs_error *err);
 
 /** Evaluate a formula that is used once: $(...). Collective. */
 HS_MUST_USE hs_status hs_formula_once(hs_deck *deck, const char *text, double *value, hs_error *err);

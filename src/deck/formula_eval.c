@@ -122,13 +122,28 @@ static hs_status apply(const hs_formula *formula, const hs_node *node, const dou
                    formula->text);
 }
 
+/** Numbers of a random function for all atoms: between runs *drawn, during runs *draw, from which they follow. */
+static hs_status draw_numbers(const hs_node *node, hs_deck *deck, const result *results, int64_t *draw,
+                              const double **drawn, hs_error *err)
+{
+    const result *seed = &results[node->arg[node->n_args - 1]];
+    int whole;
+    if (seed->array != NULL)
+        return hs_fail(err, HS_ERROR_INPUT, "%s: the seed must be one number, not one for each atom",
+                       node->function->usage);
+    HS_TRY(hs_random_seed(node->function, seed->number, &whole, err));
+    if (!deck->is_running) return hs_atom_draws_next(deck->variables->draws, deck, seed->number, drawn, err);
+    *draw = deck->variables->n_draws++;
+    return HS_OK;
+}
+
 /** An operation whose operands are known; per atom as soon as one operand is. */
 static hs_status eval_operation(const hs_formula *formula, const hs_node *node, hs_deck *deck, bool per_atom,
                                 result *results, result *out, hs_error *err)
 {
     double arg[HS_FUNCTION_ARGS_MAX];
-    const bool is_random = node->kind == HS_NODE_FUNCTION && node->function->is_random && per_atom;
-    hs_call place = {.deck = deck, .draw = is_random ? deck->variables->n_draws++ : 0};
+    const bool is_random = per_atom && node->kind == HS_NODE_FUNCTION && node->function->draws != HS_DRAWS_NOTHING;
+    hs_call place = {.deck = deck};
     bool has_array = is_random;
     for (int a = 0; a < node->n_args; ++a) {
         arg[a] = results[node->arg[a]].number;
@@ -136,11 +151,14 @@ static hs_status eval_operation(const hs_formula *formula, const hs_node *node, 
     }
     if (!has_array) return apply(formula, node, arg, &place, &out->number, err);
     const hs_atoms *atoms = &deck->sim->atoms;
+    const double *drawn = NULL;
+    if (is_random) HS_TRY(draw_numbers(node, deck, results, &place.draw, &drawn, err));
     hs_status status = HS_ALLOC(out->array, (size_t)atoms->n_local, err);
     for (int i = 0; i < atoms->n_local && status == HS_OK; ++i) {
         for (int a = 0; a < node->n_args; ++a)
             if (results[node->arg[a]].array != NULL) arg[a] = results[node->arg[a]].array[i];
         place.atom = is_random ? atoms->id[i] : 0;
+        place.drawn = drawn != NULL ? &drawn[i] : NULL;
         status = apply(formula, node, arg, &place, &out->array[i], err);
     }
     /* One rank's atom may be the only one that fails: all must stop before the next collective call. */
@@ -281,7 +299,7 @@ static hs_status eval_variable(const hs_node *node, hs_deck *deck, bool per_atom
                        "number",
                        node->text);
     HS_TRY(HS_ALLOC(out->array, (size_t)deck->sim->atoms.n_local, err));
-    return hs_variables_atoms(deck, node->text, out->array, err);
+    return hs_variables_atoms_within(deck, node->text, out->array, err);
 }
 
 static hs_status eval_words(const hs_node *node, hs_deck *deck, result *out, hs_error *err)
@@ -346,11 +364,22 @@ hs_status hs_formula_value(const hs_formula *formula, hs_deck *deck, double *val
     return evaluate(formula, deck, value, NULL, err);
 }
 
-hs_status hs_formula_atoms(const hs_formula *formula, hs_deck *deck, double *values, hs_error *err)
+hs_status hs_formula_atoms_within(const hs_formula *formula, hs_deck *deck, double *values, hs_error *err)
 {
     /* On a rank without atoms the caller's array may be NULL, which would mean a single number. */
     double nothing;
     return evaluate(formula, deck, NULL, values != NULL ? values : &nothing, err);
+}
+
+hs_status hs_formula_atoms(const hs_formula *formula, hs_deck *deck, double *values, hs_error *err)
+{
+    hs_atom_draws draws = {0}, *outer = deck->variables->draws;
+    hs_status status = hs_atom_draws_init(&draws, formula, deck, err);
+    deck->variables->draws = &draws;
+    if (status == HS_OK) status = hs_formula_atoms_within(formula, deck, values, err);
+    deck->variables->draws = outer;
+    hs_atom_draws_fini(&draws);
+    return status;
 }
 
 hs_status hs_formula_once(hs_deck *deck, const char *text, double *value, hs_error *err)

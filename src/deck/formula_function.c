@@ -56,13 +56,17 @@ GUARDED(log, x > 0.0, "the logarithm exists for positive numbers only", log10(x)
 GUARDED(asin, x >= -1.0 && x <= 1.0, "the argument must be from -1 to 1", asin(x))
 GUARDED(acos, x >= -1.0 && x <= 1.0, "the argument must be from -1 to 1", acos(x))
 
-/** The generator of equal-style formulas, seeded at its first use only, or the hash of an atom's draw. */
-static hs_status draw(const hs_call *call, bool is_normal, double *number, hs_error *err)
+/** Equal-style: the generator, seeded at its first use only. Per atom: the number drawn for the atom, or during runs, when the
+ *  order of atoms is nobody's, the hash of seed, atom and draw. */
+static hs_status draw(const hs_call *call, double *number, hs_error *err)
 {
-    int64_t seed;
-    HS_TRY(hs_formula_whole(call->function->usage, call->arg[2], &seed, err));
-    if (seed < 1 || seed > HS_MARSAGLIA_SEED_MAX)
-        return refuse(call, "the seed must be a whole number from 1 to 900000000", call->arg[2], err);
+    const bool is_normal = call->function->draws == HS_DRAWS_NORMAL;
+    int seed;
+    HS_TRY(hs_random_seed(call->function, call->arg[2], &seed, err));
+    if (call->drawn != NULL) {
+        *number = *call->drawn;
+        return HS_OK;
+    }
     if (call->atom != 0) {
         const uint64_t stream = is_normal ? 1 : 0;
         const double u = hs_hashed_uniform((uint64_t)seed, (uint64_t)call->atom, (uint64_t)call->draw, stream);
@@ -71,7 +75,7 @@ static hs_status draw(const hs_call *call, bool is_normal, double *number, hs_er
         return HS_OK;
     }
     hs_marsaglia *generator = &call->deck->variables->generator;
-    if (!generator->is_seeded) hs_marsaglia_init(generator, (int)seed);
+    if (!generator->is_seeded) hs_marsaglia_init(generator, seed);
     *number = is_normal ? hs_marsaglia_gaussian(generator) : hs_marsaglia_uniform(generator);
     return HS_OK;
 }
@@ -79,7 +83,7 @@ static hs_status draw(const hs_call *call, bool is_normal, double *number, hs_er
 static hs_status do_random(const hs_call *call, double *value, hs_error *err)
 {
     double u;
-    HS_TRY(draw(call, false, &u, err));
+    HS_TRY(draw(call, &u, err));
     *value = u * (call->arg[1] - call->arg[0]) + call->arg[0];
     return HS_OK;
 }
@@ -88,7 +92,7 @@ static hs_status do_normal(const hs_call *call, double *value, hs_error *err)
 {
     if (call->arg[1] < 0.0) return refuse(call, "the width must not be negative", call->arg[1], err);
     double g;
-    HS_TRY(draw(call, true, &g, err));
+    HS_TRY(draw(call, &g, err));
     *value = call->arg[0] + call->arg[1] * g;
     return HS_OK;
 }
@@ -257,34 +261,40 @@ static hs_status do_stride2(const hs_call *call, double *value, hs_error *err)
 }
 
 const hs_function hs_math_functions[] = {
-    {"sqrt", 1, do_sqrt, false, "sqrt(x)", "square root"},
-    {"exp", 1, do_exp, false, "exp(x)", "e to the power x"},
-    {"ln", 1, do_ln, false, "ln(x)", "natural logarithm"},
-    {"log", 1, do_log, false, "log(x)", "logarithm to base 10"},
-    {"abs", 1, do_abs, false, "abs(x)", "absolute value"},
-    {"sin", 1, do_sin, false, "sin(x)", "sine, x in radians"},
-    {"cos", 1, do_cos, false, "cos(x)", "cosine"},
-    {"tan", 1, do_tan, false, "tan(x)", "tangent"},
-    {"asin", 1, do_asin, false, "asin(x)", "arc sine, radians"},
-    {"acos", 1, do_acos, false, "acos(x)", "arc cosine"},
-    {"atan", 1, do_atan, false, "atan(x)", "arc tangent"},
-    {"atan2", 2, do_atan2, false, "atan2(y,x)", "arc tangent of y/x in the right quadrant"},
-    {"random", 3, do_random, true, "random(lo,hi,seed)",
-     "uniform random number from lo to hi; the first call's seed starts the generator"},
-    {"normal", 3, do_normal, true, "normal(mean,width,seed)", "normal random number"},
-    {"ceil", 1, do_ceil, false, "ceil(x)", "next whole number above"},
-    {"floor", 1, do_floor, false, "floor(x)", "next whole number below"},
-    {"round", 1, do_round, false, "round(x)", "nearest whole number"},
-    {"ramp", 2, do_ramp, false, "ramp(x,y)", "from x at the run's first step to y at its last"},
-    {"stagger", 2, do_stagger, false, "stagger(x,y)", "next step of x, x+y, 2x, 2x+y, ..."},
-    {"logfreq", 3, do_logfreq, false, "logfreq(x,y,z)", "next step of x, 2x, ... yx, then the same from zx"},
-    {"logfreq2", 3, do_logfreq2, false, "logfreq2(x,y,z)",
+    {"sqrt", 1, do_sqrt, HS_DRAWS_NOTHING, "sqrt(x)", "square root"},
+    {"exp", 1, do_exp, HS_DRAWS_NOTHING, "exp(x)", "e to the power x"},
+    {"ln", 1, do_ln, HS_DRAWS_NOTHING, "ln(x)", "natural logarithm"},
+    {"log", 1, do_log, HS_DRAWS_NOTHING, "log(x)", "logarithm to base 10"},
+    {"abs", 1, do_abs, HS_DRAWS_NOTHING, "abs(x)", "absolute value"},
+    {"sin", 1, do_sin, HS_DRAWS_NOTHING, "sin(x)", "sine, x in radians"},
+    {"cos", 1, do_cos, HS_DRAWS_NOTHING, "cos(x)", "cosine"},
+    {"tan", 1, do_tan, HS_DRAWS_NOTHING, "tan(x)", "tangent"},
+    {"asin", 1, do_asin, HS_DRAWS_NOTHING, "asin(x)", "arc sine, radians"},
+    {"acos", 1, do_acos, HS_DRAWS_NOTHING, "acos(x)", "arc cosine"},
+    {"atan", 1, do_atan, HS_DRAWS_NOTHING, "atan(x)", "arc tangent"},
+    {"atan2", 2, do_atan2, HS_DRAWS_NOTHING, "atan2(y,x)", "arc tangent of y/x in the right quadrant"},
+    {"random", 3, do_random, HS_DRAWS_UNIFORM, "random(lo,hi,seed)",
+     "uniform random number from lo to hi; the first call's seed starts the generator, of which there is one for "
+     "equal-style "
+     "and one for atom-style variables. Between runs atoms draw in the order of their IDs; during a run an atom's "
+     "numbers "
+     "follow from seed, ID and count of draws, so that they do not depend on ranks"},
+    {"normal", 3, do_normal, HS_DRAWS_NORMAL, "normal(mean,width,seed)", "normal random number"},
+    {"ceil", 1, do_ceil, HS_DRAWS_NOTHING, "ceil(x)", "next whole number above"},
+    {"floor", 1, do_floor, HS_DRAWS_NOTHING, "floor(x)", "next whole number below"},
+    {"round", 1, do_round, HS_DRAWS_NOTHING, "round(x)", "nearest whole number"},
+    {"ramp", 2, do_ramp, HS_DRAWS_NOTHING, "ramp(x,y)", "from x at the run's first step to y at its last"},
+    {"stagger", 2, do_stagger, HS_DRAWS_NOTHING, "stagger(x,y)", "next step of x, x+y, 2x, 2x+y, ..."},
+    {"logfreq", 3, do_logfreq, HS_DRAWS_NOTHING, "logfreq(x,y,z)", "next step of x, 2x, ... yx, then the same from zx"},
+    {"logfreq2", 3, do_logfreq2, HS_DRAWS_NOTHING, "logfreq2(x,y,z)",
      "next of y steps at equal distance in each factor z, from x"},
-    {"logfreq3", 3, do_logfreq3, false, "logfreq3(x,y,z)", "next of y steps in equal ratio from x to z"},
-    {"stride", 3, do_stride, false, "stride(x,y,z)", "next step of x, x+z, x+2z, ... up to y"},
-    {"stride2", 6, do_stride2, false, "stride2(x,y,z,a,b,c)", "like stride(x,y,z), but every c steps from a to b"},
-    {"vdisplace", 2, do_vdisplace, false, "vdisplace(x,v)", "x + v t, with t the time since the run's first step"},
-    {"swiggle", 3, do_wiggle, false, "swiggle(x,A,P)", "x + A sin(2 PI t/P)"},
-    {"cwiggle", 3, do_wiggle, false, "cwiggle(x,A,P)", "x + A (1 - cos(2 PI t/P))"},
+    {"logfreq3", 3, do_logfreq3, HS_DRAWS_NOTHING, "logfreq3(x,y,z)", "next of y steps in equal ratio from x to z"},
+    {"stride", 3, do_stride, HS_DRAWS_NOTHING, "stride(x,y,z)", "next step of x, x+z, x+2z, ... up to y"},
+    {"stride2", 6, do_stride2, HS_DRAWS_NOTHING, "stride2(x,y,z,a,b,c)",
+     "like stride(x,y,z), but every c steps from a to b"},
+    {"vdisplace", 2, do_vdisplace, HS_DRAWS_NOTHING, "vdisplace(x,v)",
+     "x + v t, with t the time since the run's first step"},
+    {"swiggle", 3, do_wiggle, HS_DRAWS_NOTHING, "swiggle(x,A,P)", "x + A sin(2 PI t/P)"},
+    {"cwiggle", 3, do_wiggle, HS_DRAWS_NOTHING, "cwiggle(x,A,P)", "x + A (1 - cos(2 PI t/P))"},
     {0},
 };

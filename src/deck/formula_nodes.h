@@ -59,20 +59,43 @@ struct hs_formula {
     int n_nodes, capacity;
 };
 
+/** What random numbers a function draws. */
+typedef enum { HS_DRAWS_NOTHING, HS_DRAWS_UNIFORM, HS_DRAWS_NORMAL } hs_draw_kind;
+
+/** Random numbers of one evaluation of an atom-style formula and of the atom-style variables that are part of it. */
+typedef struct hs_atom_draws {
+    hs_draw_kind *kind; /**< owned [n]: what the formula draws for each atom, in the order of evaluation */
+    int n, capacity;
+    int next; /**< draw that comes next */
+    double
+        *number; /**< owned [n][n_local], made at the first draw; draw k of local atom i is number[k * n_local + i] */
+} hs_atom_draws;
+
+/** Find out what a formula will draw. Not collective; the caller gives the draws to hs_atom_draws_fini. */
+HS_MUST_USE hs_status hs_atom_draws_init(hs_atom_draws *draws, const hs_formula *formula, hs_deck *deck, hs_error *err);
+void hs_atom_draws_fini(hs_atom_draws *draws);
+/** The next draw's numbers: (*numbers)[n_local], borrowed until hs_atom_draws_fini. The first one draws all: for each atom in
+ *  the order of IDs all its numbers. @p seed starts the deck's generator for atoms if nothing has. Collective. */
+HS_MUST_USE hs_status hs_atom_draws_next(hs_atom_draws *draws, hs_deck *deck, double seed, const double **numbers,
+                                         hs_error *err);
+/** A seed of random() and normal(). */
+HS_MUST_USE hs_status hs_random_seed(const struct hs_function *function, double value, int *seed, hs_error *err);
+
 /** A call of a math function. */
 typedef struct hs_call {
     const struct hs_function *function;
     const double *arg;
     hs_deck *deck;
-    int64_t atom; /**< ID of the atom in atom-style formulas, 0 in equal-style ones */
-    int64_t draw; /**< number of this evaluation among all with random numbers per atom */
+    int64_t atom;        /**< ID of the atom in atom-style formulas, 0 in equal-style ones */
+    int64_t draw;        /**< during runs: number of this evaluation among all with random numbers per atom */
+    const double *drawn; /**< between runs: the atom's random number; NULL during runs and in equal-style formulas */
 } hs_call;
 
 typedef struct hs_function {
     const char *name;
     int n_args;
     hs_status (*eval)(const hs_call *call, double *value, hs_error *err);
-    bool is_random;
+    hs_draw_kind draws;
     const char *usage, *help;
 } hs_function;
 

@@ -65,7 +65,7 @@ static hs_status get_variables(hs_checkpoint *checkpoint, hs_deck *deck, hs_erro
     hs_state state;
     char *names = NULL, *rest = NULL;
     HS_TRY(hs_checkpoint_get(checkpoint, "variables", &state, err));
-    hs_status status = hs_saved_keep_generator(deck->variables, &state, err);
+    hs_status status = hs_saved_keep_generators(deck->variables, &state, err);
     if (status == HS_OK) status = hs_state_text(&state, "names", &names, err);
     for (char *name = names != NULL ? strtok_r(names, " ", &rest) : NULL; name != NULL && status == HS_OK;
          name = strtok_r(NULL, " ", &rest))

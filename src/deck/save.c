@@ -44,16 +44,26 @@ hs_status hs_deck_remember(hs_deck *deck, const hs_args *args, hs_error *err)
 
 /* ---- Variables ---- */
 
-hs_status hs_saved_keep_generator(hs_variables *variables, hs_state *state, hs_error *err)
+static hs_status keep_generator(hs_marsaglia *generator, const char *prefix, hs_state *state, hs_error *err)
 {
-    hs_marsaglia *generator = &variables->generator;
-    HS_TRY(hs_state_double(state, "generator u", generator->u, 97, err));
-    HS_TRY(hs_state_double(state, "generator c", &generator->c, 1, err));
-    HS_TRY(hs_state_int(state, "generator i", &generator->i, err));
-    HS_TRY(hs_state_int(state, "generator j", &generator->j, err));
-    HS_TRY(hs_state_bool(state, "generator is seeded", &generator->is_seeded, err));
-    HS_TRY(hs_state_bool(state, "generator has second", &generator->have_second, err));
-    HS_TRY(hs_state_double(state, "generator second", &generator->second, 1, err));
+    char name[40];
+#define NAMED(what) (snprintf(name, sizeof name, "%s %s", prefix, what), name)
+    HS_TRY(hs_state_double(state, NAMED("u"), generator->u, 97, err));
+    HS_TRY(hs_state_double(state, NAMED("c"), &generator->c, 1, err));
+    HS_TRY(hs_state_int(state, NAMED("i"), &generator->i, err));
+    HS_TRY(hs_state_int(state, NAMED("j"), &generator->j, err));
+    HS_TRY(hs_state_bool(state, NAMED("is seeded"), &generator->is_seeded, err));
+    HS_TRY(hs_state_bool(state, NAMED("has second"), &generator->have_second, err));
+    return hs_state_double(state, NAMED("second"), &generator->second, 1, err);
+#undef NAMED
+}
+
+hs_status hs_saved_keep_generators(hs_variables *variables, hs_state *state, hs_error *err)
+{
+    HS_TRY(keep_generator(&variables->generator, "generator", state, err));
+    /* checkpoints of versions that drew atoms' numbers otherwise have none */
+    if (!state->is_reading || hs_state_find(state, "atom generator u") != NULL)
+        HS_TRY(keep_generator(&variables->atom_generator, "atom generator", state, err));
     return hs_state_int64(state, "draws", &variables->n_draws, 1, err);
 }
 
@@ -97,7 +107,7 @@ static hs_status put_variables(hs_checkpoint *checkpoint, hs_deck *deck, hs_erro
     hs_variables *variables = deck->variables;
     hs_state state = {0};
     hs_text names = {0};
-    hs_status status = hs_saved_keep_generator(variables, &state, err);
+    hs_status status = hs_saved_keep_generators(variables, &state, err);
     for (int i = 0; i < variables->n && status == HS_OK; ++i)
         status = hs_text_printf(&names, err, "%s%s", i > 0 ? " " : "", variables->variable[i]->name);
     if (status == HS_OK) status = hs_state_text(&state, "names", &names.data, err);

@@ -385,7 +385,9 @@ hs_status hs_variables_number(hs_deck *deck, const char *name, double *value, hs
     return hs_variables_rounded(deck, name, value, err);
 }
 
-hs_status hs_variables_atoms(hs_deck *deck, const char *name, double *values, hs_error *err)
+typedef hs_status (*atoms_evaluation)(const hs_formula *formula, hs_deck *deck, double *values, hs_error *err);
+
+static hs_status eval_atoms(hs_deck *deck, const char *name, atoms_evaluation evaluate, double *values, hs_error *err)
 {
     hs_variable *variable;
     HS_TRY(hs_variables_need(deck->variables, name, &variable, err));
@@ -397,8 +399,18 @@ hs_status hs_variables_atoms(hs_deck *deck, const char *name, double *values, hs
     }
     HS_TRY(hs_sim_need_box(deck->sim, "atom-style variables", err));
     HS_TRY(enter(deck->variables, variable, err));
-    hs_status status = hs_formula_atoms(variable->formula, deck, values, err);
+    hs_status status = evaluate(variable->formula, deck, values, err);
     leave(deck->variables, variable);
     if (status != HS_OK) blame(err, variable->name);
     return status;
+}
+
+hs_status hs_variables_atoms(hs_deck *deck, const char *name, double *values, hs_error *err)
+{
+    return eval_atoms(deck, name, hs_formula_atoms, values, err);
+}
+
+hs_status hs_variables_atoms_within(hs_deck *deck, const char *name, double *values, hs_error *err)
+{
+    return eval_atoms(deck, name, hs_formula_atoms_within, values, err);
 }

@@ -38,9 +38,11 @@ typedef struct hs_variable {
 typedef struct hs_variables {
     hs_variable **variable; /**< owned [n] */
     int n, capacity;
-    hs_marsaglia generator; /**< random() and normal() of equal-style formulas */
-    int64_t n_draws;        /**< evaluations of random functions per atom so far */
-    int depth;              /**< formulas within formulas being evaluated */
+    hs_marsaglia generator;      /**< random() and normal() of equal-style formulas */
+    hs_marsaglia atom_generator; /**< the same of atom-style ones, between runs */
+    int64_t n_draws;             /**< during runs: evaluations of random functions per atom so far */
+    struct hs_atom_draws *draws; /**< borrowed while an atom-style formula is evaluated: its random numbers */
+    int depth;                   /**< formulas within formulas being evaluated */
 } hs_variables;
 
 HS_MUST_USE hs_status hs_variables_create(hs_variables **variables, hs_error *err);
@@ -78,6 +80,8 @@ HS_MUST_USE hs_status hs_variables_number(hs_deck *deck, const char *name, doubl
 HS_MUST_USE hs_status hs_variables_rounded(hs_deck *deck, const char *name, double *value, hs_error *err);
 /** Values of an atom-style variable (or one number for all): values[n_local] (collective). */
 HS_MUST_USE hs_status hs_variables_atoms(hs_deck *deck, const char *name, double *values, hs_error *err);
+/** The same for one that is part of the atom-style formula being evaluated. */
+HS_MUST_USE hs_status hs_variables_atoms_within(hs_deck *deck, const char *name, double *values, hs_error *err);
 
 /** Whether a format has exactly one conversion, for a double: %[flags][width][.precision] and one of e f g E F G a A.
  *  Text around it and %% are allowed. */

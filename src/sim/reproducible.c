@@ -27,15 +27,21 @@ static int position_exponent(const hs_sim *sim)
     return hs_fixed_exponent(farthest, POSITION_BITS);
 }
 
-static void round_positions(hs_sim *sim, double magic)
+static void round_box(hs_box *box, double magic)
 {
-    hs_box *box = &sim->box;
-    hs_atoms *atoms = &sim->atoms;
     for (int axis = 0; axis < 3; ++axis) {
-        if (box->periodic[axis]) {
-            box->lo[axis] = rounded(box->lo[axis], magic);
-            box->hi[axis] = rounded(box->hi[axis], magic);
-        }
+        if (!box->periodic[axis]) continue;
+        box->lo[axis] = rounded(box->lo[axis], magic);
+        box->hi[axis] = rounded(box->hi[axis], magic);
+    }
+}
+
+void hs_sim_round_positions(hs_sim *sim)
+{
+    const double magic = sim->env.position_magic;
+    hs_atoms *atoms = &sim->atoms;
+    if (magic == 0.0) return;
+    for (int axis = 0; axis < 3; ++axis) {
         double *x = atoms->x[axis];
 #pragma omp parallel for schedule(static)
         for (int i = 0; i < atoms->n_local; ++i) x[i] = rounded(x[i], magic);
@@ -62,7 +68,8 @@ void hs_sim_settle_positions(hs_sim *sim)
     const double magic = ldexp(1.5, 52 + position_exponent(sim));
     if (magic == sim->env.position_magic) return;
     sim->env.position_magic = magic;
-    round_positions(sim, magic);
+    round_box(&sim->box, magic);
+    hs_sim_round_positions(sim);
 }
 
 /** Energies and virials of pairs whose forces fit their grid, |F| < 2^(force + HS_FIXED_BITS), are below r_c times that:

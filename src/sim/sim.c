@@ -198,6 +198,12 @@ void hs_sim_set_clock(hs_sim *sim, int64_t step, double dt)
     hs_env_changed(env);
 }
 
+void hs_sim_atoms_moved(hs_sim *sim)
+{
+    if (sim->is_initialized) hs_sim_round_positions(sim);
+    hs_env_changed(&sim->env);
+}
+
 void hs_sim_atoms_changed(hs_sim *sim)
 {
     sim->atoms.n_all = sim->atoms.n_local;

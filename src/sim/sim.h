@@ -134,6 +134,9 @@ HS_MUST_USE hs_status hs_sim_need_masses(const hs_sim *sim, const char *command,
 /** Atoms were added, removed, moved or changed outside a run: count them (collective), forget halo, lists, and
  *  remembered compute values. Every command that touches atoms calls this last. */
 void hs_sim_atoms_changed(hs_sim *sim);
+/** The same for commands that gave atoms other positions or velocities and changed nothing else: a run without set-up goes on
+ *  with the lists and forces there are, and makes new lists when the schedule and the displacements say so. */
+void hs_sim_atoms_moved(hs_sim *sim);
 
 /** Number the present step anew, or change the length of steps: the simulated time goes on from where it is, and energies of the
  *  present positions stay known. */
@@ -179,6 +182,8 @@ void hs_sim_forward_listed(hs_sim *sim);
 HS_MUST_USE hs_status hs_sim_setup_reproducible(hs_sim *sim, hs_error *err);
 /** The box has changed: choose the position grid anew, and round to it when it is another. */
 void hs_sim_settle_positions(hs_sim *sim);
+/** Round the positions of local atoms to the present grid. */
+void hs_sim_round_positions(hs_sim *sim);
 /** Grids for the forces of this step. */
 void hs_sim_begin_grid(hs_sim *sim);
 /** Whether all pairs fitted the grid (collective); if not, coarsen it for another try. After a list build, take the finest grid that

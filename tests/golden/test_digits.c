@@ -1,4 +1,4 @@
-/* Thermo tables of the decks in golden/pair, every digit, against LAMMPS's (golden/pair/record makes them). */
+/* Thermo tables of the decks in golden/pair and golden/styles, every digit, against LAMMPS's (golden/record makes them). */
 #define _GNU_SOURCE
 #include <glob.h>
 #include <stdio.h>
@@ -30,31 +30,35 @@ static char *tables_of(char *log)
 
 static void check_deck(const char *path)
 {
-    char recorded[512];
+    char recorded[512], include[520];
     hs_error err = {0};
     snprintf(recorded, sizeof recorded, "%.*s.thermo", (int)(strlen(path) - 3), path);
-    char *deck = hs_test_read_file(path), *expected_log = hs_test_read_file(recorded);
-    ck_assert_msg(deck != NULL && expected_log != NULL, "%s or %s cannot be read", path, recorded);
-    char *log = hs_test_run_deck(deck, &err);
+    snprintf(include, sizeof include, "include %s", path);
+    char *expected_log = hs_test_read_file(recorded);
+    ck_assert_msg(expected_log != NULL, "%s cannot be read", recorded);
+    char *log = hs_test_run_deck(include, &err);
     ck_assert_msg(err.status == HS_OK, "%s: %s", path, err.text);
     char *given = tables_of(log), *expected = tables_of(expected_log);
     ck_assert_msg(strlen(expected) > 200, "%s holds no table", recorded);
     ck_assert_msg(strcmp(given, expected) == 0, "%s: LAMMPS's table is\n%s\nours\n%s", path, expected, given);
-    free(deck);
     free(expected_log);
     free(log);
     free(given);
     free(expected);
 }
 
-START_TEST(every_digit_of_lammps)
+static void check_folder(const char *pattern)
 {
     glob_t decks;
-    ck_assert_int_eq(glob(TEST_SOURCE_DIR "/golden/pair/*.in", 0, NULL, &decks), 0);
-    ck_assert_uint_ge(decks.gl_pathc, 9);
+    ck_assert_int_eq(glob(pattern, 0, NULL, &decks), 0);
     for (size_t k = 0; k < decks.gl_pathc; ++k) check_deck(decks.gl_pathv[k]);
     globfree(&decks);
 }
+
+START_TEST(pair_styles) { check_folder(TEST_SOURCE_DIR "/golden/pair/*.in"); }
 END_TEST
 
-HS_TEST_MAIN("pair styles of LAMMPS", every_digit_of_lammps)
+START_TEST(other_styles) { check_folder(TEST_SOURCE_DIR "/golden/styles/*.in"); }
+END_TEST
+
+HS_TEST_MAIN("decks against every digit of LAMMPS", pair_styles, other_styles)
