@@ -1,22 +1,9 @@
 #include <math.h>
 
-#include "base/memory.h"
-#include "style/region.h"
-
-/** The members, borrowed: hs_sim keeps a region for as long as another one refers to it. */
-typedef struct members {
-    hs_region **region; /**< owned array [n] */
-    int n;
-} members;
-
-static void destroy(hs_region *region)
-{
-    members *m = region->state;
-    HS_FREE(m->region);
-}
+#include "style/region_members.h"
 
 /** Bounded when all members are. */
-static void set_extent(hs_region *region, const members *m)
+static void set_extent(hs_region *region, const hs_region_members *m)
 {
     region->has_extent = true;
     for (int axis = 0; axis < 3; ++axis) {
@@ -34,37 +21,16 @@ static void set_extent(hs_region *region, const members *m)
 
 static hs_status create(hs_region *region, const hs_args *args, hs_error *err)
 {
-    members *m = region->state;
-    int64_t n;
-    HS_TRY(hs_arg_int(args, 0, 2, 1000000, &n, err));
-    if (args->n != n + 1)
-        return hs_fail(err, HS_ERROR_INPUT, "%s: %lld region IDs must follow the number %s, there are %d",
-                       args->command, (long long)n, args->word[0], args->n - 1);
-    HS_TRY(HS_ALLOC(m->region, (size_t)n, err));
-    m->n = (int)n;
-    for (int k = 0; k < m->n; ++k) {
-        m->region[k] = region->env->find_region(region->env, args->word[k + 1]);
-        if (m->region[k] == NULL)
-            return hs_fail(err, HS_ERROR_INPUT, "%s: there is no region '%s'; define it before this line",
-                           args->command, args->word[k + 1]);
-    }
-    set_extent(region, m);
+    HS_TRY(hs_region_members_read(region, args, err));
+    set_extent(region, region->state);
     return HS_OK;
 }
 
 static bool inside(const hs_region *region, const double x[3])
 {
-    const members *m = region->state;
+    const hs_region_members *m = region->state;
     for (int k = 0; k < m->n; ++k)
         if (hs_region_contains(m->region[k], x)) return true;
-    return false;
-}
-
-static bool uses(const hs_region *region, const hs_region *other)
-{
-    const members *m = region->state;
-    for (int k = 0; k < m->n; ++k)
-        if (m->region[k] == other) return true;
     return false;
 }
 
@@ -83,9 +49,9 @@ const hs_region_style hs_region_style_union = {
                 "changes nothing, since a union has no lengths of its own.\n",
             .example = "region both union 2 left right",
         },
-    .state_size = sizeof(members),
+    .state_size = sizeof(hs_region_members),
     .create = create,
-    .destroy = destroy,
+    .destroy = hs_region_members_destroy,
     .inside = inside,
-    .uses = uses,
+    .uses = hs_region_members_use,
 };
