@@ -2,6 +2,7 @@
 #include <string.h>
 
 #include "base/memory.h"
+#include "base/wide.h"
 #include "style/atom_sum.h"
 #include "style/compute.h"
 #include "style/moments.h"
@@ -50,18 +51,20 @@ static hs_status keep_state(hs_compute *compute, hs_state *kept, hs_error *err)
     return hs_state_int64(kept, "n_averaged", &((msd_state *)compute->state)->n_averaged, 1, err);
 }
 
-static void add_terms(const hs_atoms *atoms, const void *context, int begin, int end, hs_exact_sum *sums)
+HS_WIDE static void add_terms(const hs_atoms *atoms, const void *context, int begin, int end, hs_exact_sum *sums)
 {
     const hs_compute *compute = context;
     const msd_state *state = compute->state;
+    const uint32_t *mask = atoms->mask + begin, group = compute->mask;
     const int n = end - begin;
     double d2[HS_EXACT_ARRAY_MAX];
     for (int axis = 0; axis < 3; ++axis) {
         const double *x = atoms->x[axis] + begin, *origin = state->origin[axis] + begin;
+        const int32_t *image = atoms->image[axis] + begin;
         const double length = hs_box_length(compute->env->box, axis), center = state->center[axis];
         for (int i = 0; i < n; ++i) {
-            const double d = x[i] + atoms->image[axis][begin + i] * length - center - origin[i];
-            d2[i] = atoms->mask[begin + i] & compute->mask ? d * d : 0.0;
+            const double d = x[i] + image[i] * length - center - origin[i];
+            d2[i] = mask[i] & group ? d * d : 0.0;
         }
         hs_exact_add_array(&sums[axis], d2, n);
     }

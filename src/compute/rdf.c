@@ -5,6 +5,7 @@
 #include "base/memory.h"
 #include "base/text.h"
 #include "kernel/pair_histogram.h"
+#include "style/atom_sum.h"
 #include "style/compute.h"
 #include "style/pair_scan.h"
 
@@ -90,6 +91,10 @@ static void count_atoms(const hs_compute *compute)
     const hs_atoms *atoms = compute->env->atoms;
     for (int k = 0; k < state->n_pairs; ++k) {
         rdf_pair *pair = &state->pair[k];
+        if (!state->has_types) {
+            pair->n_i = pair->n_j = pair->n_both = (double)hs_atom_count(atoms, compute->env->parallel, compute->mask);
+            continue;
+        }
         int64_t n[3] = {0, 0, 0};
         for (int i = 0; i < atoms->n_local; ++i) {
             if (!(atoms->mask[i] & compute->mask)) continue;

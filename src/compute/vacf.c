@@ -1,5 +1,6 @@
 /* Velocity autocorrelation of a group since the compute was defined: <v(t) v(0)>. */
 #include "base/memory.h"
+#include "base/wide.h"
 #include "style/atom_sum.h"
 #include "style/compute.h"
 
@@ -30,17 +31,16 @@ static void destroy(hs_compute *compute)
     HS_FREE(compute->vector);
 }
 
-static void add_terms(const hs_atoms *atoms, const void *context, int begin, int end, hs_exact_sum *sums)
+HS_WIDE static void add_terms(const hs_atoms *atoms, const void *context, int begin, int end, hs_exact_sum *sums)
 {
     const hs_compute *compute = context;
     const vacf_state *state = compute->state;
+    const uint32_t *mask = atoms->mask + begin, group = compute->mask;
     const int n = end - begin;
     double product[HS_EXACT_ARRAY_MAX];
     for (int axis = 0; axis < 3; ++axis) {
         const double *v = atoms->v[axis] + begin, *origin = state->origin[axis] + begin;
-        for (int i = 0; i < n; ++i) {
-            product[i] = atoms->mask[begin + i] & compute->mask ? v[i] * origin[i] : 0.0;
-        }
+        for (int i = 0; i < n; ++i) product[i] = mask[i] & group ? v[i] * origin[i] : 0.0;
         hs_exact_add_array(&sums[axis], product, n);
     }
 }

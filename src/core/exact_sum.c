@@ -2,6 +2,8 @@
 
 #include <math.h>
 
+#include "base/wide.h"
+
 void hs_exact_carry(hs_exact_sum *sum)
 {
     for (int k = 0; k < HS_EXACT_DIGITS - 1; ++k) {
@@ -29,32 +31,29 @@ void hs_exact_add_scaled(hs_exact_sum *sum, __int128 n, int exponent)
     if (sum->n_added >= INT64_C(1) << 30) hs_exact_carry(sum);
 }
 
-enum { STREAMS = 8 }; /* sums side by side, for vectors */
+enum { STREAMS = 8 }; /* sums side by side */
 
-/* Wider vectors where the machine has them: the operations and their bits are the same. */
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(HS_SANITIZE)
-#define WIDE __attribute__((target_clones("avx512f", "avx2", "default")))
-#else
-#define WIDE
-#endif
+/** Eight doubles, in as many registers as the machine needs: compilers make poor code of loops over arrays here. */
+typedef double streams __attribute__((vector_size(STREAMS * sizeof(double))));
+typedef int64_t stream_bits __attribute__((vector_size(STREAMS * sizeof(double))));
+
+/** Sizes: the signs go. No function, for such a value is returned in one way with AVX-512 and in another without. */
+#define SIZES(x) ((streams)((stream_bits)(x)&INT64_MAX))
 
 /** Terms cut at two places: a multiple of 2^-84 of the largest or coarser in *high and *low, exactly, when every remainder is 0. */
-WIDE static bool add_cut(const double *x, int n, double first, double second, double *high, double *low)
+HS_WIDE static bool add_cut(const double *x, int n, double first, double second, double *high, double *low)
 {
-    double h[STREAMS] = {0.0}, l[STREAMS] = {0.0}, rest[STREAMS] = {0.0};
-    int i = 0;
-    for (; i + STREAMS <= n; i += STREAMS)
-        for (int k = 0; k < STREAMS; ++k) {
-            const double a = (x[i + k] + first) - first, b = x[i + k] - a, c = (b + second) - second;
-            h[k] += a;
-            l[k] += c;
-            rest[k] += fabs(b - c);
-        }
-    for (int k = 0; i < n; ++i, ++k) {
-        const double a = (x[i] + first) - first, b = x[i] - a, c = (b + second) - second;
-        h[k] += a;
-        l[k] += c;
-        rest[k] += fabs(b - c);
+    streams h = {0.0}, l = {0.0}, rest = {0.0};
+    for (int i = 0; i < n; i += STREAMS) {
+        streams term = {0.0};
+        if (i + STREAMS <= n)
+            memcpy(&term, x + i, sizeof term);
+        else
+            memcpy(&term, x + i, (size_t)(n - i) * sizeof *x);
+        const streams a = (term + first) - first, b = term - a, c = (b + second) - second;
+        h += a;
+        l += c;
+        rest += SIZES(b - c);
     }
     *high = *low = 0.0;
     double left = 0.0;
@@ -76,21 +75,22 @@ static void add_rest(hs_exact_sum *sum, const double *x, int n, double first, do
 }
 
 /** The largest size of the terms; *none is 0, or not a number when a term is not finite. */
-WIDE static double find_bound(const double *x, int n, double *none)
+HS_WIDE static double find_bound(const double *x, int n, double *none)
 {
-    double largest[STREAMS] = {0.0}, odd[STREAMS] = {0.0}, bound = 0.0;
-    *none = 0.0;
-    int i = 0;
-    for (; i + STREAMS <= n; i += STREAMS)
-        for (int k = 0; k < STREAMS; ++k) {
-            const double size = fabs(x[i + k]);
-            largest[k] = size > largest[k] ? size : largest[k];
-            odd[k] += size - size; /* 0, or not a number */
-        }
-    for (; i < n; ++i) {
-        bound = fabs(x[i]) > bound ? fabs(x[i]) : bound;
-        *none += x[i] - x[i];
+    streams largest = {0.0}, odd = {0.0};
+    double bound = 0.0;
+    for (int i = 0; i < n; i += STREAMS) {
+        streams term = {0.0};
+        if (i + STREAMS <= n)
+            memcpy(&term, x + i, sizeof term);
+        else
+            memcpy(&term, x + i, (size_t)(n - i) * sizeof *x);
+        const streams size = SIZES(term);
+        const stream_bits is_larger = size > largest;
+        largest = (streams)(((stream_bits)size & is_larger) | ((stream_bits)largest & ~is_larger));
+        odd += size - size; /* 0, or not a number */
     }
+    *none = 0.0;
     for (int k = 0; k < STREAMS; ++k) {
         bound = largest[k] > bound ? largest[k] : bound;
         *none += odd[k];
