@@ -4,11 +4,12 @@
 #include "base/memory.h"
 #include "base/wide.h"
 #include "style/atom_sum.h"
+#include "style/atom_vector.h"
 #include "style/compute.h"
 #include "style/moments.h"
 
 typedef struct msd_state {
-    double *origin[3]; /**< atom fields: unwrapped places at the start, with com relative to the center of mass */
+    hs_atom_vector origin; /**< unwrapped places at the start, with com relative to the center of mass */
     bool has_com, is_average;
     int64_t n_averaged; /**< evaluations that the mean places are made of */
     double center[3];
@@ -22,27 +23,24 @@ static const hs_keyword keywords[] = {
 
 static hs_status create(hs_compute *compute, const hs_args *args, hs_error *err)
 {
-    static const char *const names[] = {"msd_x", "msd_y", "msd_z"};
     msd_state *state = compute->state;
     const hs_env *env = compute->env;
     for (int i = 0; i + 1 < args->n; i += 2)
         HS_TRY(hs_arg_bool(args, i + 1, strcmp(args->word[i], "com") == 0 ? &state->has_com : &state->is_average, err));
     compute->n_vector = 4;
     HS_TRY(HS_ALLOC(compute->vector, 4, err));
-    for (int axis = 0; axis < 3; ++axis)
-        HS_TRY(hs_atoms_add_field(env->atoms, names[axis], (void **)&state->origin[axis], sizeof(double), false, err));
+    HS_TRY(hs_atom_vector_add(env->atoms, &state->origin, "compute", compute->id, "origin", err));
     if (state->has_com) hs_center_of_mass(env, compute->mask, state->center, NULL);
     for (int axis = 0; axis < 3; ++axis)
         for (int i = 0; i < env->atoms->n_local; ++i)
-            state->origin[axis][i] = hs_unwrapped(env, axis, i) - state->center[axis];
+            state->origin.of[axis][i] = hs_unwrapped(env, axis, i) - state->center[axis];
     return HS_OK;
 }
 
 static void destroy(hs_compute *compute)
 {
     msd_state *state = compute->state;
-    for (int axis = 0; axis < 3; ++axis)
-        if (state->origin[axis] != NULL) hs_atoms_remove_field(compute->env->atoms, (void **)&state->origin[axis]);
+    hs_atom_vector_remove(compute->env->atoms, &state->origin);
     HS_FREE(compute->vector);
 }
 
@@ -59,7 +57,7 @@ HS_WIDE static void add_terms(const hs_atoms *atoms, const void *context, int be
     const int n = end - begin;
     double d2[HS_EXACT_ARRAY_MAX];
     for (int axis = 0; axis < 3; ++axis) {
-        const double *x = atoms->x[axis] + begin, *origin = state->origin[axis] + begin;
+        const double *x = atoms->x[axis] + begin, *origin = state->origin.of[axis] + begin;
         const int32_t *image = atoms->image[axis] + begin;
         const double length = hs_box_length(compute->env->box, axis), center = state->center[axis];
         for (int i = 0; i < n; ++i) {
@@ -77,7 +75,7 @@ static void update_average(hs_compute *compute)
     const double weight = 1.0 / (double)(++state->n_averaged + 1);
     for (int axis = 0; axis < 3; ++axis)
         for (int i = 0; i < compute->env->atoms->n_local; ++i) {
-            double *mean = &state->origin[axis][i];
+            double *mean = &state->origin.of[axis][i];
             *mean += (hs_unwrapped(compute->env, axis, i) - state->center[axis] - *mean) * weight;
         }
 }
@@ -106,7 +104,9 @@ const hs_compute_style hs_compute_style_msd = {
              "sum "
              "(distance^2), with d the displacement from the place where the atom was when the compute was defined, "
              "crossings of periodic faces included. The slope of `c_ID[4]` against time is 2 dim D, with D the "
-             "diffusion coefficient. Starting places travel with the atoms and are part of checkpoints.",
+             "diffusion coefficient. Starting places travel with the atoms and are part of checkpoints; after "
+             "`read_restart` a "
+             "compute of the same ID goes on from them.",
          .reference = "A. Einstein, Ann. Phys. 322, 549 (1905), doi:10.1002/andp.19053220806",
          .example = "compute msd all msd com yes\nfix 9 all vector 10 c_msd[4]\nvariable D equal slope(f_9)/6/(10*dt)"},
     .state_size = sizeof(msd_state),

@@ -2,32 +2,30 @@
 #include "base/memory.h"
 #include "base/wide.h"
 #include "style/atom_sum.h"
+#include "style/atom_vector.h"
 #include "style/compute.h"
 
 typedef struct vacf_state {
-    double *origin[3]; /**< atom fields: velocities at the start */
+    hs_atom_vector origin; /**< velocities at the start */
 } vacf_state;
 
 static hs_status create(hs_compute *compute, const hs_args *args, hs_error *err)
 {
-    static const char *const names[] = {"vacf_x", "vacf_y", "vacf_z"};
     vacf_state *state = compute->state;
     hs_atoms *atoms = compute->env->atoms;
     HS_TRY(hs_syntax_check(&compute->style->about.syntax, args, false, err));
     compute->n_vector = 4;
     HS_TRY(HS_ALLOC(compute->vector, 4, err));
-    for (int axis = 0; axis < 3; ++axis) {
-        HS_TRY(hs_atoms_add_field(atoms, names[axis], (void **)&state->origin[axis], sizeof(double), false, err));
-        for (int i = 0; i < atoms->n_local; ++i) state->origin[axis][i] = atoms->v[axis][i];
-    }
+    HS_TRY(hs_atom_vector_add(atoms, &state->origin, "compute", compute->id, "origin", err));
+    for (int axis = 0; axis < 3; ++axis)
+        for (int i = 0; i < atoms->n_local; ++i) state->origin.of[axis][i] = atoms->v[axis][i];
     return HS_OK;
 }
 
 static void destroy(hs_compute *compute)
 {
     vacf_state *state = compute->state;
-    for (int axis = 0; axis < 3; ++axis)
-        if (state->origin[axis] != NULL) hs_atoms_remove_field(compute->env->atoms, (void **)&state->origin[axis]);
+    hs_atom_vector_remove(compute->env->atoms, &state->origin);
     HS_FREE(compute->vector);
 }
 
@@ -39,7 +37,7 @@ HS_WIDE static void add_terms(const hs_atoms *atoms, const void *context, int be
     const int n = end - begin;
     double product[HS_EXACT_ARRAY_MAX];
     for (int axis = 0; axis < 3; ++axis) {
-        const double *v = atoms->v[axis] + begin, *origin = state->origin[axis] + begin;
+        const double *v = atoms->v[axis] + begin, *origin = state->origin.of[axis] + begin;
         for (int i = 0; i < n; ++i) product[i] = mask[i] & group ? v[i] * origin[i] : 0.0;
         hs_exact_add_array(&sums[axis], product, n);
     }
@@ -67,7 +65,7 @@ const hs_compute_style hs_compute_style_vacf = {
              "z, and of their sum (velocity^2), with t counted from the definition of the compute. The integral of "
              "`c_ID[4]` over time is dim D, with D the diffusion coefficient. Starting velocities travel with the "
              "atoms "
-             "and are part of checkpoints.",
+             "and are part of checkpoints; after `read_restart` a compute of the same ID goes on from them.",
          .reference = "R. Kubo, J. Phys. Soc. Jpn. 12, 570 (1957), doi:10.1143/JPSJ.12.570",
          .example = "compute vacf all vacf\nfix 5 all vector 1 c_vacf[4]\nvariable D equal dt*trap(f_5)/3"},
     .state_size = sizeof(vacf_state),

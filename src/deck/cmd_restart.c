@@ -128,7 +128,7 @@ static hs_status checkpoint_run(hs_deck *deck, const hs_args *args, hs_error *er
 }
 
 static const hs_keyword checkpoint_keywords[] = {
-    {"keep", 1, "<K>", "delete all but the last K of this run's checkpoints (default: 2)"},
+    {"keep", 1, "<K>", "delete all but the last K of this run's checkpoints, resumed or not (default: 2)"},
     {"file", 1, "<name>", "name of the files; * becomes the step (default: checkpoint.*.h5)"},
     {0},
 };
@@ -153,7 +153,9 @@ const hs_command hs_commands_restart[] = {
               "of `-walltime` also write one, without this command too; so does a file that cannot be written, "
               "if there is a place for it.\n\n"
               "A deck with neither `checkpoint` nor `restart` has an automatic one, `autosave.STEP.h5`, every 15 "
-              "minutes of wall time, each in place of the one before; it is removed at the end of the deck. "
+              "minutes of wall time, each in place of the one before; it is removed at the end of the deck, also of "
+              "one that "
+              "`resume` has brought to its end. "
               "The environment variable HALFSHELL_AUTOSAVE is another number of minutes, 0 for none; `checkpoint off` "
               "also means none.",
           .example = "checkpoint every 10 minutes\ncheckpoint every 50000 steps keep 3 file run.*.chk\ncheckpoint off"},
@@ -184,8 +186,10 @@ const hs_command hs_commands_restart[] = {
           .details =
               "Takes over units, dimension, boundary, atom style, box, atoms, masses, groups, pair style and its "
               "coefficients, step, timestep and simulated time. Fixes, computes, regions, neighbor and output settings "
-              "are the new deck's; a fix of the same ID and style as one of the old deck's goes on from its state "
-              "(averages, thermostats, starting places), as far as its words allow, and this is told when the run "
+              "are the new deck's; a fix or compute of the same ID and style as one of the old deck's goes on from its "
+              "state "
+              "(averages, thermostats, starting places of `msd`), as far as its words allow, and this is told when the "
+              "run "
               "begins. To go on with the same deck, use `halfshell resume FILE` instead. Only files of "
               "this "
               "program can be read.",

@@ -363,6 +363,15 @@ static hs_status get_settings(hs_checkpoint *checkpoint, hs_deck *deck, char **c
     return status;
 }
 
+static hs_status get_kept_files(hs_checkpoint *checkpoint, hs_deck *deck, const char *path, hs_error *err)
+{
+    hs_state state;
+    HS_TRY(hs_checkpoint_get(checkpoint, "deck", &state, err));
+    const hs_status status = hs_saving_get_kept(deck->sim->saving, path, &state, err);
+    hs_state_fini(&state);
+    return status;
+}
+
 hs_status hs_deck_resume(hs_deck *deck, const char *path, hs_error *err)
 {
     places where = {0};
@@ -376,6 +385,7 @@ hs_status hs_deck_resume(hs_deck *deck, const char *path, hs_error *err)
     if (status == HS_OK) status = hs_deck_clear(deck, err); /* with the settings */
     if (status == HS_OK) status = get_variables(where.checkpoint, deck, err);
     if (status == HS_OK) status = get_simulation(where.checkpoint, deck, commands, err);
+    if (status == HS_OK) status = get_kept_files(where.checkpoint, deck, path, err);
     if (status == HS_OK && deck->at_resumed != NULL) status = deck->at_resumed(deck, err);
     if (status == HS_OK)
         hs_say(deck->out, "Resumed at step %lld from %s, with %lld atoms\n", (long long)deck->sim->env.step, path,
@@ -416,18 +426,29 @@ static hs_status keep_field(hs_checkpoint *checkpoint, hs_sim *sim, const char *
     return hs_restored_keep_field(sim, words + n, size, err);
 }
 
-static hs_status keep_fix(hs_checkpoint *checkpoint, hs_sim *sim, const char *id, hs_error *err)
+static hs_status keep_style(hs_checkpoint *checkpoint, hs_sim *sim, hs_restored_kind kind, const char *id,
+                            hs_error *err)
 {
     char section[300];
     hs_state state = {0};
-    char *style = NULL;
-    snprintf(section, sizeof section, "fix/%s", id);
+    char *name = NULL;
+    snprintf(section, sizeof section, "%s/%s", hs_restored_kinds[kind], id);
     HS_TRY(hs_checkpoint_get(checkpoint, section, &state, err));
-    hs_status status = hs_state_text(&state, "style", &style, err);
-    if (status == HS_OK && style != NULL) status = hs_restored_keep_fix(sim, id, style, &state, err);
-    HS_FREE(style);
+    hs_status status = hs_state_text(&state, "style", &name, err);
+    if (status == HS_OK && name != NULL) status = hs_restored_keep_style(sim, kind, id, name, &state, err);
+    HS_FREE(name);
     hs_state_fini(&state);
     return status;
+}
+
+static hs_status keep_fix(hs_checkpoint *checkpoint, hs_sim *sim, const char *id, hs_error *err)
+{
+    return keep_style(checkpoint, sim, HS_RESTORED_FIX, id, err);
+}
+
+static hs_status keep_compute(hs_checkpoint *checkpoint, hs_sim *sim, const char *id, hs_error *err)
+{
+    return keep_style(checkpoint, sim, HS_RESTORED_COMPUTE, id, err);
 }
 
 hs_status hs_deck_read_restart(hs_deck *deck, const char *path, hs_error *err)
@@ -441,7 +462,9 @@ hs_status hs_deck_read_restart(hs_deck *deck, const char *path, hs_error *err)
     if (status == HS_OK) status = hs_state_text(&state, "commands", &commands, err);
     if (status == HS_OK) status = repeat_all(checkpoint, deck, commands, true, err);
     if (status == HS_OK) status = keep_each(checkpoint, sim, &state, "fixes", keep_fix, err);
+    if (status == HS_OK) status = keep_each(checkpoint, sim, &state, "computes", keep_compute, err);
     if (status == HS_OK) status = keep_each(checkpoint, sim, &state, "fields of fixes", keep_field, err);
+    if (status == HS_OK) status = keep_each(checkpoint, sim, &state, "fields of computes", keep_field, err);
     if (status == HS_OK) status = get_atoms(checkpoint, sim, false, err);
     if (status == HS_OK) status = get_run(checkpoint, sim, err);
     sim->is_initialized = false;

@@ -201,9 +201,11 @@ static hs_status put_styles(hs_checkpoint *checkpoint, hs_sim *sim, hs_error *er
             if (status == HS_OK && fix->style->keep_state != NULL) status = fix->style->keep_state(fix, &state, err);
         } else {
             hs_compute *compute = sim->compute[k - sim->n_fixes];
-            if (compute->style->keep_state == NULL) continue;
             snprintf(section, sizeof section, "compute/%s", compute->id);
-            status = compute->style->keep_state(compute, &state, err);
+            char *name = (char *)(uintptr_t)compute->style->about.name;
+            status = hs_state_text(&state, "style", &name, err);
+            if (status == HS_OK && compute->style->keep_state != NULL)
+                status = compute->style->keep_state(compute, &state, err);
         }
         if (status == HS_OK) status = hs_checkpoint_put(checkpoint, section, &state, err);
         hs_state_fini(&state);
@@ -227,25 +229,31 @@ hs_status hs_saved_keep_dump(hs_dump *dump, hs_state *state, hs_error *err)
     return hs_state_int64(state, "file size", &dump->resume_at, 1, err);
 }
 
-/** IDs of the fixes, and what fields they have of the atoms: for read_restart, which knows no fix yet. */
-static hs_status keep_names(const hs_sim *sim, hs_state *state, hs_error *err)
+/** IDs of fixes or computes, and what fields they have of the atoms: for read_restart, which knows none of them yet. */
+static hs_status keep_names(const hs_sim *sim, hs_restored_kind kind, hs_state *state, hs_error *err)
 {
+    static const char *const names[HS_N_RESTORED][2] = {{"fixes", "fields of fixes"},
+                                                        {"computes", "fields of computes"}};
+    const int n = kind == HS_RESTORED_FIX ? sim->n_fixes : sim->n_computes;
+    const size_t n_prefix = strlen(hs_restored_kinds[kind]);
     hs_text ids = {0}, fields = {0};
     hs_status status = HS_OK;
-    for (int k = 0; k < sim->n_fixes && status == HS_OK; ++k)
-        status = hs_text_printf(&ids, err, "%s%c", sim->fix[k]->id, HS_SAVED_COMMAND);
-    for (int k = 0; k < sim->atoms.n_fields && status == HS_OK; ++k)
-        if (strncmp(sim->atoms.field[k].name, "fix ", 4) == 0)
-            status = hs_text_printf(&fields, err, "%zu %s%c", sim->atoms.field[k].size, sim->atoms.field[k].name,
-                                    HS_SAVED_COMMAND);
-    if (status == HS_OK) status = hs_state_text(state, "fixes", &ids.data, err);
-    if (status == HS_OK) status = hs_state_text(state, "fields of fixes", &fields.data, err);
+    for (int k = 0; k < n && status == HS_OK; ++k)
+        status = hs_text_printf(&ids, err, "%s%c", kind == HS_RESTORED_FIX ? sim->fix[k]->id : sim->compute[k]->id,
+                                HS_SAVED_COMMAND);
+    for (int k = 0; k < sim->atoms.n_fields && status == HS_OK; ++k) {
+        const hs_atom_field *field = &sim->atoms.field[k];
+        if (strncmp(field->name, hs_restored_kinds[kind], n_prefix) == 0 && field->name[n_prefix] == ' ')
+            status = hs_text_printf(&fields, err, "%zu %s%c", field->size, field->name, HS_SAVED_COMMAND);
+    }
+    if (status == HS_OK) status = hs_state_text(state, names[kind][0], &ids.data, err);
+    if (status == HS_OK) status = hs_state_text(state, names[kind][1], &fields.data, err);
     hs_text_fini(&ids);
     hs_text_fini(&fields);
     return status;
 }
 
-static hs_status put_settings(hs_checkpoint *checkpoint, hs_deck *deck, int n_places, hs_error *err)
+static hs_status put_settings(hs_checkpoint *checkpoint, hs_deck *deck, const char *path, int n_places, hs_error *err)
 {
     hs_state state = {0};
     char *method = deck->options.neighbor_method, *precision = deck->options.precision;
@@ -256,7 +264,9 @@ static hs_status put_settings(hs_checkpoint *checkpoint, hs_deck *deck, int n_pl
     if (status == HS_OK) status = hs_state_text(&state, "log", &deck->log_name, err);
     if (status == HS_OK) status = hs_state_text(&state, "printed files", &deck->printed, err);
     if (status == HS_OK) status = hs_state_bool(&state, "jump is skipped", &deck->jump_skipped, err);
-    if (status == HS_OK) status = keep_names(deck->sim, &state, err);
+    for (int kind = 0; kind < HS_N_RESTORED && status == HS_OK; ++kind)
+        status = keep_names(deck->sim, (hs_restored_kind)kind, &state, err);
+    if (status == HS_OK) status = hs_saving_put_kept(deck->sim->saving, path, &state, err);
     if (status == HS_OK) status = hs_checkpoint_put(checkpoint, "deck", &state, err);
     hs_state_fini(&state);
     return status;
@@ -283,7 +293,7 @@ hs_status hs_deck_save(void *context, const char *path, hs_error *err)
     hs_restored_forget(deck->sim); /* fixes that were to get it are there now, or are no part of this deck's state */
     HS_TRY(hs_checkpoint_create(&checkpoint, path, &deck->sim->parallel, err));
     hs_status status = put_places(checkpoint, deck, &n_places, err);
-    if (status == HS_OK) status = put_settings(checkpoint, deck, n_places, err);
+    if (status == HS_OK) status = put_settings(checkpoint, deck, path, n_places, err);
     if (status == HS_OK) status = put_variables(checkpoint, deck, err);
     if (status == HS_OK) status = put_simulation(checkpoint, deck->sim, err);
     if (status == HS_OK) return hs_checkpoint_commit(&checkpoint, err);

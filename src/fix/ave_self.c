@@ -6,6 +6,7 @@
 #include "base/memory.h"
 #include "io/correlation.h"
 #include "style/atom_sum.h"
+#include "style/atom_vector.h"
 #include "style/moments.h"
 
 typedef enum { OF_MSD, OF_VACF, OF_ALPHA2, OF_ISF } self_kind;
@@ -18,10 +19,10 @@ typedef struct self_quantity {
 
 /** A time that others are counted from. */
 typedef struct self_origin {
-    int64_t begun;      /**< number of the sample; -1: none */
-    double center[3];   /**< center of mass then, with keyword com; else 0 */
-    hs_fix_vector x, v; /**< of the atoms: unwrapped places, velocities (only if needed) */
-    double *curve;      /**< owned [n_lags][n] so far */
+    int64_t begun;       /**< number of the sample; -1: none */
+    double center[3];    /**< center of mass then, with keyword com; else 0 */
+    hs_atom_vector x, v; /**< of the atoms: unwrapped places, velocities (only if needed) */
+    double *curve;       /**< owned [n_lags][n] so far */
 } self_origin;
 
 typedef struct self_state {
@@ -125,8 +126,8 @@ static hs_status make_origins(hs_fix *fix, hs_error *err)
         snprintf(v, sizeof v, "velocity %d", k);
         origin->begun = -1;
         HS_TRY(HS_ALLOC(origin->curve, (size_t)state->n_lags * (size_t)state->n, err));
-        HS_TRY(hs_fix_vector_add(fix, &origin->x, x, err));
-        if (state->needs_velocities) HS_TRY(hs_fix_vector_add(fix, &origin->v, v, err));
+        HS_TRY(hs_atom_vector_add(fix->env->atoms, &origin->x, "fix", fix->id, x, err));
+        if (state->needs_velocities) HS_TRY(hs_atom_vector_add(fix->env->atoms, &origin->v, "fix", fix->id, v, err));
     }
     return HS_OK;
 }
@@ -153,8 +154,8 @@ static void destroy(hs_fix *fix)
 {
     self_state *state = fix->state;
     for (int k = 0; k < state->n_origins && state->origin != NULL; ++k) {
-        hs_fix_vector_remove(fix, &state->origin[k].x);
-        hs_fix_vector_remove(fix, &state->origin[k].v);
+        hs_atom_vector_remove(fix->env->atoms, &state->origin[k].x);
+        hs_atom_vector_remove(fix->env->atoms, &state->origin[k].v);
         HS_FREE(state->origin[k].curve);
     }
     HS_FREE(state->origin);

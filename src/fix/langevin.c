@@ -9,6 +9,7 @@
 #include "core/atom_style.h"
 #include "kernel/noise_fill.h"
 #include "style/atom_sum.h"
+#include "style/atom_vector.h"
 #include "style/compute.h"
 #include "style/fix.h"
 
@@ -22,11 +23,11 @@ typedef struct langevin_state {
     char *temperature_id; /**< owned; compute of fix_modify temp, whose bias is left alone; NULL: none */
 
     /* by type, for unit mass where atoms have masses of their own */
-    double *drag;        /**< owned [n_types + 1]: force of a unit velocity, negative */
-    double *kick;        /**< owned: standard deviation of the force at T = 1 */
-    hs_fix_vector force; /**< with tally: what was added last */
-    double energy;       /**< given to the atoms so far; energy */
-    double power;        /**< of the latest step, all ranks; energy/time */
+    double *drag;         /**< owned [n_types + 1]: force of a unit velocity, negative */
+    double *kick;         /**< owned: standard deviation of the force at T = 1 */
+    hs_atom_vector force; /**< with tally: what was added last */
+    double energy;        /**< given to the atoms so far; energy */
+    double power;         /**< of the latest step, all ranks; energy/time */
 } langevin_state;
 
 static const hs_keyword keywords[] = {
@@ -73,14 +74,14 @@ static hs_status create(hs_fix *fix, const hs_args *args, hs_error *err)
     for (int i = 4; i < args->n; i += strcmp(args->word[i], "scale") == 0 ? 3 : 2)
         HS_TRY(read_keyword(fix, args, i, err));
     fix->is_coupling = state->is_tallied;
-    if (state->is_tallied) HS_TRY(hs_fix_vector_add(fix, &state->force, "force", err));
+    if (state->is_tallied) HS_TRY(hs_atom_vector_add(fix->env->atoms, &state->force, "fix", fix->id, "force", err));
     return hs_fix_noise(fix, seed, &state->noise, err);
 }
 
 static void destroy(hs_fix *fix)
 {
     langevin_state *state = fix->state;
-    hs_fix_vector_remove(fix, &state->force);
+    hs_atom_vector_remove(fix->env->atoms, &state->force);
     HS_FREE(state->t_variable);
     HS_FREE(state->temperature_id);
     HS_FREE(state->scale);

@@ -2,12 +2,13 @@
 #include <string.h>
 
 #include "style/atom_sum.h"
+#include "style/atom_vector.h"
 #include "style/fix.h"
 
 typedef struct spring_state {
-    double k;         /**< energy/distance^2 */
-    bool acts[3];     /**< along which axes */
-    hs_fix_vector r0; /**< unwrapped, distance */
+    double k;          /**< energy/distance^2 */
+    bool acts[3];      /**< along which axes */
+    hs_atom_vector r0; /**< unwrapped, distance */
 } spring_state;
 
 static hs_status create(hs_fix *fix, const hs_args *args, hs_error *err)
@@ -20,7 +21,7 @@ static hs_status create(hs_fix *fix, const hs_args *args, hs_error *err)
     if (args->n > 1) HS_TRY(hs_arg_choice(args, 1, directions, &direction, err));
     for (int axis = 0; axis < 3; ++axis)
         state->acts[axis] = strchr(directions[direction], "xyz"[axis]) != NULL && axis < fix->env->box->dimension;
-    HS_TRY(hs_fix_vector_add(fix, &state->r0, "r0", err));
+    HS_TRY(hs_atom_vector_add(fix->env->atoms, &state->r0, "fix", fix->id, "r0", err));
     for (int i = 0; i < fix->env->atoms->n_local; ++i) {
         double r[3];
         hs_fix_unwrapped(fix, i, r);
@@ -29,7 +30,7 @@ static hs_status create(hs_fix *fix, const hs_args *args, hs_error *err)
     return HS_OK;
 }
 
-static void destroy(hs_fix *fix) { hs_fix_vector_remove(fix, &((spring_state *)fix->state)->r0); }
+static void destroy(hs_fix *fix) { hs_atom_vector_remove(fix->env->atoms, &((spring_state *)fix->state)->r0); }
 
 static void force_of(const hs_fix *fix, int i, double f[3])
 {

@@ -4,10 +4,12 @@
 
 #include "base/memory.h"
 
-typedef struct kept_fix {
-    char *id, *style; /**< owned */
-    hs_state state;   /**< owned */
-} kept_fix;
+typedef struct kept_style {
+    const char *kind;  /**< "fix" or "compute" */
+    char *id, *name;   /**< owned; name: of the style */
+    hs_state state;    /**< owned */
+    bool has_got_back; /**< the new one of its ID has something of it */
+} kept_style;
 
 /** Its place in memory stays: the atoms point to array. */
 typedef struct kept_field {
@@ -17,12 +19,14 @@ typedef struct kept_field {
 } kept_field;
 
 struct hs_restored {
-    kept_fix *fix; /**< owned [n_fixes] */
-    int n_fixes;
+    kept_style *style; /**< owned [n_styles] */
+    int n_styles;
     kept_field **field; /**< owned [n_fields], each of them too; NULL: given away */
     int n_fields;
 };
 typedef struct hs_restored hs_restored;
+
+const char *const hs_restored_kinds[] = {"fix", "compute"};
 
 static hs_status need(hs_sim *sim, hs_error *err)
 {
@@ -42,26 +46,27 @@ void hs_restored_forget(hs_sim *sim)
 {
     if (sim->restored == NULL) return;
     for (int k = 0; k < sim->restored->n_fields; ++k) drop_field(sim, k);
-    for (int k = 0; k < sim->restored->n_fixes; ++k) {
-        HS_FREE(sim->restored->fix[k].id);
-        HS_FREE(sim->restored->fix[k].style);
-        hs_state_fini(&sim->restored->fix[k].state);
+    for (int k = 0; k < sim->restored->n_styles; ++k) {
+        HS_FREE(sim->restored->style[k].id);
+        HS_FREE(sim->restored->style[k].name);
+        hs_state_fini(&sim->restored->style[k].state);
     }
     HS_FREE(sim->restored->field);
-    HS_FREE(sim->restored->fix);
+    HS_FREE(sim->restored->style);
     HS_FREE(sim->restored);
 }
 
-hs_status hs_restored_keep_fix(hs_sim *sim, const char *id, const char *style, hs_state *state, hs_error *err)
+hs_status hs_restored_keep_style(hs_sim *sim, hs_restored_kind kind, const char *id, const char *name, hs_state *state,
+                                 hs_error *err)
 {
     HS_TRY(need(sim, err));
     hs_restored *kept = sim->restored;
-    HS_TRY(HS_GROW(kept->fix, (size_t)kept->n_fixes, (size_t)kept->n_fixes + 1, err));
-    kept_fix *fix = &kept->fix[kept->n_fixes++];
-    *fix = (kept_fix){.state = *state};
+    HS_TRY(HS_GROW(kept->style, (size_t)kept->n_styles, (size_t)kept->n_styles + 1, err));
+    kept_style *style = &kept->style[kept->n_styles++];
+    *style = (kept_style){.kind = hs_restored_kinds[kind], .state = *state};
     *state = (hs_state){0};
-    HS_TRY(hs_memory_strdup(&fix->id, id, err));
-    return hs_memory_strdup(&fix->style, style, err);
+    HS_TRY(hs_memory_strdup(&style->id, id, err));
+    return hs_memory_strdup(&style->name, name, err);
 }
 
 hs_status hs_restored_keep_field(hs_sim *sim, const char *name, size_t size, hs_error *err)
@@ -77,16 +82,48 @@ hs_status hs_restored_keep_field(hs_sim *sim, const char *name, size_t size, hs_
     return hs_atoms_add_field(&sim->atoms, field->name, &field->array, size, false, err);
 }
 
-void hs_restored_give_fields(hs_sim *sim, const char *id)
+/** The fix or compute that there is now in the place of a kept one; NULL: none of that ID and style. */
+typedef struct successor {
+    hs_fix *fix;
+    hs_compute *compute;
+} successor;
+
+static successor find_successor(hs_sim *sim, const kept_style *kept)
+{
+    successor now = {0};
+    if (kept->kind == hs_restored_kinds[HS_RESTORED_FIX])
+        now.fix = hs_sim_find_fix(sim, kept->id);
+    else
+        now.compute = hs_sim_find_compute(sim, kept->id);
+    if (now.fix != NULL && strcmp(now.fix->style->about.name, kept->name) != 0) now.fix = NULL;
+    if (now.compute != NULL && strcmp(now.compute->style->about.name, kept->name) != 0) now.compute = NULL;
+    return now;
+}
+
+static bool has_state(successor now)
+{
+    return (now.fix != NULL && now.fix->style->keep_state != NULL) ||
+           (now.compute != NULL && now.compute->style->keep_state != NULL);
+}
+
+static hs_status keep_state(successor now, hs_state *state, hs_error *err)
+{
+    return now.fix != NULL ? now.fix->style->keep_state(now.fix, state, err)
+                           : now.compute->style->keep_state(now.compute, state, err);
+}
+
+void hs_restored_give_fields(hs_sim *sim, hs_restored_kind kind, const char *id)
 {
     const hs_atoms *atoms = &sim->atoms;
-    const hs_fix *fix = hs_sim_find_fix(sim, id);
-    bool is_of_style = false;
-    if (sim->restored == NULL || fix == NULL) return;
-    for (int k = 0; k < sim->restored->n_fixes; ++k)
-        is_of_style = is_of_style || (strcmp(sim->restored->fix[k].id, id) == 0 &&
-                                      strcmp(sim->restored->fix[k].style, fix->style->about.name) == 0);
-    for (int k = 0; k < sim->restored->n_fields && is_of_style; ++k) {
+    kept_style *old = NULL;
+    for (int k = 0; sim->restored != NULL && k < sim->restored->n_styles; ++k) {
+        kept_style *kept = &sim->restored->style[k];
+        if (kept->kind != hs_restored_kinds[kind] || strcmp(kept->id, id) != 0) continue;
+        const successor now = find_successor(sim, kept);
+        if (now.fix != NULL || now.compute != NULL) old = kept;
+    }
+    if (old == NULL) return;
+    for (int k = 0; k < sim->restored->n_fields; ++k) {
         kept_field *kept = sim->restored->field[k];
         for (int j = 0; kept != NULL && j < atoms->n_fields; ++j) {
             const hs_atom_field *field = &atoms->field[j];
@@ -94,17 +131,18 @@ void hs_restored_give_fields(hs_sim *sim, const char *id)
                 continue;
             memcpy(*field->array, kept->array, kept->size * (size_t)atoms->n_local);
             drop_field(sim, k);
+            old->has_got_back = true;
             break;
         }
     }
 }
 
-/** Whether the state has the names and counts that the new fix asks for. Arrays of any length are empty in a new fix. */
-static bool fits(hs_fix *fix, const hs_state *state)
+/** Whether the state has the names and counts that the new style asks for. Arrays of any length are empty in a new one. */
+static bool fits(successor new, const hs_state *state)
 {
     hs_state now = {0};
     hs_error ignored = {0};
-    bool is_fitting = fix->style->keep_state(fix, &now, &ignored) == HS_OK;
+    bool is_fitting = keep_state(new, &now, &ignored) == HS_OK;
     for (int k = 0; k < now.n_values && is_fitting; ++k) {
         const hs_state_value *value = &now.value[k], *kept = hs_state_find(state, value->name);
         is_fitting = kept != NULL && kept->kind == value->kind &&
@@ -117,20 +155,20 @@ static bool fits(hs_fix *fix, const hs_state *state)
 hs_status hs_restored_give_states(hs_sim *sim, hs_error *err)
 {
     if (sim->restored == NULL) return HS_OK;
-    for (int k = 0; k < sim->restored->n_fixes; ++k) {
-        kept_fix *kept = &sim->restored->fix[k];
-        hs_fix *fix = hs_sim_find_fix(sim, kept->id);
-        if (fix == NULL || strcmp(fix->style->about.name, kept->style) != 0 || fix->style->keep_state == NULL) continue;
-        if (!fits(fix, &kept->state)) {
+    for (int k = 0; k < sim->restored->n_styles; ++k) {
+        kept_style *kept = &sim->restored->style[k];
+        const successor now = find_successor(sim, kept);
+        if (has_state(now) && !fits(now, &kept->state)) {
             hs_warn(sim->env.out,
-                    "fix '%s' (%s): its state in the restart file does not fit its present words: it begins anew",
-                    fix->id, kept->style);
+                    "%s '%s' (%s): its state in the restart file does not fit its present words: it begins anew",
+                    kept->kind, kept->id, kept->name);
             continue;
         }
         kept->state.is_reading = true;
-        HS_TRY(fix->style->keep_state(fix, &kept->state, err));
-        hs_say(sim->env.out, "Resetting global fix info from restart file:\n  fix style: %s, fix ID: %s\n", kept->style,
-               fix->id);
+        if (has_state(now)) HS_TRY(keep_state(now, &kept->state, err));
+        if (has_state(now) || kept->has_got_back)
+            hs_say(sim->env.out, "Resetting global %s info from restart file:\n  %s style: %s, %s ID: %s\n", kept->kind,
+                   kept->kind, kept->name, kept->kind, kept->id);
     }
     hs_restored_forget(sim);
     return HS_OK;

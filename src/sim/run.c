@@ -29,13 +29,13 @@ static hs_status init_styles(hs_sim *sim, hs_error *err)
         if (sim->fix[k]->style->init != NULL) HS_TRY(sim->fix[k]->style->init(sim->fix[k], err));
         n_integrators += sim->fix[k]->style->is_integrator;
     }
-    HS_TRY(hs_restored_give_states(sim, err));
     if (n_integrators == 0 && !sim->is_rerunning && !sim->is_minimizing)
         hs_warn(&*sim->env.out, "no fix moves the atoms: a time integrator such as 'fix nve' is missing");
     hs_env_changed(&sim->env);
     for (int k = 0; k < sim->n_computes; ++k) {
         if (sim->compute[k]->style->init != NULL) HS_TRY(sim->compute[k]->style->init(sim->compute[k], err));
     }
+    HS_TRY(hs_restored_give_states(sim, err));
     for (int k = 0; k < sim->n_dumps; ++k)
         if (sim->dump[k]->style->init != NULL) HS_TRY(sim->dump[k]->style->init(sim->dump[k], err));
     return hs_thermo_init(sim->thermo, err);

@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include "base/memory.h"
+#include "base/text.h"
 #include "base/timer.h"
 #include "io/writer.h"
 
@@ -41,8 +42,61 @@ void hs_saving_be_asked(hs_saving *saving)
 void hs_sim_remove_automatic(hs_sim *sim)
 {
     hs_saving *saving = sim->saving;
-    for (int k = 0; k < saving->n_recent && saving->is_automatic && sim->parallel.rank == 0; ++k)
-        unlink(saving->recent[k]);
+    if (!saving->is_automatic) return;
+    for (int k = 0; k < saving->n_recent; ++k) {
+        if (sim->parallel.rank == 0) unlink(saving->recent[k]);
+        HS_FREE(saving->recent[k]);
+    }
+    saving->n_recent = 0;
+}
+
+/** The pattern that names of kept checkpoints follow now. */
+static const char *pattern_of(const hs_saving *saving)
+{
+    if (saving->is_automatic) return automatic_pattern;
+    return saving->pattern != NULL ? saving->pattern : hs_saving_pattern;
+}
+
+/** Whether a name is the pattern with a number in place of its star. */
+static bool follows(const char *name, const char *pattern)
+{
+    const char *const star = strchr(pattern, '*');
+    if (star == NULL) return strcmp(name, pattern) == 0;
+    const size_t n_before = (size_t)(star - pattern), n_name = strlen(name), n_after = strlen(star + 1);
+    if (n_name <= n_before + n_after || strncmp(name, pattern, n_before) != 0) return false;
+    return strspn(name + n_before, "0123456789") == n_name - n_before - n_after &&
+           strcmp(name + n_name - n_after, star + 1) == 0;
+}
+
+hs_status hs_saving_put_kept(const hs_saving *saving, const char *path, hs_state *state, hs_error *err)
+{
+    hs_text names = {0};
+    hs_status status = HS_OK;
+    for (int k = 0; k < saving->n_recent && status == HS_OK; ++k)
+        if (strcmp(saving->recent[k], path) != 0) status = hs_text_printf(&names, err, "%s\n", saving->recent[k]);
+    if (status == HS_OK && saving->is_writing_kept) status = hs_text_printf(&names, err, "%s\n", path);
+    if (status == HS_OK) status = hs_state_text(state, "kept files", &names.data, err);
+    hs_text_fini(&names);
+    return status;
+}
+
+hs_status hs_saving_get_kept(hs_saving *saving, const char *path, hs_state *state, hs_error *err)
+{
+    char *names = NULL, *rest = NULL;
+    if (hs_state_find(state, "kept files") == NULL) return HS_OK; /* an older file */
+    hs_status status = hs_state_text(state, "kept files", &names, err);
+    const size_t n = names != NULL ? strlen(names) : 0, n_path = strlen(path);
+    /* a file that was copied or moved is its owner's now, and so are those beside it */
+    const bool is_in_place = n > n_path && strncmp(names + n - 1 - n_path, path, n_path) == 0 &&
+                             (n == n_path + 1 || names[n - n_path - 2] == '\n');
+    for (char *name = is_in_place ? strtok_r(names, "\n", &rest) : NULL; name != NULL && status == HS_OK;
+         name = strtok_r(NULL, "\n", &rest)) {
+        if (!follows(name, pattern_of(saving))) continue;
+        status = HS_GROW(saving->recent, (size_t)saving->n_recent, (size_t)saving->n_recent + 1, err);
+        if (status == HS_OK) status = hs_memory_strdup(&saving->recent[saving->n_recent++], name, err);
+    }
+    HS_FREE(names);
+    return status;
 }
 
 void hs_saving_inherit(hs_saving *saving, hs_saving *from)
@@ -103,16 +157,24 @@ static hs_status keep(hs_sim *sim, const char *path, hs_error *err)
     return HS_OK;
 }
 
-static hs_status save_as(hs_sim *sim, const char *pattern, char **path, hs_error *err)
+/** One of the files that are kept. */
+static hs_status save(hs_sim *sim, char **path, hs_error *err)
 {
-    HS_TRY(hs_writer_step_name(path, pattern, sim->env.step, 0, err));
-    HS_TRY(write_file(sim, *path, err));
+    HS_TRY(hs_writer_step_name(path, pattern_of(sim->saving), sim->env.step, 0, err));
+    sim->saving->is_writing_kept = true;
+    const hs_status status = write_file(sim, *path, err);
+    sim->saving->is_writing_kept = false;
+    HS_TRY(status);
     return keep(sim, *path, err);
 }
 
 hs_status hs_sim_save_now(hs_sim *sim, char **path, hs_error *err)
 {
-    return save_as(sim, sim->saving->pattern != NULL ? sim->saving->pattern : hs_saving_pattern, path, err);
+    if (!sim->saving->is_automatic) return save(sim, path, err);
+    HS_TRY(hs_writer_step_name(path, hs_saving_pattern, sim->env.step, 0, err));
+    HS_TRY(write_file(sim, *path, err));
+    hs_sim_remove_automatic(sim); /* this one, of which the user hears, is newer */
+    return HS_OK;
 }
 
 /** A checkpoint that nobody asked for must do no harm. */
@@ -120,7 +182,7 @@ static void save_automatically(hs_sim *sim)
 {
     hs_error err = {0};
     char *path = NULL;
-    if (save_as(sim, automatic_pattern, &path, &err) != HS_OK) {
+    if (save(sim, &path, &err) != HS_OK) {
         hs_warn(sim->env.out, "%s; the run goes on without automatic checkpoints", err.text);
         hs_saving_be_asked(sim->saving);
     }

@@ -207,7 +207,7 @@ hs_status hs_sim_add_fix(hs_sim *sim, const char *id, const char *group, const c
         ++sim->n_fixes;
     sim->fix[place] = fix;
     sim->is_initialized = false;
-    hs_restored_give_fields(sim, id);
+    hs_restored_give_fields(sim, HS_RESTORED_FIX, id);
     return HS_OK;
 }
 
@@ -228,6 +228,7 @@ hs_status hs_sim_add_compute(hs_sim *sim, const char *id, const char *group, con
     hs_compute *compute;
     HS_TRY(hs_compute_create(&compute, &sim->env, style, id, bit, &named, err));
     sim->compute[sim->n_computes++] = compute;
+    hs_restored_give_fields(sim, HS_RESTORED_COMPUTE, id);
     return HS_OK;
 }
 

@@ -34,26 +34,6 @@ hs_status hs_fix_need_sample(const hs_fix *fix, int64_t next, hs_error *err)
                    fix->id, fix->style->about.name, (long long)next);
 }
 
-hs_status hs_fix_vector_add(const hs_fix *fix, hs_fix_vector *vector, const char *what, hs_error *err)
-{
-    for (int axis = 0; axis < 3; ++axis) {
-        hs_text name = {0};
-        HS_TRY(hs_text_printf(&name, err, "fix %s %s %c", fix->id, what, "xyz"[axis]));
-        vector->name[axis] = name.data;
-        HS_TRY(hs_atoms_add_field(fix->env->atoms, vector->name[axis], (void **)&vector->of[axis], sizeof(double),
-                                  false, err));
-    }
-    return HS_OK;
-}
-
-void hs_fix_vector_remove(const hs_fix *fix, hs_fix_vector *vector)
-{
-    for (int axis = 0; axis < 3; ++axis) {
-        hs_atoms_remove_field(fix->env->atoms, (void **)&vector->of[axis]);
-        HS_FREE(vector->name[axis]);
-    }
-}
-
 void hs_fix_unwrapped(const hs_fix *fix, int i, double r[3])
 {
     const hs_atoms *atoms = fix->env->atoms;

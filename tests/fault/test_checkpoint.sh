@@ -37,6 +37,10 @@ END
 run() { "$HALFSHELL" "$@" >out 2>err; }
 run run.in || fail "the run itself: $(cat err)"
 [ "$(ls checkpoint.*.h5 | wc -l)" = 3 ] || fail "not the last three checkpoints were kept"
+# A resumed run keeps as many in all: those of the run before it are among them.
+file=$(ls checkpoint.*.h5 | sort -t. -k2 -n | head -1)
+run resume "$file" || fail "resume of $file: $(cat err)"
+[ "$(ls checkpoint.*.h5 | wc -l)" = 3 ] || fail "a resumed run left $(ls checkpoint.*.h5)"
 # What a killed run leaves of an unfinished file goes when the file, or one of its series, is written again; what a living run is
 # writing, and what is not ours, stays.
 rm -f checkpoint.*
@@ -77,19 +81,29 @@ grep -q 'walltime' err
 
 # A deck that asks for no checkpoints has automatic ones, which go at its end.
 grep -v '^checkpoint' run.in >auto.in
+rm -f said.txt
 HALFSHELL_AUTOSAVE=0.0005 run auto.in || fail "automatic checkpoints: $(cat err)"
 [ -z "$(ls autosave.* 2>/dev/null)" ] || fail "an automatic checkpoint was left"
 mv end.data whole.data
+mv said.txt whole.txt
+rm -f s.dump
 HALFSHELL_AUTOSAVE=0.0005 "$HALFSHELL" auto.in >out 2>err &
 pid=$!
 while [ -z "$(ls autosave.*.h5 2>/dev/null)" ] && kill -0 "$pid" 2>/dev/null; do sleep 0.01; done
 { kill -9 "$pid" && wait "$pid"; } 2>/dev/null || true
 file=$(ls autosave.*.h5 2>/dev/null || true)
 if [ -n "$file" ]; then # else the run was quicker
+    cp "$file" kept.h5
     run resume "$file" || fail "resume of an automatic checkpoint: $(cat err)"
     cmp end.data whole.data || fail "an automatic checkpoint did not go on to the same bits"
+    cmp said.txt whole.txt || fail "what print adds to a file is not the same"
+    [ -z "$(ls autosave.* 2>/dev/null)" ] || fail "the automatic checkpoint that a run went on from was left"
+    # one that was copied elsewhere is its owner's, whatever beside it has the old name
+    cp kept.h5 "$file"
+    run resume kept.h5 || fail "resume of a copy: $(cat err)"
+    if [ ! -e kept.h5 ] || [ ! -e "$file" ]; then fail "a copy of an automatic checkpoint was removed"; fi
 fi
-rm -f autosave.*
+rm -f autosave.* kept.h5
 
 # Damage: a bit, the end, the version; each refused with its reason and exit code 1.
 run run.in

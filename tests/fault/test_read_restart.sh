@@ -1,6 +1,6 @@
 #!/bin/bash
-# read_restart in another deck: fixes of the same ID and style go on from their states (starting places of springs, running
-# averages, thermostats), to the bits of the run that was not interrupted; what does not fit is told and begins anew.
+# read_restart in another deck: fixes and computes of the same ID and style go on from their states (starting places of springs and of
+# mean squared displacements, running averages, thermostats), to the bits of the run that was not interrupted; what does not fit is told and begins anew.
 set -eu
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
@@ -14,7 +14,12 @@ fix tie all spring/self 2.0
 fix mean all ave/time 2 3 10 c_thermo_temp c_thermo_pe ave running
 fix list all vector 20 c_thermo_press
 variable sum equal trap(f_list)
-thermo_style custom step temp pe f_mean[1] f_mean[2] f_tie v_sum
+group some id 1:200:3
+compute far all msd
+compute near some msd com yes
+compute mean all msd average yes
+compute turn all vacf
+thermo_style custom step temp pe f_mean[1] f_mean[2] f_tie v_sum c_far[4] c_near[4] c_mean[4] c_turn[4]
 thermo_modify format float %.17g
 thermo 10
 END
@@ -41,7 +46,16 @@ rows() { awk '/^ *Step /{++on;next} /^Loop time/{on=0} on && /^ *[0-9]/ && $1 >=
 rows first.log >expected
 [ "$(wc -l <expected)" -eq 7 ] || fail "rows: $(cat expected)"
 rows second.log | cmp - expected >&2 || { rows second.log; cat expected; fail "fixes did not go on from their states"; } >&2
-[ "$(grep -c 'fix style: .*, fix ID: ' out)" -eq 3 ] || fail "not told: $(cat out)"
+[ "$(grep -c 'fix style: .*, fix ID: ' out)" -eq 4 ] || fail "not told: $(cat out)"
+for compute in "msd, compute ID: far" "msd, compute ID: near" "vacf, compute ID: turn"; do
+    grep -q "compute style: $compute\$" out || fail "not told of $compute: $(cat out)"
+done
+
+# Computes of another ID or style begin anew, as in LAMMPS.
+sed 's/compute far all msd/compute other all msd/; s/c_far/c_other/; s/compute turn all vacf/compute turn all msd/' fixes.in >anew.in
+printf 'read_restart middle.h5\ninclude anew.in\nrun 0\n' >anew_run.in
+"$HALFSHELL" anew_run.in -log anew.log >out 2>err || fail "$(cat err)"
+awk '/^ *Step/ { on = 1; next } on { exit !($8 == 0 && $11 == 0) }' anew.log || fail "did not begin anew: $(cat anew.log)"
 
 # Another thermostat under the same ID, an average of other length, and no springs.
 sed 's/^fix heat.*/fix heat all temp\/rescale 10 1.0 1.0 0.1 0.5/; s/c_thermo_temp c_thermo_pe ave/c_thermo_temp ave/; /^fix tie/d; s/f_mean\[1\] f_mean\[2\] f_tie/f_mean/' \
