@@ -69,11 +69,21 @@ static hs_status init(hs_pair *pair, hs_error *err)
             err, HS_ERROR_INPUT,
             "run: pair_style harmonic/sphere needs atoms with diameters: 'atom_style sphere' before the box; "
             "for one size per type there is harmonic/repulsion");
+    /* the place of type 0, which no atom has, is for the ID of an atom without a size */
     for (int type = 0; type <= pair->n_types; ++type) state->largest[type] = 0.0;
-    for (int i = 0; i < atoms->n_local; ++i)
-        state->largest[atoms->type[i]] = fmax(state->largest[atoms->type[i]], atoms->radius[i]);
+    for (int i = 0; i < atoms->n_local; ++i) {
+        const int type = atoms->type[i];
+        state->largest[type] = fmax(state->largest[type], atoms->radius[i]);
+        if (atoms->radius[i] == 0.0 && hs_pair_coeffs_at(pair, type, type)->c[0] > 0.0)
+            state->largest[0] = fmax(state->largest[0], (double)atoms->id[i]);
+    }
     hs_parallel_max_double(pair->env->parallel, state->largest, pair->n_types + 1);
-    return HS_OK;
+    if (state->largest[0] == 0.0) return HS_OK;
+    return hs_fail(
+        err, HS_ERROR_INPUT,
+        "run: pair_style harmonic/sphere: atom %.0f has the diameter 0 and would touch no other of its size; "
+        "'set ... diameter' gives it one, and a coefficient of 0 leaves its type out",
+        state->largest[0]);
 }
 
 static void params(const hs_pair *pair, int i, int j, double *cutoff, double *p)
