@@ -116,10 +116,28 @@ fix h all heat 2 20 region hot
 fix l all langevin 1.0 1.0 0.5 4711 tally yes zero yes
 fix_modify l temp t
 D
+    system exchanging 20 'f_v f_k f_h' <<D
+lattice fcc 0.7
+region box block 0 4 0 4 0 5
+create_box 2 box
+create_atoms 1 box
+set type 1 type/fraction 2 0.3 77
+mass 1 1.0
+mass 2 1.8
+velocity all create 1.5 12345
+$liquid
+region hot block INF INF INF INF 0 1.03
+fix 1 all nve
+fix v all viscosity 3 x z 10 swap 3
+fix k all thermal/conductivity 4 y 4 swap 40
+fix h all ehex 1 20 region hot
+variable r atom random(-0.1,0.1,4711)+normal(0.0,0.01,5)
+set group all vx v_r
+D
 } >in.fixes
 
 bits fixes 0 1
-[ "$(wc -l <fixes/thermo)" -eq 22 ] || fail "$(wc -l <fixes/thermo) rows"
+[ "$(wc -l <fixes/thermo)" -eq 25 ] || fail "$(wc -l <fixes/thermo) rows"
 bits fixes 0 3 -neigh cell
 bits fixes 2 2 -neigh verlet
 bits fixes 3 1 -neigh linked
