@@ -3,7 +3,7 @@
  *
  *  A chunk is a contiguous range of i-clusters with the lists of these. There are many more chunks than threads, so that handing out
  *  whole ones, in order, balances the threads by the length of their lists, and a thread that is done can take what another has not
- *  begun; they do not depend on the number of threads, so neither do lists. */
+ *  begun. The pairs listed do not depend on the number of threads. */
 #ifndef HS_KERNEL_LIST_CHUNKS_H
 #define HS_KERNEL_LIST_CHUNKS_H
 
@@ -15,7 +15,7 @@ typedef struct hs_block_list {
     int64_t n, capacity;
 } hs_block_list;
 
-/** Chunks for that many clusters, at most @p n_per_chunk_max in each. */
+/** Chunks for that many clusters and the present number of threads, at most @p n_per_chunk_max clusters in each. */
 int hs_list_chunks_for(int n_clusters, int n_per_chunk_max);
 /** Clusters [*begin, *end) of a chunk. */
 void hs_list_chunk_range(int n_clusters, int n_chunks, int chunk, int *begin, int *end);

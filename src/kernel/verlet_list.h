@@ -32,7 +32,7 @@ typedef struct hs_verlet_list {
 } hs_verlet_list;
 
 /** List the pairs of atoms within their listed distance at the present positions. job->cutoff_max is the largest listed
- *  distance. Threaded; the same list for any number of threads. */
+ *  distance. Threaded; the same pairs for any number of threads. */
 HS_MUST_USE hs_status hs_verlet_list_build(hs_verlet_list *list, hs_force_space *space, const hs_force_job *job,
                                            hs_error *err);
 /** Pairs of atoms in the list. */
