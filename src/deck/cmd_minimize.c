@@ -102,7 +102,7 @@ static const hs_keyword modify_keywords[] = {
      "component (`inf`), or the largest force on an atom (`max`)"},
     {"integrator", 1, "eulerimplicit|verlet|leapfrog|eulerexplicit", "of fire (default: eulerimplicit)"},
     {"tmax", 1, "<factor>", "fire: largest timestep, in units of `timestep` (default: 10)"},
-    {"tmin", 1, "<factor>", "fire: smallest timestep, in the same units (default: 0.02)"},
+    {"tmin", 1, "<factor>", "fire: smallest timestep, in the same units, 0 for none (default: 0.02)"},
     {"delaystep", 1, "<steps>", "fire: steps downhill before the timestep grows (default: 20)"},
     {"dtgrow", 1, "<factor>", "fire: growth of the timestep, above 1 (default: 1.1)"},
     {"dtshrink", 1, "<factor>", "fire: its shrinking when atoms go uphill, below 1 (default: 0.5)"},
@@ -157,7 +157,7 @@ static hs_status read_modify(const hs_args *args, hs_min_settings *settings, hs_
     } numbers[] = {
         {"dmax", &settings->dmax, 0.0, 1e300, false, "a distance greater than 0"},
         {"tmax", &settings->tmax, 0.0, 1e300, false, "a factor greater than 0"},
-        {"tmin", &settings->tmin, 0.0, 1e300, false, "a factor greater than 0"},
+        {"tmin", &settings->tmin, -5e-324, 1e300, false, "a factor that is not negative"},
         {"dtgrow", &settings->dtgrow, 1.0, 1e300, false, "a factor greater than 1"},
         {"dtshrink", &settings->dtshrink, 0.0, 1.0, false, "a factor between 0 and 1"},
         {"alpha0", &settings->alpha0, 0.0, 1.0, true, "a number between 0 and 1"},

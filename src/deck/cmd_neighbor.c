@@ -224,7 +224,7 @@ static hs_status check_reproducible(const hs_args *args, bool has_variables, hs_
 
 static const hs_keyword comm_keywords[] = {
     {"cutoff", 1, "<distance>", "accepted: the halo is as wide as the forces need"},
-    {"mode", 1, "single", "one cutoff for all atoms"},
+    {"mode", 1, "single|multi", "accepted: the halo is as wide as the forces need, for `multi` too"},
     {"vel", 1, "yes|no", "accepted: halo velocities are exchanged when a style needs them"},
     {"group", 1, "all", "all atoms are exchanged"},
     {0},

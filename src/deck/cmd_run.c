@@ -213,6 +213,18 @@ static hs_status reset_run(hs_deck *deck, const hs_args *args, hs_error *err)
     return HS_OK;
 }
 
+static hs_status style_check(const hs_args *args, bool has_variables, hs_error *err)
+{
+    if (has_variables || strcmp(args->word[0], "verlet") == 0) return HS_OK;
+    return hs_arg_refuse(args, 0, "verlet, the only way in which Halfshell makes timesteps", NULL, err);
+}
+
+static hs_status style_run(hs_deck *deck, const hs_args *args, hs_error *err)
+{
+    (void)deck;
+    return style_check(args, false, err);
+}
+
 static const hs_keyword run_keywords[] = {
     {"upto", 0, "", "N is the step to run up to, not a number of steps"},
     {"start", 1, "<step>", "first step of the range over which `ramp` and the like change (default: this run's first)"},
@@ -265,6 +277,18 @@ const hs_command hs_commands_run[] = {
             },
         .run = reset_run,
         .check = reset_check,
+    },
+    {
+        .about =
+            {
+                .name = "run_style",
+                .syntax = {"verlet", 1, 1, NULL},
+                .summary = "How timesteps are made: by velocity Verlet",
+                .details = "Accepted for decks that say it; there is nothing to choose from.\n",
+                .example = "run_style verlet",
+            },
+        .run = style_run,
+        .check = style_check,
     },
     {.about = {.name = NULL}},
 };
