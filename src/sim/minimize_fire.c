@@ -146,3 +146,28 @@ const hs_min_style hs_min_style_fire = {.name = "fire",
                                         .summary = "damped dynamics (FIRE 2.0); takes the timestep of `timestep`",
                                         .begin = begin,
                                         .iterate = iterate};
+
+/** The first form of FIRE: explicit Euler steps of any shortness, and nothing done uphill but to stop. */
+static void begin_old(hs_minimizer *min)
+{
+    hs_min_settings *settings = &min->first_settings;
+    if (min->settings != settings) *settings = *min->settings;
+    settings->integrator = HS_FIRE_EULER_EXPLICIT;
+    settings->tmax = 10.0;
+    settings->tmin = 0.0;
+    settings->delaystep = 5;
+    settings->dtgrow = 1.1;
+    settings->dtshrink = 0.5;
+    settings->alpha0 = 0.1;
+    settings->alphashrink = 0.99;
+    settings->vdfmax = INT64_MAX;
+    settings->halfstepback = settings->initialdelay = false;
+    min->settings = settings;
+    begin(min);
+}
+
+const hs_min_style hs_min_style_fire_old = {.name = "fire/old",
+                                            .summary =
+                                                "damped dynamics as first published; only dmax of min_modify matters",
+                                            .begin = begin_old,
+                                            .iterate = iterate};

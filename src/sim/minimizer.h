@@ -20,7 +20,8 @@ typedef struct hs_minimizer {
     /* fire */
     double dt, dt_min, dt_max, mixing;
     int64_t n_downhill, n_uphill, n_since_begin;
-    int64_t last_uphill; /**< iteration */
+    int64_t last_uphill;            /**< iteration */
+    hs_min_settings first_settings; /**< fire/old: the deck's with those of the first form of FIRE */
 } hs_minimizer;
 
 /** Sums over all atoms and axes, exact (collective). */
@@ -41,6 +42,6 @@ hs_min_reason hs_min_check(const hs_minimizer *min, bool with_energy);
  *  they were then. */
 HS_MUST_USE hs_status hs_min_search_line(hs_minimizer *min, hs_min_reason *reason, hs_error *err);
 
-extern const hs_min_style hs_min_style_cg, hs_min_style_sd, hs_min_style_fire;
+extern const hs_min_style hs_min_style_cg, hs_min_style_sd, hs_min_style_fire, hs_min_style_fire_old;
 
 #endif
