@@ -17,7 +17,7 @@ static column_facts facts_of(const double *value, int64_t n)
     column_facts facts = {.minimum = INFINITY, .maximum = -INFINITY};
     for (int64_t i = 0; i < n; ++i) {
         if (!isfinite(value[i])) continue;
-        hs_series_add(&facts.series, value[i]);
+        hs_series_add(&facts.series, value[i], 1.0);
         hs_line_add(&facts.line, (double)i, value[i]);
         facts.minimum = fmin(facts.minimum, value[i]);
         facts.maximum = fmax(facts.maximum, value[i]);

@@ -91,10 +91,10 @@ static hs_estimate estimate_of(const hs_block_level *level, size_t stride, int n
     return estimate;
 }
 
-void hs_series_add(hs_series *series, double value)
+void hs_series_add(hs_series *series, double value, double weight)
 {
     ++series->n;
-    add_value(series->level, 1, HS_BLOCK_LEVELS, value, 1.0);
+    add_value(series->level, 1, HS_BLOCK_LEVELS, value, weight);
 }
 
 hs_estimate hs_series_estimate(const hs_series *series) { return estimate_of(series->level, 1, HS_BLOCK_LEVELS); }

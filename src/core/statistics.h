@@ -47,7 +47,8 @@ typedef struct hs_estimate {
     bool is_converged;   /**< at least 20 independent values; with fewer the error may be too small */
 } hs_estimate;
 
-void hs_series_add(hs_series *series, double value);
+/** Add a value. Its weight is 1, or as in hs_series_set_add. */
+void hs_series_add(hs_series *series, double value, double weight);
 hs_estimate hs_series_estimate(const hs_series *series);
 
 /** Many series that grow together. Zero-initialised but for n_series it is empty. */

@@ -27,7 +27,10 @@ const hs_fix_style hs_fix_style_ave_histo = {
              "Counts are summed over the samples of a window and, with `ave running` or `window`, over windows. The "
              "array `f_ID[i][j]` has for each bin its middle, its count, and its share of all counts; the vector is "
              "`f_ID[1]` all counts, `f_ID[2]` values beyond that were left out, `f_ID[3]` the least and `f_ID[4]` the "
-             "greatest value. Before the first window is complete counts are 0.",
+             "greatest value. Before the first window is complete counts are 0.\n\n"
+             "With `error yes` two more columns follow: the standard error of the share, by blocking over the samples "
+             "(`ave window`: over the windows), and the statistical inefficiency, the number of samples that count as "
+             "one; as in fix ave/time.",
          .example = "fix h all ave/histo 10 100 1000 -4 4 80 vx vy vz mode vector ave running file speeds.txt\n"
                     "compute n all coord/atom cutoff 1.5\nfix c all ave/histo 100 1 100 -0.5 15.5 16 c_n mode vector"},
     HS_HISTOGRAM_HOOKS,

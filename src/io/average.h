@@ -45,6 +45,7 @@ typedef struct hs_fold {
     double *ring;     /**< owned [n_window][n] */
 
     bool has_errors;       /**< keyword error: what follows is in use */
+    bool is_share;         /**< errors are those of the values as parts of value 0, the total */
     hs_series_set samples; /**< of the present window, or of all (ave running) */
     double *error; /**< owned [n]: standard errors of the means after the last window; NaN: one sample shows none */
     double *inefficiency; /**< owned [n]: samples (ave window: windows) that count as one */

@@ -39,8 +39,10 @@ static hs_estimate estimate_of_windows(const hs_fold *fold, int k)
 {
     hs_series series = {0};
     const int64_t n = fold->n_added < fold->n_window ? fold->n_added : fold->n_window;
-    for (int64_t w = fold->n_added - n; w < fold->n_added; ++w)
-        hs_series_add(&series, fold->ring[(size_t)(w % fold->n_window) * (size_t)fold->n + (size_t)k]);
+    for (int64_t w = fold->n_added - n; w < fold->n_added; ++w) {
+        const double *window = fold->ring + (size_t)(w % fold->n_window) * (size_t)fold->n;
+        hs_series_add(&series, window[k], fold->is_share ? window[0] : 1.0);
+    }
     return hs_series_estimate(&series);
 }
 

@@ -29,7 +29,9 @@ hs_status hs_histogram_init(hs_fix *fix, hs_error *err)
     HS_TRY(hs_histogram_check(fix, command, err));
     snprintf(title, sizeof title, "# Histogrammed data for fix %.100s", fix->id);
     const char *const head[3] = {title, "# TimeStep Number-of-bins Total-counts Missing-counts Min-value Max-value",
-                                 "# Bin Coord Count Count/Total"};
+                                 histogram->fold.has_errors
+                                     ? "# Bin Coord Count Count/Total Count/Total_err Count/Total_ineff"
+                                     : "# Bin Coord Count Count/Total"};
     return hs_average_file_open(&histogram->file, fix->env, head, err);
 }
 
@@ -118,8 +120,21 @@ static void find_extremes(const hs_histogram *histogram, const hs_fix *fix, int6
     }
 }
 
+/** The sample's counts for the errors of the shares. */
+static hs_status add_to_errors(hs_histogram *histogram, const double *count, hs_error *err)
+{
+    const int n = HS_HISTO_BINS + histogram->n_bins;
+    double *total;
+    if (!histogram->fold.has_errors) return HS_OK;
+    HS_TRY(HS_ALLOC(total, (size_t)n, err));
+    for (int k = 0; k < n; ++k) total[k] = count[HS_HISTO_TOTAL];
+    const hs_status status = hs_fold_add_sample(&histogram->fold, count, total, err);
+    HS_FREE(total);
+    return status;
+}
+
 /** Sums over ranks of values per atom; all other inputs are the same on all ranks already. */
-static void add_up(const hs_fix *fix, double *count, double extreme[2])
+static hs_status add_up(const hs_fix *fix, double *count, double extreme[2], hs_error *err)
 {
     hs_histogram *histogram = fix->state;
     const int n = HS_HISTO_BINS + histogram->n_bins;
@@ -130,6 +145,7 @@ static void add_up(const hs_fix *fix, double *count, double extreme[2])
     for (int k = 0; k < n; ++k) histogram->count[k] += count[k];
     histogram->extreme[0] = fmin(histogram->extreme[0], extreme[0]);
     histogram->extreme[1] = fmax(histogram->extreme[1], extreme[1]);
+    return add_to_errors(histogram, count, err);
 }
 
 static hs_status sample_weighted(hs_fix *fix, hs_error *err)
@@ -150,7 +166,7 @@ static hs_status sample_weighted(hs_fix *fix, hs_error *err)
             hs_exact_total(sums, n_counts, fix->env->parallel, count);
         else
             for (int k = 0; k < n_counts; ++k) count[k] = hs_exact_value(&sums[k]);
-        add_up(fix, count, extreme);
+        status = add_up(fix, count, extreme, err);
     }
     HS_FREE(sums);
     HS_FREE(count);
@@ -173,7 +189,7 @@ static hs_status sample_plain(hs_fix *fix, hs_error *err)
     }
     if (status == HS_OK) {
         if (histogram->shape == HS_VALUE_ATOMS) hs_parallel_sum_double(fix->env->parallel, count, n_counts);
-        add_up(fix, count, extreme);
+        status = add_up(fix, count, extreme, err);
     }
     HS_FREE(count);
     return status;
@@ -203,6 +219,7 @@ static void end_window(hs_histogram *histogram)
     kept[0] = is_added ? fmin(kept[0], histogram->extreme[0]) : histogram->extreme[0];
     kept[1] = is_added ? fmax(kept[1], histogram->extreme[1]) : histogram->extreme[1];
     hs_fold_add(fold, histogram->count);
+    hs_fold_find_errors(fold);
 }
 
 /** Middle of a bin; what is beyond is shown at lo and hi. */
@@ -220,6 +237,22 @@ static double fraction(const hs_histogram *histogram, int bin)
     return total != 0.0 ? histogram->fold.sum[HS_HISTO_BINS + bin] / total : 0.0;
 }
 
+/** Column of the array: middle, count, share, error and inefficiency of the share. */
+static double column(const hs_histogram *histogram, int bin, int k)
+{
+    const hs_fold *fold = &histogram->fold;
+    switch (k) {
+    case 0:
+        return coordinate(histogram, bin);
+    case 1:
+        return fold->sum[HS_HISTO_BINS + bin];
+    case 2:
+        return fraction(histogram, bin);
+    default:
+        return (k == 3 ? fold->error : fold->inefficiency)[HS_HISTO_BINS + bin];
+    }
+}
+
 static hs_status write_window(hs_fix *fix, hs_error *err)
 {
     hs_histogram *histogram = fix->state;
@@ -231,9 +264,8 @@ static hs_status write_window(hs_fix *fix, hs_error *err)
         HS_TRY(hs_text_printf(&file->text, err, "%lld %d %g %g %g %g\n", (long long)fix->env->step, histogram->n_bins,
                               sum[HS_HISTO_TOTAL], sum[HS_HISTO_MISSING], extreme[0], extreme[1]));
         for (int k = 0; k < histogram->n_bins; ++k) {
-            const double number[3] = {coordinate(histogram, k), sum[HS_HISTO_BINS + k], fraction(histogram, k)};
             HS_TRY(hs_text_printf(&file->text, err, "%d", k + 1));
-            for (int c = 0; c < 3; ++c) HS_TRY(hs_average_file_number(file, number[c], err));
+            for (int c = 0; c < fix->n_columns; ++c) HS_TRY(hs_average_file_number(file, column(histogram, k, c), err));
             HS_TRY(hs_text_append(&file->text, "\n", 1, err));
         }
     }
@@ -269,9 +301,7 @@ hs_status hs_histogram_array(hs_fix *fix, int i, int j, double *value, hs_error 
 {
     const hs_histogram *histogram = fix->state;
     (void)err;
-    *value = j == 0   ? coordinate(histogram, i)
-             : j == 1 ? histogram->fold.sum[HS_HISTO_BINS + i]
-                      : fraction(histogram, i);
+    *value = column(histogram, i, j);
     return HS_OK;
 }
 
@@ -284,5 +314,6 @@ hs_status hs_histogram_keep_state(hs_fix *fix, hs_state *kept, hs_error *err)
     HS_TRY(hs_state_double(kept, "extremes", histogram->extreme, 2, err));
     HS_TRY(hs_state_double(kept, "extremes of windows", histogram->extremes[0], 2 * n_extremes, err));
     HS_TRY(hs_fold_keep(&histogram->fold, kept, err));
+    HS_TRY(hs_fold_keep_errors(&histogram->fold, kept, err));
     return hs_average_file_keep(&histogram->file, fix->env, kept, err);
 }

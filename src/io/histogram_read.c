@@ -156,12 +156,14 @@ hs_status hs_histogram_create(hs_fix *fix, const hs_args *args, bool is_weighted
     histogram->is_weighted = is_weighted;
     HS_TRY(hs_schedule_init(&histogram->schedule, args, 0, err));
     HS_TRY(read_own_keywords(histogram, args, first, &kind, err));
+    HS_TRY(hs_fold_check_errors(&histogram->fold, &histogram->schedule, args->command, err));
+    histogram->fold.is_share = true;
     HS_TRY(make_bins(fix, args, err));
     for (int i = 6; i < first; ++i) HS_TRY(add_inputs(fix, args, i, err));
     HS_TRY(find_shape(fix, args, kind, err));
     HS_TRY(hs_histogram_check(fix, args->command, err));
     fix->n_rows = histogram->n_bins;
-    fix->n_columns = 3;
+    fix->n_columns = histogram->fold.has_errors ? 5 : 3;
     hs_schedule_begin(&histogram->schedule, fix->env->step);
     return HS_OK;
 }

@@ -22,7 +22,7 @@ static bool is_counted(const hs_thermo *thermo)
 
 void hs_thermo_means_add(hs_thermo *thermo, int k, double value)
 {
-    if (is_counted(thermo) && k < thermo->n_means) hs_series_add(&thermo->means[k], value);
+    if (is_counted(thermo) && k < thermo->n_means) hs_series_add(&thermo->means[k], value, 1.0);
 }
 
 hs_status hs_thermo_means_row(hs_thermo *thermo, hs_error *err)

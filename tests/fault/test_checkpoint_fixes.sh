@@ -45,7 +45,7 @@ D
 
 check histograms <<'D'
 fix 1 all nve
-fix h all ave/histo 2 3 20 -3 3 8 vx vy vz mode vector ave running file h.txt
+fix h all ave/histo 2 3 20 -3 3 8 vx vy vz mode vector ave running error yes file h.txt
 fix w all ave/histo 5 2 10 0 2 4 c_thermo_temp ave window 3 file w.txt
 variable t equal temp
 fix p all print 10 "$(step) $t" file p.txt screen no

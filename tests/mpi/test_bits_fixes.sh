@@ -25,7 +25,7 @@ compute p two hexorder/atom degree 5 nnn NULL cutoff 1.6
 compute k all ke/atom
 fix 1 all nve
 fix 2 all enforce2d
-fix h two ave/histo 2 3 10 0 12 7 c_p[1] c_c vx mode vector ave running
+fix h two ave/histo 2 3 10 0 12 7 c_p[1] c_c vx mode vector ave running error yes
 fix w all ave/histo/weight 2 2 10 0 12 7 x c_k mode vector
 D
     system squeezed 30 'f_1' <<D

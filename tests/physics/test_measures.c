@@ -139,7 +139,7 @@ static void check_spectrum(hs_deck *deck, void *context)
         for (int k = 0; k <= N / 2; ++k) {
             double complex sum = 0.0;
             for (int i = 0; i < N; ++i) sum += t[segment * N / 2 + i] * cexp(-2.0 * M_PI * I * k * i / N);
-            hs_series_add(&series[k], 2 * 0.005 * (k == 0 || k == N / 2 ? 1 : 2) * cabs(sum) * cabs(sum) / N);
+            hs_series_add(&series[k], 2 * 0.005 * (k == 0 || k == N / 2 ? 1 : 2) * cabs(sum) * cabs(sum) / N, 1.0);
         }
     for (int k = 0; k <= N / 2; ++k) {
         const hs_estimate e = hs_series_estimate(&series[k]);
@@ -163,7 +163,7 @@ END_TEST
 static hs_estimate estimate_of(const double *values, int begin, int end)
 {
     hs_series series = {0};
-    for (int i = begin; i < end; ++i) hs_series_add(&series, values[i]);
+    for (int i = begin; i < end; ++i) hs_series_add(&series, values[i], 1.0);
     return hs_series_estimate(&series);
 }
 
@@ -404,7 +404,49 @@ START_TEST(values_per_atom_add_up)
 }
 END_TEST
 
+static double number_of(hs_deck *deck, const char *word)
+{
+    hs_error err = {0};
+    hs_value value = {0};
+    double number;
+    hs_env *env = &deck->sim->env;
+    const hs_args args = {.command = "test", .n = 1, .word = &word};
+    ck_assert_hs_ok(hs_value_init(&value, env, &args, 0, HS_VALUE_NUMBER, &err), err);
+    ck_assert_hs_ok(hs_value_number(env, &value, &number, &err), err);
+    hs_value_fini(&value);
+    return number;
+}
+
+/* A number's share of the upper bin is the mean of "it is above the middle"; and windows of one sample are samples. Of values per
+ * atom, of which all but a few are counted, share and error are those of the ratio of two sums. */
+static void check_shares(hs_deck *deck, void *context)
+{
+    static const char *const pairs[][2] = {{"f_h[2][3]", "f_t[1]"},     {"f_h[2][4]", "f_t[2]"},
+                                           {"f_h[2][5]", "f_t[3]"},     {"f_w[2][3]", "f_h[2][3]"},
+                                           {"f_w[2][4]", "f_h[2][4]"},  {"f_w[2][5]", "f_h[2][5]"},
+                                           {"f_v[2][4]", "f_vw[2][4]"}, {"f_v[2][5]", "f_vw[2][5]"}};
+    (void)context;
+    for (size_t k = 0; k < sizeof pairs / sizeof pairs[0]; ++k)
+        check_number(deck, pairs[k][0], number_of(deck, pairs[k][1]), 1e-12);
+    const double share = number_of(deck, "f_h[2][3]"), counted = number_of(deck, "f_v[1]"),
+                 left_out = number_of(deck, "f_v[2]");
+    ck_assert_msg(share > 0.1 && share < 0.9 && number_of(deck, "f_h[2][4]") > 0.0, "share %g", share);
+    ck_assert(counted > 0.0 && left_out > 0.0 && number_of(deck, "f_v[2][4]") > 0.0);
+}
+
+START_TEST(errors_of_histograms_are_those_of_shares)
+{
+    run("variable i equal c_thermo_temp>0.76\nfix t all ave/time 2 1 2 v_i ave running error yes\n"
+        "fix h all ave/histo 2 1 2 0.26 1.26 2 c_thermo_temp beyond end ave running error yes\n"
+        "fix w all ave/histo 2 1 2 0.26 1.26 2 c_thermo_temp beyond end ave window 1000 error yes\n"
+        "fix v all ave/histo 2 1 2 -1 1 3 vx mode vector ave running error yes\n"
+        "fix vw all ave/histo 2 1 2 -1 1 3 vx mode vector ave window 1000 error yes\nrun 400\n",
+        check_shares);
+}
+END_TEST
+
 HS_TEST_MAIN("measures", correlations_by_transform_are_those_of_the_direct_sum,
              correlations_beyond_the_window_are_those_of_means_over_samples, spectra_are_those_of_the_direct_sum,
              scattering_functions_are_those_of_the_direct_sum, errors_of_averages_are_those_of_their_samples,
-             rdf_from_the_list_is_that_of_the_scan, structure_factor_is_the_transform_of_g, values_per_atom_add_up)
+             rdf_from_the_list_is_that_of_the_scan, structure_factor_is_the_transform_of_g, values_per_atom_add_up,
+             errors_of_histograms_are_those_of_shares)

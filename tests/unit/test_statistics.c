@@ -28,7 +28,7 @@ static hs_estimate autoregressive(uint64_t seed, double phi, int n)
     uint64_t state = seed * UINT64_C(7919) + 1;
     double x = normal(&state);
     for (int k = 0; k < n; ++k) {
-        hs_series_add(&series, x);
+        hs_series_add(&series, x, 1.0);
         x = phi * x + sqrt(1.0 - phi * phi) * normal(&state);
     }
     return hs_series_estimate(&series);
@@ -39,7 +39,7 @@ START_TEST(mean_and_variance_of_few_values)
     hs_series series = {0};
     hs_estimate e = hs_series_estimate(&series);
     ck_assert(e.n == 0 && e.error == 0.0);
-    for (int k = 1; k <= 5; ++k) hs_series_add(&series, (double)k * k);
+    for (int k = 1; k <= 5; ++k) hs_series_add(&series, (double)k * k, 1.0);
     e = hs_series_estimate(&series);
     ck_assert_int_eq(e.n, 5);
     ck_assert_double_eq_tol(e.mean, 11.0, 1e-14);
@@ -50,7 +50,7 @@ END_TEST
 START_TEST(constant_series_has_no_error)
 {
     hs_series series = {0};
-    for (int k = 0; k < 1000; ++k) hs_series_add(&series, 2.5);
+    for (int k = 0; k < 1000; ++k) hs_series_add(&series, 2.5, 1.0);
     const hs_estimate e = hs_series_estimate(&series);
     ck_assert(e.mean == 2.5 && e.error == 0.0 && e.is_converged);
 }
@@ -64,7 +64,7 @@ static hs_estimate two_times(uint64_t seed, double part, double fast, double slo
     const double phi[2] = {exp(-1.0 / fast), exp(-1.0 / slow)}, size[2] = {sqrt(1.0 - part), sqrt(part)};
     double x[2] = {normal(&state), normal(&state)};
     for (int k = 0; k < n; ++k) {
-        hs_series_add(&series, size[0] * x[0] + size[1] * x[1]);
+        hs_series_add(&series, size[0] * x[0] + size[1] * x[1], 1.0);
         for (int i = 0; i < 2; ++i) x[i] = phi[i] * x[i] + sqrt(1.0 - phi[i] * phi[i]) * normal(&state);
     }
     return hs_series_estimate(&series);
@@ -178,7 +178,7 @@ START_TEST(a_set_is_its_series)
     for (int k = 0; k < N; ++k) {
         const double values[] = {normal(&state), 100.0 + uniform(&state)};
         ck_assert_hs_ok(hs_series_set_add(&set, values, NULL, &err), err);
-        for (int i = 0; i < 2; ++i) hs_series_add(&series[i], values[i]);
+        for (int i = 0; i < 2; ++i) hs_series_add(&series[i], values[i], 1.0);
     }
     for (int i = 0; i < 2; ++i) {
         const hs_estimate a = hs_series_set_estimate(&set, i), b = hs_series_estimate(&series[i]);
