@@ -57,11 +57,14 @@ static void destroy(hs_fix *fix) { HS_FREE(((ehex_state *)fix->state)->region_id
 
 static hs_status init(hs_fix *fix, hs_error *err) { return find_region(fix, err); }
 
+/** Whether an atom takes part: by its place within the box, though lists may be older than its crossing of a face. */
 static bool acts(const hs_fix *fix, int i)
 {
     const ehex_state *state = fix->state;
     const hs_atoms *atoms = fix->env->atoms;
-    const double x[3] = {atoms->x[0][i], atoms->x[1][i], atoms->x[2][i]};
+    double x[3] = {atoms->x[0][i], atoms->x[1][i], atoms->x[2][i]};
+    int32_t image[3] = {0};
+    hs_box_wrap(fix->env->box, x, image);
     return (atoms->mask[i] & fix->mask) != 0 && (state->region == NULL || hs_region_contains(state->region, x));
 }
 
