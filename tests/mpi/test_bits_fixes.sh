@@ -134,10 +134,26 @@ fix h all ehex 1 20 region hot
 variable r atom random(-0.1,0.1,4711)+normal(0.0,0.01,5)
 set group all vx v_r
 D
+    system deposited 40 'f_d' <<D
+boundary p p f
+lattice fcc 0.9
+region box block 0 3 0 4 0 9
+create_box 2 box
+region low block INF INF INF INF INF 2
+create_atoms 1 region low
+mass * 1.0
+$liquid
+pair_coeff * * 1.0 1.0
+region slab block 0 3 0 4 5 8
+group added type 2
+fix 1 all nve
+fix d added deposit 30 2 3 12345 region slab near 1.0 vz -1.0 -1.0 attempt 3
+fix w all wall/reflect zhi EDGE zlo EDGE
+D
 } >in.fixes
 
 bits fixes 0 1
-[ "$(wc -l <fixes/thermo)" -eq 25 ] || fail "$(wc -l <fixes/thermo) rows"
+[ "$(wc -l <fixes/thermo)" -eq 30 ] || fail "$(wc -l <fixes/thermo) rows"
 bits fixes 0 3 -neigh cell
 bits fixes 2 2 -neigh verlet
 bits fixes 3 1 -neigh linked
