@@ -43,9 +43,9 @@ void hs_saving_be_automatic(hs_saving *saving, double every_s);
 void hs_saving_be_asked(hs_saving *saving);
 /** The deck has come to its end: automatic checkpoints have served (collective). */
 void hs_sim_remove_automatic(hs_sim *sim);
-/** The names of the files that are kept, for the checkpoint @p path among them; and taken from the checkpoint @p path that a run goes on from, so
- *  that it deletes what the run before it would have deleted. Names that do not follow the present pattern are not taken, and none if the file is
- *  not where it was written. */
+/** The names of the files that are kept, for the checkpoint @p path among them; and taken from the checkpoint @p path that a run
+ *  goes on from, so that it deletes what the run before it would have deleted. Names that do not follow the present pattern are
+ *  not taken, and none if the file is not where it was written. */
 HS_MUST_USE hs_status hs_saving_put_kept(const hs_saving *saving, const char *path, hs_state *state, hs_error *err);
 HS_MUST_USE hs_status hs_saving_get_kept(hs_saving *saving, const char *path, hs_state *state, hs_error *err);
 /** Settings of the program, kept over `clear`. */

@@ -1,7 +1,7 @@
 /* Atoms that overlap, are lost, or are nowhere: which ones, and a picture of the system just before and then.
  *
- * Why a picture and not a checkpoint: the state at the violation would only fail again, and a copy of the state before it, kept in memory for this
- * case alone, would cost a tenth of the memory. The positions of the last list build are there anyway. */
+ * Why a picture and not a checkpoint: the state at the violation would only fail again, and a copy of the state before it, kept
+ * in memory for this case alone, would cost a tenth of the memory. The positions of the last list build are there anyway. */
 #include "sim/violation.h"
 
 #include <math.h>
@@ -96,7 +96,8 @@ static void swap_with_listed(hs_sim *sim)
     hs_env_changed(&sim->env);
 }
 
-/** Whether all atoms are at places that a picture can show: no farther from the box than a thousand times its size (collective). */
+/** Whether all atoms are at places that a picture can show: no farther from the box than a thousand times its size
+ *  (collective). */
 static bool is_worth_showing(const hs_sim *sim)
 {
     double n_bad = 0.0;
@@ -137,6 +138,6 @@ void hs_sim_show_violation(hs_sim *sim, hs_error *err)
     status = write_frames(sim, hs_sim_find_dump(sim, id), &ignored);
     if (hs_sim_remove_dump(sim, id, &ignored) != HS_OK || status != HS_OK) return;
     const size_t n = strlen(err->text);
-    snprintf(err->text + n, sizeof err->text - n, ". The atoms of step %lld, before it happened, are in '%s'",
-             (long long)sim->listed_step, path);
+    snprintf(err->text + n, sizeof err->text - n, ". The atoms of step %lld%s are in '%s'", (long long)sim->listed_step,
+             sim->listed_step < sim->env.step ? ", before it happened," : "", path);
 }
