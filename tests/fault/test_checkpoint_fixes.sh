@@ -83,3 +83,25 @@ fix 3 all langevin 1.0 1.0 0.5 4711 tally yes
 fix_modify 3 temp t
 fix p all print 10 "$(f_2:%.17g) $(f_3:%.17g)" file p.txt screen no
 D
+
+check exchange <<'D'
+fix 1 all nve
+region hot block INF INF INF INF 0 1.5
+compute d all displace/atom
+compute s all reduce sum c_d[4]
+fix 2 all viscosity 7 x z 4 swap 2
+fix 3 all thermal/conductivity 8 y 4 swap 3
+fix 4 all ehex 2 5 region hot
+fix p all print 10 "$(f_2:%.17g) $(f_3:%.17g) $(f_4:%.17g) $(c_s:%.17g)" file p.txt screen no
+D
+
+check deposit <<'D'
+region all block 0 4 0 4 0 4
+region small block 1 3 1 3 1 3
+delete_atoms region small
+fix 1 all nve
+fix 2 all deposit 30 2 5 4711 region all near 0.6 vx -1 1 id next
+variable r atom random(-0.1,0.1,99)
+set group all vx v_r
+fix p all print 10 "$(atoms) $(f_2)" file p.txt screen no
+D
