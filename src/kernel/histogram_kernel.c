@@ -33,8 +33,12 @@ static inline int put(uint32_t *queue, hs_vec bin, hs_msk mask)
 
 enum { PIECE = 256, QUEUE = 1024, QUEUE_ROOM = HS_CLUSTER * 16 }; /* room for all lanes of one step of the loop */
 
-static void flush(const uint32_t *queue, int n, uint32_t *counts)
+/** 16-bit counters stay in the first-level cache, 32-bit ones would not: these go to the totals before one can overflow. */
+static void flush(const uint32_t *queue, int n, hs_histogram *histogram)
 {
+    if (histogram->n_pending + n > UINT16_MAX) hs_histogram_settle(histogram);
+    histogram->n_pending += n;
+    uint16_t *restrict counts = histogram->recent;
     int k = 0;
     for (; k + 4 <= n; k += 4) {
         ++counts[queue[k]];
@@ -47,7 +51,7 @@ static void flush(const uint32_t *queue, int n, uint32_t *counts)
 
 /** The pairs of one i-cluster: puts their bins at the end of the queue of n, which is emptied when full; returns its length. */
 static inline int count_cluster(const double *const x[3], int first, const hs_cluster_entry *entry, int n_entries,
-                                hs_vec width, hs_vec limit, uint32_t *queue, int n, uint32_t *counts)
+                                hs_vec width, hs_vec limit, uint32_t *queue, int n, hs_histogram *histogram)
 {
     for (int e = 0; e < n_entries; e += HS_GROUP) {
         /* rows with any pair; what is noted in the entries is for the kernels' own groups */
@@ -67,7 +71,7 @@ static inline int count_cluster(const double *const x[3], int first, const hs_cl
             }
         }
         if (n > QUEUE) {
-            flush(queue, n, counts);
+            flush(queue, n, histogram);
             n = 0;
         }
     }
@@ -82,12 +86,12 @@ static inline void name_atoms(const hs_clusters *clusters, const hs_cluster_entr
 
 /* One queue for all clusters: emptying it after each would end a short loop at an unforeseeable place every time. */
 static void count_pairs(const double *const x[3], const hs_clusters *clusters, const hs_list_chunk *chunk,
-                        bool is_packed, double scale, int n_fine, uint32_t *counts)
+                        bool is_packed, hs_histogram *histogram)
 {
     uint32_t queue[QUEUE + QUEUE_ROOM];
     hs_cluster_entry piece[PIECE];
     int n = 0;
-    const hs_vec limit = hs_set1((double)n_fine), width = hs_set1(scale);
+    const hs_vec limit = hs_set1((double)histogram->n_fine), width = hs_set1(histogram->scale);
     for (int ci = chunk->begin; ci < chunk->end; ++ci) {
         const int end = chunk->start[ci - chunk->begin + 1], first = clusters->local.entry[ci].first;
         for (int begin = chunk->start[ci - chunk->begin]; begin < end; begin += PIECE) {
@@ -97,10 +101,10 @@ static void count_pairs(const double *const x[3], const hs_clusters *clusters, c
                 name_atoms(clusters, entry, n_entries, piece);
                 entry = piece;
             }
-            n = count_cluster(x, first, entry, n_entries, width, limit, queue, n, counts);
+            n = count_cluster(x, first, entry, n_entries, width, limit, queue, n, histogram);
         }
     }
-    flush(queue, n, counts);
+    flush(queue, n, histogram);
 }
 
 #define PASTE_(a, b) a##b
