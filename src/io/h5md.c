@@ -150,6 +150,23 @@ static bool set_frames(hs_h5md *self, hsize_t n)
     return is_fine;
 }
 
+/** Whether a file of this size can have as many frames as a dataset says: HDF5 walks over all of those that are to be cut off, and
+ *  a flipped bit of their number would take it years. */
+static bool is_possible(const hs_h5md *self, hid_t dataset)
+{
+    hsize_t size, extents[3] = {0, 1, 1};
+    return hs_h5_extents(dataset, extents) > 0 && H5Fget_filesize(self->file, &size) >= 0 && extents[0] <= size;
+}
+
+static bool are_frames_possible(const hs_h5md *self)
+{
+    bool is_fine = is_possible(self, self->step) && is_possible(self, self->time) && is_possible(self, self->edges) &&
+                   is_possible(self, self->offset);
+    for (int k = 0; k < self->n_observables && is_fine; ++k) is_fine = is_possible(self, self->observable[k]);
+    for (int k = 0; k < self->n_elements && is_fine; ++k) is_fine = is_possible(self, self->value[k]);
+    return is_fine;
+}
+
 static hs_status open_again(hs_h5md *self, const hs_h5md_plan *plan, hs_error *err)
 {
     const hid_t list = hs_h5_driver_list();
@@ -158,6 +175,7 @@ static hs_status open_again(hs_h5md *self, const hs_h5md_plan *plan, hs_error *e
     if (self->file < 0) return refuse(self, "it is not an HDF5 file that can be opened and written", err);
     hs_h5_driver_opened(self->file);
     HS_TRY(open_datasets(self, plan, err));
+    if (!are_frames_possible(self)) return refuse(self, "it says that it has more frames than fit into it", err);
     self->is_plain = self->n_rows == 0;
     HS_TRY(find_end(self, plan, err));
     if (set_frames(self, self->n_frames) && H5Fflush(self->file, H5F_SCOPE_LOCAL) >= 0) return HS_OK;

@@ -54,7 +54,7 @@ flip() {
 judge() {
     local what=$1 codes=$2 code=0
     shift 2
-    timeout 300 "$HALFSHELL" "$@" >out 2>err || code=$?
+    timeout -k 5 300 "$HALFSHELL" "$@" >out 2>err || code=$?
     case " $codes " in
     *" $code "*) ;;
     *) fail "$what: exit code $code: $(tail -3 err)" ;;
