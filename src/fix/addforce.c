@@ -4,6 +4,7 @@
 #include "base/memory.h"
 #include "style/applied_force.h"
 #include "style/atom_sum.h"
+#include "style/moments.h"
 
 typedef struct addforce_state {
     hs_applied_force force;
@@ -75,22 +76,27 @@ static hs_status update_energies(hs_fix *fix, hs_error *err)
     return env->variable_atoms(env->deck, state->energy_variable, state->energy_of_atom, err);
 }
 
-/** Forces before, and the energy of the force that is added. */
-static void add_terms(const hs_atoms *atoms, const void *context, int begin, int end, hs_exact_sum *sums)
+/** Add the force, and up the forces before and its energy. */
+static void add_force(const hs_atoms *atoms, const void *context, int begin, int end, hs_exact_sum *sums)
 {
     const hs_fix *fix = context;
     const addforce_state *state = fix->state;
+    double before[3][HS_EXACT_ARRAY_MAX], energy[HS_EXACT_ARRAY_MAX];
+    int n = 0;
     for (int i = begin; i < end; ++i) {
-        double r[3];
         if (!hs_applied_force_acts(&state->force, fix, i)) continue;
-        hs_fix_unwrapped(fix, i, r);
+        double work = 0.0;
         for (int axis = 0; axis < 3; ++axis) {
-            hs_exact_add(&sums[axis], atoms->f[axis][i]);
-            if (state->energy_variable == NULL)
-                hs_exact_add(&sums[3], -hs_applied_force_of(&state->force, axis, i) * r[axis]);
+            const double f = hs_applied_force_of(&state->force, axis, i);
+            if (f != 0.0 && state->energy_variable == NULL) work += f * hs_unwrapped(fix->env, axis, i);
+            before[axis][n] = atoms->f[axis][i];
+            atoms->f[axis][i] += f;
         }
-        if (state->energy_variable != NULL) hs_exact_add(&sums[3], state->energy_of_atom[i]);
+        energy[n++] = state->energy_variable != NULL ? state->energy_of_atom[i] : -work;
     }
+    if (n == 0) return;
+    for (int axis = 0; axis < 3; ++axis) hs_exact_add_array(&sums[axis], before[axis], n);
+    hs_exact_add_array(&sums[3], energy, n);
 }
 
 static void virial_of(const hs_fix *fix, int i, double w[6])
@@ -106,17 +112,11 @@ static void virial_of(const hs_fix *fix, int i, double w[6])
 static hs_status post_force(hs_fix *fix, hs_error *err)
 {
     addforce_state *state = fix->state;
-    const hs_atoms *atoms = fix->env->atoms;
     if (fix->env->step % state->every != 0) return HS_OK;
     HS_TRY(hs_applied_force_update(&state->force, fix, err));
     HS_TRY(update_energies(fix, err));
-    hs_atom_sum(atoms, fix->env->parallel, add_terms, fix, 4, state->sums);
+    hs_atom_sum(fix->env->atoms, fix->env->parallel, add_force, fix, 4, state->sums);
     if (hs_fix_needs_virial(fix)) hs_fix_sum_virial(fix, virial_of);
-#pragma omp parallel for schedule(static)
-    for (int i = 0; i < atoms->n_local; ++i) {
-        if (!hs_applied_force_acts(&state->force, fix, i)) continue;
-        for (int axis = 0; axis < 3; ++axis) atoms->f[axis][i] += hs_applied_force_of(&state->force, axis, i);
-    }
     return HS_OK;
 }
 

@@ -122,60 +122,76 @@ static hs_status update_length(const hs_env *env, length *l, hs_error *err)
     return HS_OK;
 }
 
-/** Force on local atom i, and its energy. */
-static double force_of(const hs_fix *fix, int i, double f[3])
+/** The indenter at the present step, as the loop over atoms wants it. */
+typedef struct indenter {
+    const hs_fix *fix;
+    const indent_state *state;
+    double length[3]; /**< of the box where the nearest image counts, else INFINITY */
+    bool counts[3];   /**< axes along which distance counts */
+    double radius2;
+} indenter;
+
+static indenter indenter_now(const hs_fix *fix)
 {
     const indent_state *state = fix->state;
-    const hs_env *env = fix->env;
-    double d[3], r2 = 0.0;
+    const hs_box *box = fix->env->box;
+    indenter now = {.fix = fix, .state = state, .radius2 = state->radius.value * state->radius.value};
     for (int axis = 0; axis < 3; ++axis) {
-        d[axis] = env->atoms->x[axis][i] - state->place[axis].value;
-        if (state->shape == INDENT_CYLINDER && axis == state->axis) d[axis] = 0.0;
-        if (state->shape == INDENT_PLANE && axis != state->axis) d[axis] = 0.0;
-        const double l = hs_box_length(env->box, axis); /* the nearest image of the indenter */
-        if (state->shape != INDENT_PLANE && env->box->periodic[axis] && fabs(d[axis]) > 0.5 * l)
-            d[axis] -= copysign(l, d[axis]);
-        r2 += d[axis] * d[axis];
-        f[axis] = 0.0;
+        const bool is_of_axis = axis == state->axis;
+        now.counts[axis] = state->shape == INDENT_SPHERE || is_of_axis == (state->shape == INDENT_PLANE);
+        now.length[axis] = state->shape != INDENT_PLANE && box->periodic[axis] ? hs_box_length(box, axis) : INFINITY;
     }
-    if (state->shape == INDENT_PLANE) {
-        const double depth = state->side * -d[state->axis]; /* how far it is on the wrong side */
-        if (depth < 0.0) return 0.0;
-        f[state->axis] = state->side * state->k * depth * depth;
-        return state->k / 3.0 * depth * depth * depth;
-    }
-    const double r = sqrt(r2), depth = state->is_inside ? r - state->radius.value : state->radius.value - r;
-    if (depth < 0.0 || r == 0.0) return 0.0;
-    for (int axis = 0; axis < 3; ++axis)
-        f[axis] = (state->is_inside ? -1.0 : 1.0) * state->k * depth * depth * d[axis] / r;
-    return state->k / 3.0 * depth * depth * depth;
+    return now;
 }
 
-static void add_terms(const hs_atoms *atoms, const void *context, int begin, int end, hs_exact_sum *sums)
+/** Force on local atom i, and its energy; false: there is none. */
+static inline bool force_of(const indenter *now, const hs_atoms *atoms, int i, double f[3], double *energy)
 {
-    const hs_fix *fix = context;
+    const indent_state *state = now->state;
+    double d[3] = {0.0}, r2 = 0.0, depth;
+    for (int axis = 0; axis < 3; ++axis) {
+        if (!now->counts[axis]) continue;
+        d[axis] = atoms->x[axis][i] - state->place[axis].value;
+        if (fabs(d[axis]) > 0.5 * now->length[axis]) d[axis] -= copysign(now->length[axis], d[axis]);
+        r2 += d[axis] * d[axis];
+    }
+    if (state->shape == INDENT_PLANE) {
+        depth = state->side * -d[state->axis]; /* how far it is on the wrong side */
+        if (depth <= 0.0) return false;
+        for (int axis = 0; axis < 3; ++axis) f[axis] = 0.0;
+        f[state->axis] = state->side * state->k * depth * depth;
+    } else {
+        if (r2 == 0.0 || (state->is_inside ? r2 <= now->radius2 : r2 >= now->radius2)) return false;
+        const double r = sqrt(r2), sign = state->is_inside ? -1.0 : 1.0;
+        depth = sign * (state->radius.value - r);
+        for (int axis = 0; axis < 3; ++axis) f[axis] = sign * state->k * depth * depth * d[axis] / r;
+    }
+    *energy = state->k / 3.0 * depth * depth * depth;
+    return true;
+}
+
+/** Add the forces, and up what they are: most atoms are far from the indenter and have none. */
+static void push(const hs_atoms *atoms, const void *context, int begin, int end, hs_exact_sum *sums)
+{
+    const indenter *now = context;
     for (int i = begin; i < end; ++i) {
-        double f[3];
-        if (!(atoms->mask[i] & fix->mask)) continue;
-        hs_exact_add(&sums[0], force_of(fix, i, f));
-        for (int axis = 0; axis < 3; ++axis) hs_exact_add(&sums[1 + axis], -f[axis]);
+        double f[3], energy;
+        if (!(atoms->mask[i] & now->fix->mask) || !force_of(now, atoms, i, f, &energy)) continue;
+        hs_exact_add(&sums[0], energy);
+        for (int axis = 0; axis < 3; ++axis) {
+            hs_exact_add(&sums[1 + axis], -f[axis]);
+            atoms->f[axis][i] += f[axis];
+        }
     }
 }
 
 static hs_status post_force(hs_fix *fix, hs_error *err)
 {
     indent_state *state = fix->state;
-    const hs_atoms *atoms = fix->env->atoms;
     for (int axis = 0; axis < 3; ++axis) HS_TRY(update_length(fix->env, &state->place[axis], err));
     HS_TRY(update_length(fix->env, &state->radius, err));
-    hs_atom_sum(atoms, fix->env->parallel, add_terms, fix, 4, state->sums);
-#pragma omp parallel for schedule(static)
-    for (int i = 0; i < atoms->n_local; ++i) {
-        double f[3];
-        if (!(atoms->mask[i] & fix->mask)) continue;
-        (void)force_of(fix, i, f);
-        for (int axis = 0; axis < 3; ++axis) atoms->f[axis][i] += f[axis];
-    }
+    const indenter now = indenter_now(fix);
+    hs_atom_sum(fix->env->atoms, fix->env->parallel, push, &now, 4, state->sums);
     return HS_OK;
 }
 

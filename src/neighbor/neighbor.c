@@ -89,9 +89,9 @@ static const double farthest = 1e150;
 static hs_status report_bad_position(const hs_atoms *atoms, int64_t step, hs_error *err)
 {
     int i = 0;
-    for (int k = 0; k < atoms->n_local && i == 0; ++k)
-        for (int axis = 0; axis < 3; ++axis)
-            if (!(fabs(atoms->x[axis][k]) < farthest)) i = k;
+    while (i < atoms->n_local - 1 && fabs(atoms->x[0][i]) < farthest && fabs(atoms->x[1][i]) < farthest &&
+           fabs(atoms->x[2][i]) < farthest)
+        ++i;
     return hs_fail(err, HS_ERROR_ATOMS,
                    "at step %lld atom %lld has the position (%g %g %g) and the velocity (%g %g %g): the forces on it "
                    "were too large. Usually atoms overlap at the start or the timestep is too long: check "

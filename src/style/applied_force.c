@@ -107,11 +107,16 @@ static void add_forces(const hs_atoms *atoms, const void *context, int begin, in
 {
     const hs_fix *fix = context;
     const hs_replaced_force *state = fix->state;
+    double before[3][HS_EXACT_ARRAY_MAX];
+    int n = 0;
     for (int i = begin; i < end; ++i) {
         if (!hs_applied_force_acts(&state->force, fix, i)) continue;
-        for (int axis = 0; axis < 3; ++axis) hs_exact_add(&sums[axis], atoms->f[axis][i]);
-        hs_exact_add(&sums[3], 1.0);
+        for (int axis = 0; axis < 3; ++axis) before[axis][n] = atoms->f[axis][i];
+        ++n;
     }
+    if (n == 0) return;
+    for (int axis = 0; axis < 3; ++axis) hs_exact_add_array(&sums[axis], before[axis], n);
+    hs_exact_add(&sums[3], n);
 }
 
 hs_status hs_replaced_force_measure(hs_fix *fix, hs_error *err)

@@ -1,23 +1,34 @@
 #include "style/atom_sum.h"
 
 #include <assert.h>
+#include <string.h>
 
 enum { CHUNK = HS_EXACT_ARRAY_MAX }; /* atoms that a thread takes at a time */
+
+static void add_chunk(const hs_atoms *atoms, hs_atom_terms terms, const void *context, int chunk, hs_exact_sum *sums)
+{
+    const int begin = chunk * CHUNK, end = atoms->n_local - begin < CHUNK ? atoms->n_local : begin + CHUNK;
+    terms(atoms, context, begin, end, sums);
+}
 
 void hs_atom_sum(const hs_atoms *atoms, const hs_parallel *parallel, hs_atom_terms terms, const void *context, int n,
                  double *sums)
 {
-    hs_exact_sum all[HS_ATOM_SUM_MAX] = {{{0}, 0, 0.0}};
-    const int n_chunks = (atoms->n_local + CHUNK - 1) / CHUNK;
+    hs_exact_sum all[HS_ATOM_SUM_MAX];
+    const int n_chunks = (atoms->n_local + CHUNK - 1) / CHUNK, n_threads = hs_threads_get();
     assert(n <= HS_ATOM_SUM_MAX);
+    memset(all, 0, (size_t)n * sizeof *all);
+    if (n_threads == 1 || n_chunks == 1) { /* a parallel region takes longer than some hundred atoms */
+        for (int c = 0; c < n_chunks; ++c) add_chunk(atoms, terms, context, c, all);
+        hs_exact_total(all, n, parallel, sums);
+        return;
+    }
 #pragma omp parallel
     {
-        hs_exact_sum part[HS_ATOM_SUM_MAX] = {{{0}, 0, 0.0}};
-#pragma omp for schedule(static)
-        for (int c = 0; c < n_chunks; ++c) {
-            const int end = c == n_chunks - 1 ? atoms->n_local : (c + 1) * CHUNK;
-            terms(atoms, context, c * CHUNK, end, part);
-        }
+        hs_exact_sum part[HS_ATOM_SUM_MAX];
+        memset(part, 0, (size_t)n * sizeof *part);
+#pragma omp for schedule(static) nowait
+        for (int c = 0; c < n_chunks; ++c) add_chunk(atoms, terms, context, c, part);
 #pragma omp critical(hs_atom_sum)
         for (int k = 0; k < n; ++k) hs_exact_merge(&all[k], &part[k]);
     }

@@ -8,7 +8,8 @@
 enum { HS_ATOM_SUM_MAX = 8 }; /**< sums that one call can make */
 
 /** Add the terms of local atoms [begin, end), at most HS_EXACT_ARRAY_MAX, to sums[] with hs_exact_add or
- *  hs_exact_add_array; called for ranges of atoms by several threads at once. A term is whatever can be computed from one atom alone. */
+ *  hs_exact_add_array; called for ranges of atoms by several threads at once. A term is whatever can be computed from one atom alone; what belongs to
+ *  that atom may be changed on the way, for each is met once. */
 typedef void (*hs_atom_terms)(const hs_atoms *atoms, const void *context, int begin, int end, hs_exact_sum *sums);
 
 /** sums[n], n <= HS_ATOM_SUM_MAX, over all atoms of all ranks, each exact and rounded once (collective). */
