@@ -5,6 +5,7 @@
  *     100 1.2 3.4                             # Chunk Coord1 Ncount temp
  *                                             100 10 864
  *                                               1 0.05 101 1.2 ... */
+#include <math.h>
 #include <string.h>
 
 #include "base/memory.h"
@@ -43,7 +44,7 @@ static hs_status read_row(fix_reader *reader, hs_table_lines *lines, char *line,
         double step, rows;
         if (lines->is_cut) return HS_OK;
         if (reader->n < 2 || !hs_table_number(reader->word[0], &step) || !hs_table_number(reader->word[1], &rows) ||
-            rows < 0 || rows > 1e15)
+            !(fabs(step) <= 1e15) || !(rows >= 0.0 && rows <= 1e15))
             return hs_fail(err, HS_ERROR_INPUT, "a step and a number of rows should stand here, not '%s'",
                            reader->word[0]);
         reader->rows_left = (int64_t)rows;
