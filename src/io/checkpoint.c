@@ -89,8 +89,7 @@ static hs_status check_head(const hs_checkpoint *self, int fd, hs_error *err)
     if (strncmp(head, magic, sizeof magic - 1) != 0)
         return hs_fail(err, HS_ERROR_INPUT, "'%s' was not written by write_restart or checkpoint of this program",
                        self->path);
-    if (sscanf(head + sizeof magic - 1, "format %d\nbytes %lld\ncrc32 %x", &format, &size, &wanted) != 3 ||
-        format < 1)
+    if (sscanf(head + sizeof magic - 1, "format %d\nbytes %lld\ncrc32 %x", &format, &size, &wanted) != 3 || format < 1)
         return damaged(self, "its first lines are damaged", err);
     if (format > HS_CHECKPOINT_FORMAT)
         return hs_fail(
