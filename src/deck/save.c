@@ -61,9 +61,7 @@ static hs_status keep_generator(hs_marsaglia *generator, const char *prefix, hs_
 hs_status hs_saved_keep_generators(hs_variables *variables, hs_state *state, hs_error *err)
 {
     HS_TRY(keep_generator(&variables->generator, "generator", state, err));
-    /* checkpoints of versions that drew atoms' numbers otherwise have none */
-    if (!state->is_reading || hs_state_find(state, "atom generator u") != NULL)
-        HS_TRY(keep_generator(&variables->atom_generator, "atom generator", state, err));
+    HS_TRY(keep_generator(&variables->atom_generator, "atom generator", state, err));
     return hs_state_int64(state, "draws", &variables->n_draws, 1, err);
 }
 

@@ -97,6 +97,12 @@ static hs_status check_head(const hs_checkpoint *self, int fd, hs_error *err)
             "'%s' has checkpoint format %d; this version reads formats up to %d. A later version of Halfshell "
             "wrote it and is needed to read it",
             self->path, format, HS_CHECKPOINT_FORMAT);
+    if (format < HS_CHECKPOINT_FORMAT_OLDEST)
+        return hs_fail(
+            err, HS_ERROR_INPUT,
+            "'%s' has checkpoint format %d; this version reads formats from %d on. The version that wrote it, named "
+            "in its first lines, can go on from it",
+            self->path, format, HS_CHECKPOINT_FORMAT_OLDEST);
     if (size != (long long)info.st_size) return damaged(self, "bytes are missing or too many", err);
     if (!digest(fd, &crc) || crc != wanted) return damaged(self, "its checksum is wrong, so bytes have changed", err);
     return HS_OK;

@@ -15,8 +15,9 @@
 #include "parallel/parallel.h"
 #include "style/state.h"
 
-/** Version of the format: raised when older programs could not read it. */
-enum { HS_CHECKPOINT_FORMAT = 1 };
+/** Version of the format: raised when older programs could not read it; the oldest that is read. Format 1, never released, had other
+ *  sums for standard errors and other names of computes' fields. */
+enum { HS_CHECKPOINT_FORMAT = 2, HS_CHECKPOINT_FORMAT_OLDEST = 2 };
 
 typedef struct hs_checkpoint hs_checkpoint;
 

@@ -125,8 +125,10 @@ for n in 0 100 512 5000 $((size - 1)); do
     head -c "$n" "$good" >short.h5
     refused short.h5 'no whole checkpoint'
 done
-sed '0,/^format 1$/s//format 9/' "$good" >later.h5
+sed '0,/^format [0-9]*$/s//format 9/' "$good" >later.h5
 refused later.h5 'format 9'
+sed '0,/^format [0-9]*$/s//format 1/' "$good" >earlier.h5
+refused earlier.h5 'reads formats from'
 refused run.in 'was not written by'
 refused missing.h5 'cannot be read'
 

@@ -2,12 +2,7 @@
 # An H5MD file opens, with every frame whole, whatever moment the run is killed at: killed at single writes (some of the
 # file's making and first frames, and all about the moment when the index of frames grows a level), and by the clock.
 set -eu
-# The Python of the system is asked for first: it is the one whose packages script/install-deps installs.
-for python in /usr/bin/python3 python3; do
-    if "$python" -c 'import h5py, numpy' 2>/dev/null; then break; fi
-    python=
-done
-[ -n "$python" ] || { echo "skipped: no Python with h5py"; exit 77; }
+. "$PROJECT_ROOT/tests/support/h5py.sh"
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 cd "$folder"

@@ -1,11 +1,7 @@
 #!/bin/bash
 # The trajectory of several ranks holds what that of one rank holds, row by row.
 set -eu
-for python in /usr/bin/python3 python3; do
-    if "$python" -c 'import h5py, numpy' 2>/dev/null; then break; fi
-    python=
-done
-[ -n "$python" ] || { echo "skipped: no Python with h5py"; exit 77; }
+. "$PROJECT_ROOT/tests/support/h5py.sh"
 . "$PROJECT_ROOT/tests/mpi/ranks.sh"
 
 cat >run.in <<END

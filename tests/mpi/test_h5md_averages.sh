@@ -2,11 +2,7 @@
 # Averages as H5MD observables: what the text files of the same run say, on one rank and on two, and each step once when a run
 # goes on from a checkpoint of some frames ago.
 set -eu
-for python in /usr/bin/python3 python3; do
-    if "$python" -c 'import h5py, numpy' 2>/dev/null; then break; fi
-    python=
-done
-[ -n "$python" ] || { echo "skipped: no Python with h5py"; exit 77; }
+. "$PROJECT_ROOT/tests/support/h5py.sh"
 . "$PROJECT_ROOT/tests/mpi/ranks.sh"
 
 cat >run.in <<END

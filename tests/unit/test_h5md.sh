@@ -1,11 +1,7 @@
 #!/bin/bash
 # The trajectory of dump h5md as h5py, h5dump and MDAnalysis see it: equal to the text dump of the same steps.
 set -eu
-for python in /usr/bin/python3 python3; do
-    if "$python" -c 'import h5py, numpy' 2>/dev/null; then break; fi
-    python=
-done
-[ -n "$python" ] || { echo "skipped: no Python with h5py"; exit 77; }
+. "$PROJECT_ROOT/tests/support/h5py.sh"
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 cd "$folder"
