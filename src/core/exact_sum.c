@@ -132,31 +132,45 @@ void hs_exact_merge(hs_exact_sum *sum, const hs_exact_sum *other)
 double hs_exact_value(const hs_exact_sum *sum)
 {
     if (sum->not_finite != 0.0) return sum->not_finite; /* also when it is not a number */
-    hs_exact_sum size = *sum;
-    hs_exact_carry(&size);
-    const bool is_negative = size.digit[HS_EXACT_DIGITS - 1] < 0;
-    if (is_negative) {
-        for (int k = 0; k < HS_EXACT_DIGITS; ++k) size.digit[k] = -size.digit[k];
-        hs_exact_carry(&size);
+    int low = 0, top = HS_EXACT_DIGITS - 1;
+    while (low < top && sum->digit[low] == 0) ++low;
+    while (top > low && sum->digit[top] == 0) --top;
+    /* Carries from the lowest digit that is set to the highest, and what goes beyond as two digits more. Terms of similar size
+       set few of them. */
+    int64_t digit[HS_EXACT_DIGITS + 2], carry = 0;
+    const int n = top - low + 1;
+    for (int k = 0; k < n + 2; ++k) {
+        const int64_t all = (k < n ? sum->digit[low + k] : 0) + carry;
+        carry = all >> 32; /* rounds down, so that what stays is not negative */
+        digit[k] = all - carry * (INT64_C(1) << 32);
     }
-    int top = HS_EXACT_DIGITS - 1;
-    while (top > 0 && size.digit[top] == 0) --top;
+    const bool is_negative = carry < 0;
+    if (is_negative) { /* the size is the complement, and one */
+        carry = 1;
+        for (int k = 0; k < n + 2; ++k) {
+            const int64_t all = (digit[k] ^ UINT32_MAX) + carry;
+            carry = all >> 32;
+            digit[k] = all & UINT32_MAX;
+        }
+    }
+    top = n + 1;
+    while (top > 0 && digit[top] == 0) --top;
     /* The highest three digits hold at least 65 bits from the first that is set: enough to round by, if the last of them tells whether
        anything follows. */
     unsigned __int128 leading = 0;
-    for (int k = 0; k < 3; ++k) leading = leading << 32 | (uint64_t)(top - k >= 0 ? size.digit[top - k] : 0);
+    for (int k = 0; k < 3; ++k) leading = leading << 32 | (uint64_t)(top - k >= 0 ? digit[top - k] : 0);
     bool has_more = false;
-    for (int k = top - 3; k >= 0; --k) has_more = has_more || size.digit[k] != 0;
+    for (int k = top - 3; k >= 0; --k) has_more = has_more || digit[k] != 0;
     leading |= has_more;
-    const double value = ldexp((double)leading, 32 * (top - 2) + HS_EXACT_LOWEST);
+    const double value = ldexp((double)leading, 32 * (low + top - 2) + HS_EXACT_LOWEST);
     return is_negative ? -value : value;
 }
 
 void hs_exact_total(hs_exact_sum *sums, int n, const hs_parallel *parallel, double *values)
 {
     for (int k = 0; k < n; ++k) {
-        hs_exact_carry(&sums[k]);
         if (parallel->n_ranks > 1) {
+            hs_exact_carry(&sums[k]);
             hs_parallel_sum_int64(parallel, sums[k].digit, HS_EXACT_DIGITS);
             hs_parallel_sum_double(parallel, &sums[k].not_finite, 1);
         }

@@ -3,7 +3,6 @@
 
 #include "base/memory.h"
 #include "style/applied_force.h"
-#include "style/atom_sum.h"
 #include "style/moments.h"
 
 typedef struct addforce_state {
@@ -12,7 +11,7 @@ typedef struct addforce_state {
     char *energy_variable;  /**< owned; atom-style variable that gives the energy of each atom; NULL: -F r */
     double *energy_of_atom; /**< owned [capacity] */
     size_t capacity;
-    double sums[4]; /**< sum of the forces before, and energy, of the latest step it acted */
+    hs_late_sums sums; /**< of the forces before, and energy, of the latest step it acted */
 } addforce_state;
 
 static const hs_keyword keywords[] = {
@@ -81,21 +80,21 @@ static void add_force(const hs_atoms *atoms, const void *context, int begin, int
 {
     const hs_fix *fix = context;
     const addforce_state *state = fix->state;
-    double before[3][HS_EXACT_ARRAY_MAX], energy[HS_EXACT_ARRAY_MAX];
-    int n = 0;
-    for (int i = begin; i < end; ++i) {
-        if (!hs_applied_force_acts(&state->force, fix, i)) continue;
-        double work = 0.0;
-        for (int axis = 0; axis < 3; ++axis) {
-            const double f = hs_applied_force_of(&state->force, axis, i);
-            if (f != 0.0 && state->energy_variable == NULL) work += f * hs_unwrapped(fix->env, axis, i);
-            before[axis][n] = atoms->f[axis][i];
-            atoms->f[axis][i] += f;
-        }
-        energy[n++] = state->energy_variable != NULL ? state->energy_of_atom[i] : -work;
+    const hs_applied_force *force = &state->force;
+    int32_t found[HS_EXACT_ARRAY_MAX];
+    double before[HS_EXACT_ARRAY_MAX], energy[HS_EXACT_ARRAY_MAX];
+    const int n = hs_applied_force_find(force, fix, begin, end, found);
+    memset(energy, 0, (size_t)n * sizeof *energy);
+    for (int axis = 0; axis < 3; ++axis) {
+        const bool has_work = force->of_atom[axis] != NULL || force->value[axis] != 0.0;
+        double *f = atoms->f[axis];
+        for (int k = 0; k < n; ++k) before[k] = f[found[k]];
+        for (int k = 0; k < n; ++k) f[found[k]] += hs_applied_force_of(force, axis, found[k]);
+        for (int k = 0; has_work && k < n; ++k)
+            energy[k] -= hs_applied_force_of(force, axis, found[k]) * hs_unwrapped(fix->env, axis, found[k]);
+        hs_exact_add_array(&sums[axis], before, n);
     }
-    if (n == 0) return;
-    for (int axis = 0; axis < 3; ++axis) hs_exact_add_array(&sums[axis], before[axis], n);
+    for (int k = 0; state->energy_variable != NULL && k < n; ++k) energy[k] = state->energy_of_atom[found[k]];
     hs_exact_add_array(&sums[3], energy, n);
 }
 
@@ -115,7 +114,7 @@ static hs_status post_force(hs_fix *fix, hs_error *err)
     if (fix->env->step % state->every != 0) return HS_OK;
     HS_TRY(hs_applied_force_update(&state->force, fix, err));
     HS_TRY(update_energies(fix, err));
-    hs_atom_sum(fix->env->atoms, fix->env->parallel, add_force, fix, 4, state->sums);
+    hs_late_sums_make(&state->sums, fix->env->atoms, add_force, fix, 4);
     if (hs_fix_needs_virial(fix)) hs_fix_sum_virial(fix, virial_of);
     return HS_OK;
 }
@@ -123,20 +122,22 @@ static hs_status post_force(hs_fix *fix, hs_error *err)
 static hs_status scalar(hs_fix *fix, double *value, hs_error *err)
 {
     (void)err;
-    *value = ((addforce_state *)fix->state)->sums[3];
+    *value = hs_late_sums_read(&((addforce_state *)fix->state)->sums, fix->env->parallel)[3];
     return HS_OK;
 }
 
 static hs_status vector(hs_fix *fix, int i, double *value, hs_error *err)
 {
     (void)err;
-    *value = ((addforce_state *)fix->state)->sums[i];
+    *value = hs_late_sums_read(&((addforce_state *)fix->state)->sums, fix->env->parallel)[i];
     return HS_OK;
 }
 
 static hs_status keep_state(hs_fix *fix, hs_state *kept, hs_error *err)
 {
-    return hs_state_double(kept, "sums", ((addforce_state *)fix->state)->sums, 4, err);
+    hs_late_sums *sums = &((addforce_state *)fix->state)->sums;
+    (void)hs_late_sums_read(sums, fix->env->parallel);
+    return hs_state_double(kept, "sums", sums->value, 4, err);
 }
 
 const hs_fix_style hs_fix_style_addforce = {

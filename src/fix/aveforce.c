@@ -6,20 +6,36 @@ static hs_status init(hs_fix *fix, hs_error *err)
     return hs_applied_force_init(&((hs_replaced_force *)fix->state)->force, fix, false, err);
 }
 
+static void add_forces(const hs_atoms *atoms, const void *context, int begin, int end, hs_exact_sum *sums)
+{
+    const hs_fix *fix = context;
+    int32_t found[HS_EXACT_ARRAY_MAX];
+    const int n = hs_applied_force_find(&((const hs_replaced_force *)fix->state)->force, fix, begin, end, found);
+    hs_replaced_force_add(atoms, found, n, sums);
+}
+
+static void set_forces(const hs_fix *fix, const double mean[3])
+{
+    const hs_applied_force *force = &((const hs_replaced_force *)fix->state)->force;
+    const hs_atoms *atoms = fix->env->atoms;
+#pragma omp for schedule(static) nowait
+    for (int i = 0; i < atoms->n_local; ++i) {
+        if (!hs_applied_force_acts(force, fix, i)) continue;
+        for (int axis = 0; axis < 3; ++axis)
+            if (!force->is_free[axis]) atoms->f[axis][i] = mean[axis];
+    }
+}
+
 static hs_status post_force(hs_fix *fix, hs_error *err)
 {
     hs_replaced_force *state = fix->state;
-    const hs_atoms *atoms = fix->env->atoms;
     double mean[3] = {0.0};
-    HS_TRY(hs_replaced_force_measure(fix, err));
-    if (!(state->before[3] > 0.0)) return HS_OK;
-    for (int axis = 0; axis < 3; ++axis) mean[axis] = state->before[axis] / state->before[3] + state->force.value[axis];
-#pragma omp parallel for schedule(static)
-    for (int i = 0; i < atoms->n_local; ++i) {
-        if (!hs_applied_force_acts(&state->force, fix, i)) continue;
-        for (int axis = 0; axis < 3; ++axis)
-            if (!state->force.is_free[axis]) atoms->f[axis][i] = mean[axis];
-    }
+    HS_TRY(hs_applied_force_update(&state->force, fix, err));
+    hs_late_sums_make(&state->before, fix->env->atoms, add_forces, fix, 4);
+    const double *before = hs_late_sums_read(&state->before, fix->env->parallel);
+    if (!(before[3] > 0.0)) return HS_OK;
+    for (int axis = 0; axis < 3; ++axis) mean[axis] = before[axis] / before[3] + state->force.value[axis];
+    HS_ON_THREADS(set_forces(fix, mean));
     return HS_OK;
 }
 

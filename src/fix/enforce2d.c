@@ -9,22 +9,27 @@ static hs_status create(hs_fix *fix, const hs_args *args, hs_error *err)
                    args->command);
 }
 
-static hs_status post_force(hs_fix *fix, hs_error *err)
+static void flatten(const hs_fix *fix)
 {
     const hs_atoms *atoms = fix->env->atoms;
     const uint32_t mask = fix->mask, *restrict group = atoms->mask;
     double *restrict v = atoms->v[2], *restrict f = atoms->f[2];
-    (void)err;
     if (fix->group == 0) {
-#pragma omp parallel for simd schedule(static)
+#pragma omp for simd schedule(static) nowait
         for (int i = 0; i < atoms->n_local; ++i) v[i] = f[i] = 0.0;
-        return HS_OK;
+        return;
     }
-#pragma omp parallel for schedule(static)
+#pragma omp for schedule(static) nowait
     for (int i = 0; i < atoms->n_local; ++i) {
         v[i] = group[i] & mask ? 0.0 : v[i];
         f[i] = group[i] & mask ? 0.0 : f[i];
     }
+}
+
+static hs_status post_force(hs_fix *fix, hs_error *err)
+{
+    (void)err;
+    HS_ON_THREADS(flatten(fix));
     return HS_OK;
 }
 

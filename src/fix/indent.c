@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "base/memory.h"
+#include "base/wide.h"
 #include "core/lattice.h"
 #include "style/atom_sum.h"
 #include "style/fix.h"
@@ -22,7 +23,7 @@ typedef struct indent_state {
     int axis;                  /**< of the cylinder; normal of the plane */
     int side;                  /**< plane: -1 pushes down what is above, 1 up what is below */
     length place[3], radius;
-    double sums[4]; /**< energy, and force on the indenter */
+    hs_late_sums sums; /**< energy, and force on the indenter */
 } indent_state;
 
 static const hs_keyword keywords[] = {
@@ -144,6 +145,12 @@ static indenter indenter_now(const hs_fix *fix)
     return now;
 }
 
+static inline double distance_along(const indenter *now, int axis, double x)
+{
+    const double d = x - now->state->place[axis].value, period = now->length[axis];
+    return fabs(d) > 0.5 * period ? d - copysign(period, d) : d;
+}
+
 /** Force on local atom i, and its energy; false: there is none. */
 static inline bool force_of(const indenter *now, const hs_atoms *atoms, int i, double f[3], double *energy)
 {
@@ -151,8 +158,7 @@ static inline bool force_of(const indenter *now, const hs_atoms *atoms, int i, d
     double d[3] = {0.0}, r2 = 0.0, depth;
     for (int axis = 0; axis < 3; ++axis) {
         if (!now->counts[axis]) continue;
-        d[axis] = atoms->x[axis][i] - state->place[axis].value;
-        if (fabs(d[axis]) > 0.5 * now->length[axis]) d[axis] -= copysign(now->length[axis], d[axis]);
+        d[axis] = distance_along(now, axis, atoms->x[axis][i]);
         r2 += d[axis] * d[axis];
     }
     if (state->shape == INDENT_PLANE) {
@@ -170,13 +176,31 @@ static inline bool force_of(const indenter *now, const hs_atoms *atoms, int i, d
     return true;
 }
 
+/** Squared distances of the atoms [begin, end) from the indenter, along the axes that count. */
+HS_WIDE static void find_distances(const indenter *now, const hs_atoms *atoms, int begin, int end, double *r2)
+{
+    memset(r2, 0, (size_t)(end - begin) * sizeof *r2);
+    for (int axis = 0; axis < 3; ++axis) {
+        const double *x = atoms->x[axis];
+        if (!now->counts[axis]) continue;
+        for (int i = begin; i < end; ++i) {
+            const double d = distance_along(now, axis, x[i]);
+            r2[i - begin] += d * d;
+        }
+    }
+}
+
 /** Add the forces, and up what they are: most atoms are far from the indenter and have none. */
 static void push(const hs_atoms *atoms, const void *context, int begin, int end, hs_exact_sum *sums)
 {
     const indenter *now = context;
+    const bool is_inside = now->state->is_inside, is_plane = now->state->shape == INDENT_PLANE;
+    double r2[HS_EXACT_ARRAY_MAX];
+    find_distances(now, atoms, begin, end, r2);
     for (int i = begin; i < end; ++i) {
         double f[3], energy;
-        if (!(atoms->mask[i] & now->fix->mask) || !force_of(now, atoms, i, f, &energy)) continue;
+        const bool is_touched = is_plane || (is_inside ? r2[i - begin] > now->radius2 : r2[i - begin] < now->radius2);
+        if (!is_touched || !(atoms->mask[i] & now->fix->mask) || !force_of(now, atoms, i, f, &energy)) continue;
         hs_exact_add(&sums[0], energy);
         for (int axis = 0; axis < 3; ++axis) {
             hs_exact_add(&sums[1 + axis], -f[axis]);
@@ -191,27 +215,29 @@ static hs_status post_force(hs_fix *fix, hs_error *err)
     for (int axis = 0; axis < 3; ++axis) HS_TRY(update_length(fix->env, &state->place[axis], err));
     HS_TRY(update_length(fix->env, &state->radius, err));
     const indenter now = indenter_now(fix);
-    hs_atom_sum(fix->env->atoms, fix->env->parallel, push, &now, 4, state->sums);
+    hs_late_sums_make(&state->sums, fix->env->atoms, push, &now, 4);
     return HS_OK;
 }
 
 static hs_status scalar(hs_fix *fix, double *value, hs_error *err)
 {
     (void)err;
-    *value = ((indent_state *)fix->state)->sums[0];
+    *value = hs_late_sums_read(&((indent_state *)fix->state)->sums, fix->env->parallel)[0];
     return HS_OK;
 }
 
 static hs_status vector(hs_fix *fix, int i, double *value, hs_error *err)
 {
     (void)err;
-    *value = ((indent_state *)fix->state)->sums[1 + i];
+    *value = hs_late_sums_read(&((indent_state *)fix->state)->sums, fix->env->parallel)[1 + i];
     return HS_OK;
 }
 
 static hs_status keep_state(hs_fix *fix, hs_state *kept, hs_error *err)
 {
-    return hs_state_double(kept, "sums", ((indent_state *)fix->state)->sums, 4, err);
+    hs_late_sums *sums = &((indent_state *)fix->state)->sums;
+    (void)hs_late_sums_read(sums, fix->env->parallel);
+    return hs_state_double(kept, "sums", sums->value, 4, err);
 }
 
 const hs_fix_style hs_fix_style_indent = {

@@ -6,17 +6,24 @@ static hs_status init(hs_fix *fix, hs_error *err)
     return hs_applied_force_init(&((hs_replaced_force *)fix->state)->force, fix, true, err);
 }
 
+/** Set the forces, and add up what they were. */
+static void set_forces(const hs_atoms *atoms, const void *context, int begin, int end, hs_exact_sum *sums)
+{
+    const hs_fix *fix = context;
+    const hs_applied_force *force = &((const hs_replaced_force *)fix->state)->force;
+    int32_t found[HS_EXACT_ARRAY_MAX];
+    const int n = hs_applied_force_find(force, fix, begin, end, found);
+    hs_replaced_force_add(atoms, found, n, sums);
+    for (int axis = 0; axis < 3; ++axis)
+        for (int k = 0; !force->is_free[axis] && k < n; ++k)
+            atoms->f[axis][found[k]] = hs_applied_force_of(force, axis, found[k]);
+}
+
 static hs_status post_force(hs_fix *fix, hs_error *err)
 {
     hs_replaced_force *state = fix->state;
-    const hs_atoms *atoms = fix->env->atoms;
-    HS_TRY(hs_replaced_force_measure(fix, err));
-#pragma omp parallel for schedule(static)
-    for (int i = 0; i < atoms->n_local; ++i) {
-        if (!hs_applied_force_acts(&state->force, fix, i)) continue;
-        for (int axis = 0; axis < 3; ++axis)
-            if (!state->force.is_free[axis]) atoms->f[axis][i] = hs_applied_force_of(&state->force, axis, i);
-    }
+    HS_TRY(hs_applied_force_update(&state->force, fix, err));
+    hs_late_sums_make(&state->before, fix->env->atoms, set_forces, fix, 4);
     return HS_OK;
 }
 

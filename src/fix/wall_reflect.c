@@ -59,23 +59,28 @@ static hs_status setup(hs_fix *fix, hs_error *err)
         fix->id, (long long)n_outside);
 }
 
+static void reflect(const hs_fix *fix, const wall_face *face)
+{
+    const hs_atoms *atoms = fix->env->atoms;
+    double *restrict x = atoms->x[face->axis], *restrict v = atoms->v[face->axis];
+    const double place = face->place;
+    const uint32_t mask = fix->mask;
+    const bool is_lower = face->end == 0;
+#pragma omp for schedule(static) nowait
+    for (int i = 0; i < atoms->n_local; ++i) {
+        if ((is_lower ? x[i] >= place : x[i] <= place) || !(atoms->mask[i] & mask)) continue;
+        x[i] = place + (place - x[i]);
+        v[i] = -v[i];
+    }
+}
+
 static hs_status post_integrate(hs_fix *fix, hs_error *err)
 {
     reflect_state *state = fix->state;
-    const hs_atoms *atoms = fix->env->atoms;
-    const uint32_t mask = fix->mask;
     for (int k = 0; k < state->wall.n; ++k) {
         wall_face *face = &state->wall.face[k];
         HS_TRY(wall_place(fix, face, state->unit[k], err));
-        double *restrict x = atoms->x[face->axis], *restrict v = atoms->v[face->axis];
-        const double place = face->place;
-        const bool is_lower = face->end == 0;
-#pragma omp parallel for schedule(static)
-        for (int i = 0; i < atoms->n_local; ++i) {
-            if (!(atoms->mask[i] & mask) || (is_lower ? x[i] >= place : x[i] <= place)) continue;
-            x[i] = place + (place - x[i]);
-            v[i] = -v[i];
-        }
+        HS_ON_THREADS(reflect(fix, face));
     }
     return HS_OK;
 }

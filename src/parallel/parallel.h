@@ -60,6 +60,16 @@ void hs_threads_bind(void);
 /** Number of the calling thread in its parallel region, and the region's threads. */
 int hs_thread_number(void);
 int hs_thread_count(void);
+/** Make a call on every thread of a parallel region; with one thread make it as it is, for a region of one costs GNU OpenMP system
+ *  calls. Loops in what is called are shared by `omp for`. */
+#define HS_ON_THREADS(call)                                                                                            \
+    do {                                                                                                               \
+        if (hs_threads_get() > 1) {                                                                                    \
+            _Pragma("omp parallel") call;                                                                              \
+        } else {                                                                                                       \
+            call;                                                                                                      \
+        }                                                                                                              \
+    } while (0)
 /** Contiguous share [*begin, *end) of n items for thread t of n_threads; multiples of @p chunk except the last. */
 void hs_thread_range(int64_t n, int chunk, int thread, int n_threads, int64_t *begin, int64_t *end);
 

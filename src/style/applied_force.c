@@ -3,7 +3,6 @@
 #include <string.h>
 
 #include "base/memory.h"
-#include "style/atom_sum.h"
 
 hs_status hs_applied_force_create(hs_applied_force *force, const hs_args *args, bool may_be_free, hs_error *err)
 {
@@ -103,38 +102,42 @@ hs_status hs_replaced_force_create(hs_fix *fix, const hs_args *args, hs_error *e
 
 void hs_replaced_force_destroy(hs_fix *fix) { hs_applied_force_fini(&((hs_replaced_force *)fix->state)->force); }
 
-static void add_forces(const hs_atoms *atoms, const void *context, int begin, int end, hs_exact_sum *sums)
+int hs_applied_force_find(const hs_applied_force *force, const hs_fix *fix, int begin, int end, int32_t *found)
 {
-    const hs_fix *fix = context;
-    const hs_replaced_force *state = fix->state;
-    double before[3][HS_EXACT_ARRAY_MAX];
+    const uint32_t *group = fix->env->atoms->mask;
     int n = 0;
-    for (int i = begin; i < end; ++i) {
-        if (!hs_applied_force_acts(&state->force, fix, i)) continue;
-        for (int axis = 0; axis < 3; ++axis) before[axis][n] = atoms->f[axis][i];
-        ++n;
+    for (int i = begin; i < end; ++i) { /* without branches: groups may be anywhere */
+        found[n] = i;
+        n += (group[i] & fix->mask) != 0;
     }
-    if (n == 0) return;
-    for (int axis = 0; axis < 3; ++axis) hs_exact_add_array(&sums[axis], before[axis], n);
-    hs_exact_add(&sums[3], n);
+    if (force->region == NULL) return n;
+    const int n_in_group = n;
+    n = 0;
+    for (int k = 0; k < n_in_group; ++k)
+        if (hs_applied_force_acts(force, fix, found[k])) found[n++] = found[k];
+    return n;
 }
 
-hs_status hs_replaced_force_measure(hs_fix *fix, hs_error *err)
+void hs_replaced_force_add(const hs_atoms *atoms, const int32_t *found, int n, hs_exact_sum *sums)
 {
-    hs_replaced_force *state = fix->state;
-    HS_TRY(hs_applied_force_update(&state->force, fix, err));
-    hs_atom_sum(fix->env->atoms, fix->env->parallel, add_forces, fix, 4, state->before);
-    return HS_OK;
+    double before[HS_EXACT_ARRAY_MAX];
+    for (int axis = 0; axis < 3; ++axis) {
+        for (int k = 0; k < n; ++k) before[k] = atoms->f[axis][found[k]];
+        hs_exact_add_array(&sums[axis], before, n);
+    }
+    hs_exact_add(&sums[3], n);
 }
 
 hs_status hs_replaced_force_vector(hs_fix *fix, int i, double *value, hs_error *err)
 {
     (void)err;
-    *value = ((hs_replaced_force *)fix->state)->before[i];
+    *value = hs_late_sums_read(&((hs_replaced_force *)fix->state)->before, fix->env->parallel)[i];
     return HS_OK;
 }
 
 hs_status hs_replaced_force_keep_state(hs_fix *fix, hs_state *kept, hs_error *err)
 {
-    return hs_state_double(kept, "before", ((hs_replaced_force *)fix->state)->before, 4, err);
+    hs_late_sums *before = &((hs_replaced_force *)fix->state)->before;
+    (void)hs_late_sums_read(before, fix->env->parallel);
+    return hs_state_double(kept, "before", before->value, 4, err);
 }

@@ -2,6 +2,7 @@
 #ifndef HS_STYLE_APPLIED_FORCE_H
 #define HS_STYLE_APPLIED_FORCE_H
 
+#include "style/atom_sum.h"
 #include "style/fix.h"
 #include "style/region.h"
 
@@ -32,13 +33,13 @@ void hs_applied_force_fini(hs_applied_force *force);
 /** State of the fixes that put a force in the place of the one there was (setforce, aveforce), and their hooks. */
 typedef struct hs_replaced_force {
     hs_applied_force force;
-    double before[4]; /**< sum of the forces before they were replaced, and the number of atoms */
+    hs_late_sums before; /**< sum of the forces before they were replaced, and the number of atoms */
 } hs_replaced_force;
 extern const hs_keyword hs_replaced_force_keywords[];
 HS_MUST_USE hs_status hs_replaced_force_create(hs_fix *fix, const hs_args *args, hs_error *err);
 void hs_replaced_force_destroy(hs_fix *fix);
-/** Evaluate the variables, and add up the forces before (collective). */
-HS_MUST_USE hs_status hs_replaced_force_measure(hs_fix *fix, hs_error *err);
+/** Add up the forces before on atoms found[n], and n. */
+void hs_replaced_force_add(const hs_atoms *atoms, const int32_t *found, int n, hs_exact_sum *sums);
 HS_MUST_USE hs_status hs_replaced_force_vector(hs_fix *fix, int i, double *value, hs_error *err);
 HS_MUST_USE hs_status hs_replaced_force_keep_state(hs_fix *fix, hs_state *kept, hs_error *err);
 
@@ -49,6 +50,9 @@ static inline bool hs_applied_force_acts(const hs_applied_force *force, const hs
     const double x[3] = {atoms->x[0][i], atoms->x[1][i], atoms->x[2][i]};
     return (atoms->mask[i] & fix->mask) != 0 && (force->region == NULL || hs_region_contains(force->region, x));
 }
+
+/** The atoms of [begin, end), at most HS_EXACT_ARRAY_MAX, on which it acts, and their number. */
+int hs_applied_force_find(const hs_applied_force *force, const hs_fix *fix, int begin, int end, int32_t *found);
 
 /** Component of the force on local atom i. */
 static inline double hs_applied_force_of(const hs_applied_force *force, int axis, int i)

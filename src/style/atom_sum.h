@@ -16,6 +16,19 @@ typedef void (*hs_atom_terms)(const hs_atoms *atoms, const void *context, int be
 void hs_atom_sum(const hs_atoms *atoms, const hs_parallel *parallel, hs_atom_terms terms, const void *context, int n,
                  double *sums);
 
+/** Sums that are made at every step and seldom read. What depends on the step is done at it, by each rank for itself; ranks
+ *  put their parts together, and sums are rounded, when one is read. Zero-initialised all are 0. */
+typedef struct hs_late_sums {
+    hs_exact_sum part[HS_ATOM_SUM_MAX]; /**< this rank's; used up by reading */
+    double value[HS_ATOM_SUM_MAX];
+    int n; /**< that are made, and not read yet: 0 when values[] hold */
+} hs_late_sums;
+
+/** Make the sums anew from this rank's atoms. Not collective. */
+void hs_late_sums_make(hs_late_sums *sums, const hs_atoms *atoms, hs_atom_terms terms, const void *context, int n);
+/** The values, valid until sums are made again (collective). */
+const double *hs_late_sums_read(hs_late_sums *sums, const hs_parallel *parallel);
+
 /** Atoms with a group bit of @p mask on all ranks (collective). */
 int64_t hs_atom_count(const hs_atoms *atoms, const hs_parallel *parallel, uint32_t mask);
 
