@@ -6,6 +6,19 @@
 
 void hs_exact_carry(hs_exact_sum *sum)
 {
+    hs_exact_settle(sum);
+    hs_exact_pass_carries(sum);
+}
+
+void hs_exact_settle(hs_exact_sum *sum)
+{
+    const int n = sum->n_waiting;
+    sum->n_waiting = 0;
+    hs_exact_add_array(sum, sum->waiting, n);
+}
+
+void hs_exact_pass_carries(hs_exact_sum *sum)
+{
     for (int k = 0; k < HS_EXACT_DIGITS - 1; ++k) {
         const int64_t carry = sum->digit[k] >> 32; /* rounds down, so that what stays is not negative */
         sum->digit[k] -= carry * (INT64_C(1) << 32);
@@ -28,7 +41,7 @@ void hs_exact_add_scaled(hs_exact_sum *sum, __int128 n, int exponent)
         digit[part + 1] += sign * (int64_t)(piece >> 32);
     }
     sum->n_added += 2;
-    if (sum->n_added >= INT64_C(1) << 30) hs_exact_carry(sum);
+    if (sum->n_added >= INT64_C(1) << 30) hs_exact_pass_carries(sum);
 }
 
 enum { STREAMS = 8 }; /* sums side by side */
@@ -70,7 +83,7 @@ static void add_rest(hs_exact_sum *sum, const double *x, int n, double first, do
 {
     for (int i = 0; i < n; ++i) {
         const double a = (x[i] + first) - first, b = x[i] - a, c = (b + second) - second;
-        if (b - c != 0.0) hs_exact_add(sum, b - c);
+        if (b - c != 0.0) hs_exact_add_now(sum, b - c);
     }
 }
 
@@ -100,12 +113,15 @@ HS_WIDE static double find_bound(const double *x, int n, double *none)
 
 void hs_exact_add_array(hs_exact_sum *sum, const double *x, int n)
 {
+    enum { FEW = 8 }; /* not worth the trouble */
     double none;
+    for (int i = 0; i < n && n <= FEW; ++i) hs_exact_add_now(sum, x[i]);
+    if (n <= FEW) return;
     const double bound = find_bound(x, n, &none);
     const bool is_plain = n <= HS_EXACT_ARRAY_MAX && none == 0.0;
     if (bound == 0.0 && is_plain) return;
     if (!is_plain || bound < 0x1p-800 || bound > 0x1p800) {
-        for (int i = 0; i < n; ++i) hs_exact_add(sum, x[i]);
+        for (int i = 0; i < n; ++i) hs_exact_add_now(sum, x[i]);
         return;
     }
     /* |x| < 2^e. Up to 2^10 multiples of 2^(e - 42) below that size add up without rounding, and so do their remainders, below
@@ -114,8 +130,8 @@ void hs_exact_add_array(hs_exact_sum *sum, const double *x, int n)
     const double first = ldexp(1.5, e + 10), second = ldexp(1.5, e - 31);
     double high, low;
     const bool is_all = add_cut(x, n, first, second, &high, &low);
-    hs_exact_add(sum, high);
-    hs_exact_add(sum, low);
+    hs_exact_add_now(sum, high);
+    hs_exact_add_now(sum, low);
     if (!is_all) add_rest(sum, x, n, first, second);
 }
 
@@ -129,7 +145,8 @@ void hs_exact_merge(hs_exact_sum *sum, const hs_exact_sum *other)
     hs_exact_carry(sum);
 }
 
-double hs_exact_value(const hs_exact_sum *sum)
+/** The value of a sum without terms that wait. */
+static double value_of(const hs_exact_sum *sum)
 {
     if (sum->not_finite != 0.0) return sum->not_finite; /* also when it is not a number */
     int low = 0, top = HS_EXACT_DIGITS - 1;
@@ -166,14 +183,23 @@ double hs_exact_value(const hs_exact_sum *sum)
     return is_negative ? -value : value;
 }
 
+double hs_exact_value(const hs_exact_sum *sum)
+{
+    if (sum->n_waiting == 0) return value_of(sum);
+    hs_exact_sum settled = *sum;
+    hs_exact_settle(&settled);
+    return value_of(&settled);
+}
+
 void hs_exact_total(hs_exact_sum *sums, int n, const hs_parallel *parallel, double *values)
 {
     for (int k = 0; k < n; ++k) {
+        hs_exact_settle(&sums[k]);
         if (parallel->n_ranks > 1) {
-            hs_exact_carry(&sums[k]);
+            hs_exact_pass_carries(&sums[k]);
             hs_parallel_sum_int64(parallel, sums[k].digit, HS_EXACT_DIGITS);
             hs_parallel_sum_double(parallel, &sums[k].not_finite, 1);
         }
-        values[k] = hs_exact_value(&sums[k]);
+        values[k] = value_of(&sums[k]);
     }
 }

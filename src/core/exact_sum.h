@@ -2,10 +2,13 @@
  *
  *  The sum is kept as one long fixed-point number that spans the whole range of a double, in digits of 32 bits held in
  *  64-bit integers, so that about 2^30 terms can be added before carries must be passed on. Method: U. Kulisch, V. Snyder, Computing
- *  91, 307 (2011), doi:10.1007/s00607-010-0127-7. Zero-initialised it is the empty sum. A term costs a few nanoseconds. */
+ *  91, 307 (2011), doi:10.1007/s00607-010-0127-7. Zero-initialised it is the empty sum.
+ *
+ *  Terms wait until there are some, and are then added together, for about a nanosecond each. */
 #ifndef HS_CORE_EXACT_SUM_H
 #define HS_CORE_EXACT_SUM_H
 
+#include <stddef.h>
 #include <stdint.h>
 #include <string.h>
 
@@ -16,17 +19,34 @@ enum {
     HS_EXACT_LOWEST = -1074 /**< digit k stands for multiples of 2^(HS_EXACT_LOWEST + 32 k) */
 };
 
+enum { HS_EXACT_WAITING = 128 };
+
 typedef struct hs_exact_sum {
     int64_t digit[HS_EXACT_DIGITS];
     int64_t n_added;   /**< since carries were last passed on */
     double not_finite; /**< sum of the terms that are infinite or not numbers; 0 without any */
+    int n_waiting;
+    double waiting[HS_EXACT_WAITING]; /**< terms not added yet; last, for there is no need to clear them */
 } hs_exact_sum;
 
-/** Bring every digit but the highest into [0, 2^32). The value stays the same. */
+/** Make it the empty sum, which takes less time than to clear all of it. */
+static inline void hs_exact_clear(hs_exact_sum *sum) { memset(sum, 0, offsetof(hs_exact_sum, waiting)); }
+
+/** Add the terms that wait, and bring every digit but the highest into [0, 2^32). The value stays the same. */
 void hs_exact_carry(hs_exact_sum *sum);
+/** Its two parts. */
+void hs_exact_settle(hs_exact_sum *sum);
+void hs_exact_pass_carries(hs_exact_sum *sum);
 
 /** sum += x, exactly. */
 static inline void hs_exact_add(hs_exact_sum *sum, double x)
+{
+    sum->waiting[sum->n_waiting] = x;
+    if (++sum->n_waiting == HS_EXACT_WAITING) hs_exact_settle(sum);
+}
+
+/** The same at once, for a few nanoseconds. */
+static inline void hs_exact_add_now(hs_exact_sum *sum, double x)
 {
     uint64_t bits;
     memcpy(&bits, &x, sizeof bits);
@@ -43,7 +63,7 @@ static inline void hs_exact_add(hs_exact_sum *sum, double x)
     digit[0] += sign * (int64_t)(uint32_t)wide;
     digit[1] += sign * (int64_t)(uint32_t)(wide >> 32);
     digit[2] += sign * (int64_t)(uint64_t)(wide >> 64);
-    if (++sum->n_added == INT64_C(1) << 30) hs_exact_carry(sum);
+    if (++sum->n_added == INT64_C(1) << 30) hs_exact_pass_carries(sum);
 }
 
 enum { HS_EXACT_ARRAY_MAX = 1024 };

@@ -73,7 +73,7 @@ static hs_status do_count(hs_deck *deck, const hs_node *node, double *value, hs_
 static void sum_mass(const selection *chosen, double sums[4])
 {
     const hs_atoms *atoms = &chosen->sim->atoms;
-    hs_exact_sum exact[4] = {{{0}, 0, 0.0}};
+    hs_exact_sum exact[4] = {{.n_added = 0}};
     for (int i = 0; i < atoms->n_local; ++i) {
         if (!is_chosen(chosen, i)) continue;
         double x[3];
@@ -115,7 +115,7 @@ static hs_status do_vcm(hs_deck *deck, const hs_node *node, double *value, hs_er
     HS_TRY(axis_of(node, node->words[1], &axis, err));
     HS_TRY(select_atoms(deck, node, &chosen, err));
     const hs_atoms *atoms = &chosen.sim->atoms;
-    hs_exact_sum exact[2] = {{{0}, 0, 0.0}};
+    hs_exact_sum exact[2] = {{.n_added = 0}};
     double sums[2];
     for (int i = 0; i < atoms->n_local; ++i) {
         if (!is_chosen(&chosen, i)) continue;

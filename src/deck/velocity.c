@@ -78,7 +78,7 @@ hs_status hs_velocity_zero_momentum(const hs_velocity_group *group, hs_error *er
     hs_atoms *atoms = &group->sim->atoms;
     HS_TRY(need_members(group, "momentum", err));
     const double mass = total_mass(group);
-    hs_exact_sum sum[3] = {{{0}, 0, 0.0}};
+    hs_exact_sum sum[3] = {{.n_added = 0}};
     double p[3];
     for (int k = 0; k < group->n; ++k) {
         const int i = group->member[k];
@@ -103,7 +103,7 @@ static void center_of_mass(const hs_velocity_group *group, double center[3])
 {
     const hs_atoms *atoms = &group->sim->atoms;
     const double mass = total_mass(group);
-    hs_exact_sum sum[3] = {{{0}, 0, 0.0}};
+    hs_exact_sum sum[3] = {{.n_added = 0}};
     for (int k = 0; k < group->n; ++k) {
         const int i = group->member[k];
         double x[3];
@@ -119,7 +119,7 @@ static void rotation_sums(const hs_velocity_group *group, const double center[3]
                           double inertia[3][3])
 {
     const hs_atoms *atoms = &group->sim->atoms;
-    hs_exact_sum exact[9] = {{{0}, 0, 0.0}};
+    hs_exact_sum exact[9] = {{.n_added = 0}};
     double sum[9]; /* Lx Ly Lz, Ixx Iyy Izz Ixy Iyz Ixz */
     for (int k = 0; k < group->n; ++k) {
         const int i = group->member[k];

@@ -65,19 +65,24 @@ static double pull(const hs_fix *fix, int axis)
     return state->magnitude * state->direction[axis] / fix->env->units->ftm2v;
 }
 
-static hs_status post_force(hs_fix *fix, hs_error *err)
+static void pull_atoms(const hs_fix *fix, const double g[3])
 {
-    gravity_state *state = fix->state;
-    const hs_env *env = fix->env;
-    const hs_atoms *atoms = env->atoms;
-    if (state->variable != NULL) HS_TRY(env->variable_value(env->deck, state->variable, &state->magnitude, err));
-    const double g[3] = {pull(fix, 0), pull(fix, 1), pull(fix, 2)};
-#pragma omp parallel for schedule(static)
+    const hs_atoms *atoms = fix->env->atoms;
+#pragma omp for schedule(static) nowait
     for (int i = 0; i < atoms->n_local; ++i) {
         if (!(atoms->mask[i] & fix->mask)) continue;
         const double mass = hs_atom_mass(atoms, i);
         for (int axis = 0; axis < 3; ++axis) atoms->f[axis][i] += mass * g[axis];
     }
+}
+
+static hs_status post_force(hs_fix *fix, hs_error *err)
+{
+    gravity_state *state = fix->state;
+    const hs_env *env = fix->env;
+    if (state->variable != NULL) HS_TRY(env->variable_value(env->deck, state->variable, &state->magnitude, err));
+    const double g[3] = {pull(fix, 0), pull(fix, 1), pull(fix, 2)};
+    HS_ON_THREADS(pull_atoms(fix, g));
     return HS_OK;
 }
 

@@ -225,12 +225,25 @@ static void random_forces(const hs_atoms *atoms, const void *context, int begin,
     }
 }
 
+/** Forces on a thread's share of the atoms. */
+static void push_share(const hs_fix *fix, const hs_compute *bias, double root_t, const double offset[3])
+{
+    const int n_local = fix->env->atoms->n_local, n_blocks = (n_local + HS_NOISE_BLOCK - 1) / HS_NOISE_BLOCK;
+    const hs_noise_set *functions = hs_isa_noise(fix->env->isa);
+#pragma omp for schedule(static) nowait
+    for (int b = 0; b < n_blocks; ++b) {
+        const int begin = b * HS_NOISE_BLOCK, left = n_local - begin, n = left < HS_NOISE_BLOCK ? left : HS_NOISE_BLOCK;
+        if (bias != NULL)
+            push_biased(fix, bias, root_t, offset, begin, begin + n);
+        else
+            push_block(fix, root_t, offset, functions, begin, n);
+    }
+}
+
 static hs_status post_force(hs_fix *fix, hs_error *err)
 {
     const langevin_state *state = fix->state;
     const hs_env *env = fix->env;
-    const int n_local = env->atoms->n_local, n_blocks = (n_local + HS_NOISE_BLOCK - 1) / HS_NOISE_BLOCK;
-    const hs_noise_set *functions = hs_isa_noise(env->isa);
     const hs_compute *bias;
     double t, sums[4] = {0.0}, offset[3] = {0.0};
     HS_TRY(bath_temperature(fix, &t, err));
@@ -241,14 +254,7 @@ static hs_status post_force(hs_fix *fix, hs_error *err)
         hs_atom_sum(env->atoms, env->parallel, random_forces, &context, 4, sums);
         for (int axis = 0; axis < 3 && sums[3] > 0.0; ++axis) offset[axis] = sums[axis] / sums[3];
     }
-#pragma omp parallel for schedule(static)
-    for (int b = 0; b < n_blocks; ++b) {
-        const int begin = b * HS_NOISE_BLOCK, left = n_local - begin, n = left < HS_NOISE_BLOCK ? left : HS_NOISE_BLOCK;
-        if (bias != NULL)
-            push_biased(fix, bias, root_t, offset, begin, begin + n);
-        else
-            push_block(fix, root_t, offset, functions, begin, n);
-    }
+    HS_ON_THREADS(push_share(fix, bias, root_t, offset));
     return HS_OK;
 }
 

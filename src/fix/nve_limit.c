@@ -15,14 +15,13 @@ static hs_status create(hs_fix *fix, const hs_args *args, hs_error *err)
     return hs_arg_positive(args, 0, &((limit_state *)fix->state)->x_max, err);
 }
 
-/** v += (dt/2) f/m, cut to x_max/dt, and with @p drift x += dt v. */
-static void move(hs_fix *fix, bool drift)
+static void move_share(hs_fix *fix, bool drift)
 {
     limit_state *state = fix->state;
     const hs_atoms *atoms = fix->env->atoms;
     const double dt = fix->env->dt, half_dt = 0.5 * dt * fix->env->units->ftm2v, v_max = state->x_max / dt;
     int64_t n_limited = 0;
-#pragma omp parallel for schedule(static) reduction(+ : n_limited)
+#pragma omp for schedule(static) nowait
     for (int i = 0; i < atoms->n_local; ++i) {
         if (!(atoms->mask[i] & fix->mask)) continue;
         const double kick = half_dt / hs_atom_mass(atoms, i);
@@ -40,8 +39,12 @@ static void move(hs_fix *fix, bool drift)
                 atoms->x[axis][i] = hs_moved(atoms->x[axis][i], dt * atoms->v[axis][i], fix->env->position_magic);
         }
     }
+#pragma omp atomic
     state->n_limited += n_limited;
 }
+
+/** v += (dt/2) f/m, cut to x_max/dt, and with @p drift x += dt v. */
+static void move(hs_fix *fix, bool drift) { HS_ON_THREADS(move_share(fix, drift)); }
 
 static hs_status initial_integrate(hs_fix *fix, hs_error *err)
 {

@@ -41,17 +41,22 @@ static void force_of(const hs_fix *fix, int i, double f[3])
         f[axis] = state->acts[axis] ? -state->k * (r[axis] - state->r0.of[axis][i]) : 0.0;
 }
 
-static hs_status post_force(hs_fix *fix, hs_error *err)
+static void pull(const hs_fix *fix)
 {
     const hs_atoms *atoms = fix->env->atoms;
-    (void)err;
-#pragma omp parallel for schedule(static)
+#pragma omp for schedule(static) nowait
     for (int i = 0; i < atoms->n_local; ++i) {
         double f[3];
         if (!(atoms->mask[i] & fix->mask)) continue;
         force_of(fix, i, f);
         for (int axis = 0; axis < 3; ++axis) atoms->f[axis][i] += f[axis];
     }
+}
+
+static hs_status post_force(hs_fix *fix, hs_error *err)
+{
+    (void)err;
+    HS_ON_THREADS(pull(fix));
     return HS_OK;
 }
 

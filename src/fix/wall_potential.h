@@ -94,23 +94,34 @@ static inline void wall_virial_of(const hs_fix *fix, int i, double w[6])
     }
 }
 
+/** Forces of one face on a thread's share of the atoms; *is_inside becomes false when one is on or behind the wall. */
+static inline void wall_push(const hs_fix *fix, const wall_face *face, bool *is_inside)
+{
+    const wall_state *state = fix->state;
+    const hs_atoms *atoms = fix->env->atoms;
+#pragma omp for schedule(static) nowait
+    for (int i = 0; i < atoms->n_local; ++i) {
+        const double r = wall_distance(atoms, face, i);
+        double energy;
+        if (r >= face->cutoff || !(atoms->mask[i] & fix->mask)) continue;
+        if (r > 0.0) {
+            atoms->f[face->axis][i] += wall_force(state, atoms, face, i, &energy);
+            continue;
+        }
+#pragma omp atomic write
+        *is_inside = false;
+    }
+}
+
 static inline hs_status wall_post_force(hs_fix *fix, hs_error *err)
 {
     wall_potential_state *state = fix->state;
-    const hs_atoms *atoms = fix->env->atoms;
     const wall_face *crossed = NULL;
     for (int k = 0; k < state->wall.n; ++k) {
         wall_face *face = &state->wall.face[k];
         bool is_inside = true;
         HS_TRY(wall_place(fix, face, state->unit[k], err));
-#pragma omp parallel for schedule(static) reduction(&& : is_inside)
-        for (int i = 0; i < atoms->n_local; ++i) {
-            const double r = wall_distance(atoms, face, i);
-            double energy;
-            if (!(atoms->mask[i] & fix->mask) || r >= face->cutoff) continue;
-            is_inside = is_inside && r > 0.0;
-            if (r > 0.0) atoms->f[face->axis][i] += wall_force(&state->wall, atoms, face, i, &energy);
-        }
+        HS_ON_THREADS(wall_push(fix, face, &is_inside));
         if (!is_inside && crossed == NULL) crossed = face;
     }
     if (crossed != NULL) (void)wall_report(fix, crossed, err);

@@ -126,17 +126,26 @@ static hs_status report_outside(const hs_fix *fix, hs_error *err)
         atoms->x[2][first], ((region_wall_state *)fix->state)->region_id);
 }
 
-static hs_status post_force(hs_fix *fix, hs_error *err)
+/** Forces on a thread's share of the atoms; *is_inside becomes false when one is on the surface or outside. */
+static void push(const hs_fix *fix, bool *is_inside)
 {
     const hs_atoms *atoms = fix->env->atoms;
-    bool is_inside = true;
-#pragma omp parallel for schedule(static) reduction(&& : is_inside)
+#pragma omp for schedule(static) nowait
     for (int i = 0; i < atoms->n_local; ++i) {
         touch sum;
         if (!(atoms->mask[i] & fix->mask)) continue;
-        is_inside = add_surfaces(fix, i, &sum) && is_inside;
+        if (!add_surfaces(fix, i, &sum)) {
+#pragma omp atomic write
+            *is_inside = false;
+        }
         for (int axis = 0; axis < 3; ++axis) atoms->f[axis][i] += sum.f[axis];
     }
+}
+
+static hs_status post_force(hs_fix *fix, hs_error *err)
+{
+    bool is_inside = true;
+    HS_ON_THREADS(push(fix, &is_inside));
     if (!is_inside) (void)report_outside(fix, err);
     HS_TRY(hs_parallel_agree(fix->env->parallel, err));
     if (hs_fix_needs_virial(fix)) hs_fix_sum_virial(fix, virial_of);

@@ -47,18 +47,24 @@ void hs_min_settings_init(hs_min_settings *settings)
 
 enum { FORCE_FORCE, FORCE_BEFORE, FORCE_DIRECTION, N_SUMS };
 
+/** sum += a[begin] b[begin] + ... + a[end - 1] b[end - 1]. */
+static void add_dot(const double *a, const double *b, int begin, int end, hs_exact_sum *sum)
+{
+    double term[HS_EXACT_ARRAY_MAX];
+    for (int i = begin; i < end; ++i) term[i - begin] = a[i] * b[i];
+    hs_exact_add_array(sum, term, end - begin);
+}
+
 static void add_products(const hs_atoms *atoms, const void *context, int begin, int end, hs_exact_sum *sums)
 {
     const hs_minimizer *min = context;
-    const bool has_direction = min->direction[0] != NULL;
-    for (int axis = 0; axis < 3; ++axis)
-        for (int i = begin; i < end; ++i) {
-            const double f = atoms->f[axis][i];
-            hs_exact_add(&sums[FORCE_FORCE], f * f);
-            if (!has_direction) continue;
-            hs_exact_add(&sums[FORCE_BEFORE], f * min->before[axis][i]);
-            hs_exact_add(&sums[FORCE_DIRECTION], f * min->direction[axis][i]);
-        }
+    for (int axis = 0; axis < 3; ++axis) {
+        const double *f = atoms->f[axis];
+        add_dot(f, f, begin, end, &sums[FORCE_FORCE]);
+        if (min->direction[axis] == NULL) continue;
+        add_dot(f, min->before[axis], begin, end, &sums[FORCE_BEFORE]);
+        add_dot(f, min->direction[axis], begin, end, &sums[FORCE_DIRECTION]);
+    }
 }
 
 void hs_min_add_up(const hs_minimizer *min, hs_min_sums *sums)
@@ -68,15 +74,40 @@ void hs_min_add_up(const hs_minimizer *min, hs_min_sums *sums)
     *sums = (hs_min_sums){value[FORCE_FORCE], value[FORCE_BEFORE], value[FORCE_DIRECTION]};
 }
 
+/** *largest becomes the largest of what the threads have found. */
+static void keep_largest(double found, double *largest)
+{
+#pragma omp critical(hs_min_largest)
+    if (found > *largest) *largest = found;
+}
+
+static void find_largest(int n, double *const vector[3], double *largest)
+{
+    double found = 0.0;
+    for (int axis = 0; axis < 3; ++axis) {
+#pragma omp for schedule(static) nowait
+        for (int i = 0; i < n; ++i) found = fabs(vector[axis][i]) > found ? fabs(vector[axis][i]) : found;
+    }
+    keep_largest(found, largest);
+}
+
 double hs_min_largest(const hs_minimizer *min, double *const vector[3])
 {
     double largest = 0.0;
-    const hs_atoms *atoms = &min->sim->atoms;
-#pragma omp parallel for schedule(static) reduction(max : largest)
-    for (int i = 0; i < atoms->n_local; ++i)
-        for (int axis = 0; axis < 3; ++axis) largest = fmax(largest, fabs(vector[axis][i]));
+    HS_ON_THREADS(find_largest(min->sim->atoms.n_local, vector, &largest));
     hs_parallel_max_double(&min->sim->parallel, &largest, 1);
     return largest;
+}
+
+static void find_largest_square(const hs_atoms *atoms, double *largest)
+{
+    double found = 0.0;
+#pragma omp for schedule(static) nowait
+    for (int i = 0; i < atoms->n_local; ++i) {
+        const double x = atoms->f[0][i], y = atoms->f[1][i], z = atoms->f[2][i], square = x * x + y * y + z * z;
+        found = square > found ? square : found;
+    }
+    keep_largest(found, largest);
 }
 
 double hs_min_force_norm(const hs_minimizer *min, hs_force_norm norm)
@@ -89,11 +120,7 @@ double hs_min_force_norm(const hs_minimizer *min, hs_force_norm norm)
         return sqrt(sums.force_force);
     }
     double largest2 = 0.0;
-#pragma omp parallel for schedule(static) reduction(max : largest2)
-    for (int i = 0; i < atoms->n_local; ++i) {
-        const double x = atoms->f[0][i], y = atoms->f[1][i], z = atoms->f[2][i];
-        largest2 = fmax(largest2, x * x + y * y + z * z);
-    }
+    HS_ON_THREADS(find_largest_square(atoms, &largest2));
     hs_parallel_max_double(&min->sim->parallel, &largest2, 1);
     return sqrt(largest2);
 }

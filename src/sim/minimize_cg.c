@@ -10,11 +10,9 @@
 
 #include "sim/minimizer.h"
 
-/** direction = forces + beta direction, before = forces. */
-static void turn(hs_minimizer *min, double beta)
+static void turn_share(hs_minimizer *min, double beta)
 {
     const hs_atoms *atoms = &min->sim->atoms;
-#pragma omp parallel
     for (int axis = 0; axis < 3; ++axis) {
         const double *restrict f = atoms->f[axis];
         double *restrict direction = min->direction[axis], *restrict before = min->before[axis];
@@ -25,6 +23,9 @@ static void turn(hs_minimizer *min, double beta)
         }
     }
 }
+
+/** direction = forces + beta direction, before = forces. */
+static void turn(hs_minimizer *min, double beta) { HS_ON_THREADS(turn_share(min, beta)); }
 
 static void begin(hs_minimizer *min)
 {

@@ -26,28 +26,34 @@ static void add_products(const hs_atoms *atoms, const void *context, int begin, 
         }
 }
 
-/** v = keep v + push f/m + turn f for all atoms. */
-static void set_velocities(hs_minimizer *min, double keep, double push, double turn)
+static void set_velocities_of_share(const hs_atoms *atoms, double keep, double push, double turn)
 {
-    const hs_atoms *atoms = &min->sim->atoms;
-#pragma omp parallel for schedule(static)
+#pragma omp for schedule(static) nowait
     for (int i = 0; i < atoms->n_local; ++i) {
         const double factor = push / hs_atom_mass(atoms, i) + turn;
         for (int axis = 0; axis < 3; ++axis) atoms->v[axis][i] = keep * atoms->v[axis][i] + factor * atoms->f[axis][i];
     }
 }
 
-static void move(hs_minimizer *min, double dt)
+/** v = keep v + push f/m + turn f for all atoms. */
+static void set_velocities(hs_minimizer *min, double keep, double push, double turn)
 {
-    const hs_atoms *atoms = &min->sim->atoms;
-    const double magic = min->sim->env.position_magic;
-#pragma omp parallel
+    HS_ON_THREADS(set_velocities_of_share(&min->sim->atoms, keep, push, turn));
+}
+
+static void move_share(const hs_atoms *atoms, double magic, double dt)
+{
     for (int axis = 0; axis < 3; ++axis) {
         double *restrict x = atoms->x[axis];
         const double *restrict v = atoms->v[axis];
 #pragma omp for schedule(static) nowait
         for (int i = 0; i < atoms->n_local; ++i) x[i] = hs_moved(x[i], dt * v[i], magic);
     }
+}
+
+static void move(hs_minimizer *min, double dt)
+{
+    HS_ON_THREADS(move_share(&min->sim->atoms, min->sim->env.position_magic, dt));
 }
 
 static void begin(hs_minimizer *min)

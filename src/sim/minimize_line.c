@@ -21,11 +21,10 @@ typedef struct place {
 } place;
 
 /** Move from what alpha is now to @p alpha. Displacements are rounded apart, so that alpha 0 is where the atoms began, bit by bit. */
-static hs_status go_to(hs_minimizer *min, double alpha, place *there, hs_error *err)
+static void move_share(hs_minimizer *min, double alpha)
 {
     const hs_atoms *atoms = &min->sim->atoms;
     const double magic = min->sim->env.position_magic, before = min->alpha;
-#pragma omp parallel
     for (int axis = 0; axis < 3; ++axis) {
         double *restrict x = atoms->x[axis];
         const double *restrict direction = min->direction[axis];
@@ -35,6 +34,11 @@ static hs_status go_to(hs_minimizer *min, double alpha, place *there, hs_error *
             x[i] += hs_moved(0.0, alpha * direction[i], magic) - from;
         }
     }
+}
+
+static hs_status go_to(hs_minimizer *min, double alpha, place *there, hs_error *err)
+{
+    HS_ON_THREADS(move_share(min, alpha));
     min->alpha = alpha;
     HS_TRY(hs_min_evaluate(min, err));
     hs_min_sums sums;

@@ -155,7 +155,7 @@ static hs_status evaluate(hs_sim *sim, bool with_energy, hs_force_result *result
 /** Energy and virial over all ranks: sums[7] (collective). */
 static void sum_energy(const hs_sim *sim, const hs_force_result *result, double sums[7])
 {
-    hs_exact_sum exact[7] = {{{0}, 0, 0.0}};
+    hs_exact_sum exact[7] = {{.n_added = 0}};
     for (int k = 0; k < 7; ++k) {
         hs_exact_add(&exact[k], k == 0 ? result->energy : result->virial[k - 1]);
         hs_exact_add_scaled(&exact[k], k == 0 ? result->energy_fixed : result->virial_fixed[k - 1], sim->grid.energy);

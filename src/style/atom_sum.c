@@ -1,7 +1,6 @@
 #include "style/atom_sum.h"
 
 #include <assert.h>
-#include <string.h>
 
 enum { CHUNK = HS_EXACT_ARRAY_MAX }; /* atoms that a thread takes at a time */
 
@@ -16,7 +15,7 @@ static void add_atoms(const hs_atoms *atoms, hs_atom_terms terms, const void *co
 {
     const int n_chunks = (atoms->n_local + CHUNK - 1) / CHUNK, n_threads = hs_threads_get();
     assert(n <= HS_ATOM_SUM_MAX);
-    memset(sums, 0, (size_t)n * sizeof *sums);
+    for (int k = 0; k < n; ++k) hs_exact_clear(&sums[k]);
     if (n_threads == 1 || n_chunks == 1) { /* a parallel region takes longer than some hundred atoms */
         for (int c = 0; c < n_chunks; ++c) add_chunk(atoms, terms, context, c, sums);
         return;
@@ -24,7 +23,7 @@ static void add_atoms(const hs_atoms *atoms, hs_atom_terms terms, const void *co
 #pragma omp parallel
     {
         hs_exact_sum part[HS_ATOM_SUM_MAX];
-        memset(part, 0, (size_t)n * sizeof *part);
+        for (int k = 0; k < n; ++k) hs_exact_clear(&part[k]);
 #pragma omp for schedule(static) nowait
         for (int c = 0; c < n_chunks; ++c) add_chunk(atoms, terms, context, c, part);
 #pragma omp critical(hs_atom_sum)

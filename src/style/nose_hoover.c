@@ -245,14 +245,11 @@ hs_status hs_nose_hoover_setup(hs_fix *fix, hs_error *err)
 
 /* Parts of a step */
 
-/** Scale the thermal velocities of the group. */
-static hs_status scale_velocities(const hs_fix *fix, const double factor[3], hs_error *err)
+static void scale_share(const hs_fix *fix, const hs_compute *temperature, const double factor[3])
 {
     const hs_atoms *atoms = fix->env->atoms;
-    hs_compute *temperature;
-    HS_TRY(find_compute(fix, OWN_TEMPERATURE, &temperature, err));
     void (*const bias_of)(const hs_compute *, int, double *) = temperature->style->bias;
-#pragma omp parallel for schedule(static)
+#pragma omp for schedule(static) nowait
     for (int i = 0; i < atoms->n_local; ++i) {
         double bias[3] = {0.0};
         if (!(atoms->mask[i] & fix->mask)) continue;
@@ -261,6 +258,14 @@ static hs_status scale_velocities(const hs_fix *fix, const double factor[3], hs_
             atoms->v[axis][i] = bias_of != NULL ? bias[axis] + factor[axis] * (atoms->v[axis][i] - bias[axis])
                                                 : factor[axis] * atoms->v[axis][i];
     }
+}
+
+/** Scale the thermal velocities of the group. */
+static hs_status scale_velocities(const hs_fix *fix, const double factor[3], hs_error *err)
+{
+    hs_compute *temperature;
+    HS_TRY(find_compute(fix, OWN_TEMPERATURE, &temperature, err));
+    HS_ON_THREADS(scale_share(fix, temperature, factor));
     hs_env_changed(fix->env);
     return HS_OK;
 }
@@ -342,31 +347,41 @@ static void strain_box(const hs_fix *fix)
     hs_box_change(env, lo, hi, nh->dilate);
 }
 
-static void kick(const hs_fix *fix)
+static void kick_share(const hs_fix *fix)
 {
     const hs_nose_hoover *nh = fix->state;
     const hs_atoms *atoms = fix->env->atoms;
     const double half_dt = 0.5 * nh->dt * fix->env->units->ftm2v;
-#pragma omp parallel for schedule(static)
+#pragma omp for schedule(static) nowait
     for (int i = 0; i < atoms->n_local; ++i) {
         if (!(atoms->mask[i] & fix->mask)) continue;
         const double size = half_dt / hs_atom_mass(atoms, i);
         for (int axis = 0; axis < 3; ++axis) atoms->v[axis][i] += size * atoms->f[axis][i];
     }
+}
+
+static void kick(const hs_fix *fix)
+{
+    HS_ON_THREADS(kick_share(fix));
     hs_env_changed(fix->env);
 }
 
-static void drift(const hs_fix *fix)
+static void drift_share(const hs_fix *fix)
 {
     const hs_nose_hoover *nh = fix->state;
     const hs_atoms *atoms = fix->env->atoms;
     const double magic = fix->env->position_magic;
-#pragma omp parallel for schedule(static)
+#pragma omp for schedule(static) nowait
     for (int i = 0; i < atoms->n_local; ++i) {
         if (!(atoms->mask[i] & fix->mask)) continue;
         for (int axis = 0; axis < 3; ++axis)
             atoms->x[axis][i] = hs_moved(atoms->x[axis][i], nh->dt * atoms->v[axis][i], magic);
     }
+}
+
+static void drift(const hs_fix *fix)
+{
+    HS_ON_THREADS(drift_share(fix));
     hs_env_changed(fix->env);
 }
 

@@ -8,7 +8,7 @@
 static double sum_of(const double *x, int n)
 {
     hs_exact_sum sum = {0};
-    for (int k = 0; k < n; ++k) hs_exact_add(&sum, x[k]);
+    for (int k = 0; k < n; ++k) hs_exact_add_now(&sum, x[k]);
     return hs_exact_value(&sum);
 }
 
@@ -67,7 +67,7 @@ START_TEST(order_and_grouping_do_not_matter)
     uint64_t state = 42;
     for (int k = 0; k < N; ++k) x[k] = some_number(&state, 300);
     const double forward = sum_of(x, N);
-    hs_exact_sum parts[7] = {{{0}, 0, 0.0}}, all = {0};
+    hs_exact_sum parts[7] = {{.n_added = 0}}, all = {0};
     for (int k = N - 1; k >= 0; --k) hs_exact_add(&parts[k % 7], x[k]);
     for (int p = 0; p < 7; ++p) hs_exact_merge(&all, &parts[p]);
     ck_assert_double_eq(hs_exact_value(&all), forward);
@@ -112,10 +112,14 @@ START_TEST(arrays_add_as_their_terms)
     uint64_t state = 99;
     for (size_t r = 0; r < sizeof ranges / sizeof ranges[0]; ++r)
         for (int n = 0; n <= HS_EXACT_ARRAY_MAX + 5; n += n < 20 ? 1 : 167) {
-            hs_exact_sum sum = {0};
+            hs_exact_sum sum = {0}, one_by_one = {0};
             for (int k = 0; k < n; ++k) x[k] = k % 7 == 3 ? 0.0 : some_number(&state, ranges[r]);
             hs_exact_add_array(&sum, x, n);
             ck_assert_double_eq(hs_exact_value(&sum), sum_of(x, n));
+            for (int k = 0; k < n; ++k) hs_exact_add(&one_by_one, x[k]);
+            ck_assert_double_eq(hs_exact_value(&one_by_one), sum_of(x, n)); /* some of them wait still */
+            hs_exact_carry(&one_by_one);
+            ck_assert_double_eq(hs_exact_value(&one_by_one), sum_of(x, n));
         }
     /* all as large as possible, which must not be rounded; and what is not finite */
     hs_exact_sum sum = {0}, none = {0}, endless = {0};
