@@ -104,6 +104,8 @@ static hs_status read_atom_style(const hs_args *args, bool has_variables, hs_ato
     for (int i = style->is_hybrid; i < args->n; ++i) {
         int part;
         if (has_variables && is_variable(args->word[i])) return HS_OK;
+        const bool is_flag = strcmp(args->word[i], "0") == 0 || strcmp(args->word[i], "1") == 0;
+        if (is_flag && i > 0 && strcmp(args->word[i - 1], "sphere") == 0) continue; /* whether diameters may change */
         if (i > 0 && !style->is_hybrid)
             return hs_fail(err, HS_ERROR_INPUT,
                            "atom_style: unexpected word '%s' after %s; 'hybrid' joins several styles", args->word[i],
@@ -273,14 +275,16 @@ const hs_command hs_commands_system[] = {
         .about =
             {
                 .name = "atom_style",
-                .syntax = {"atomic | sphere | dipole | hybrid <style> ...", 1, -1, NULL},
+                .syntax = {"atomic | sphere [0|1] | dipole | hybrid <style> ...", 1, -1, NULL},
                 .summary = "What atoms have: size, own mass, direction",
                 .details =
                     "`atomic` (the default): atoms are points with a type, a position and a velocity; masses belong to "
                     "types. "
                     "`sphere`: each atom also has a diameter, a mass (set by its density) and an angular velocity; new "
                     "atoms "
-                    "have diameter 1 and density 1, and the command mass is refused. `dipole`: each atom has a dipole "
+                    "have diameter 1 and density 1, and the command mass is refused (a 0 or 1 after it, LAMMPS's mark "
+                    "of "
+                    "diameters that may change, has no effect: they may). `dipole`: each atom has a dipole "
                     "moment, "
                     "0 at first, which is also the direction of an active particle; there are no charges and no dipole "
                     "forces. `hybrid` joins them; `hybrid dipole sphere` is the style of active Brownian particles. As "

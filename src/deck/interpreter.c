@@ -24,6 +24,11 @@ static hs_status variable_atoms(void *deck, const char *name, double *values, hs
     return hs_variables_atoms(deck, name, values, err);
 }
 
+static hs_status set_variable(void *deck, const char *name, double value, hs_error *err)
+{
+    return hs_variables_set_internal(((hs_deck *)deck)->variables, name, value, err);
+}
+
 static int variable_kind(void *deck, const char *name)
 {
     const hs_variable *variable = hs_variables_find(((hs_deck *)deck)->variables, name);
@@ -44,6 +49,7 @@ static void connect(hs_deck *deck)
     deck->sim->env.deck = deck;
     deck->sim->env.variable_value = variable_value;
     deck->sim->env.variable_atoms = variable_atoms;
+    deck->sim->env.set_variable = set_variable;
     deck->sim->env.variable_kind = variable_kind;
     deck->sim->env.substitute = substitute;
     deck->sim->env.deck_text = deck_text;

@@ -14,24 +14,6 @@
 #include "sim/restored.h"
 #include "sim/saving.h"
 
-/** Words of a joined text: cut in place. The caller frees words->word (the array). */
-static hs_status cut_words(char *text, hs_args *words, hs_error *err)
-{
-    const char **word;
-    int n = 1;
-    for (const char *c = text; *c != '\0'; ++c) n += *c == HS_SAVED_WORD;
-    HS_TRY(HS_ALLOC(word, (size_t)n, err));
-    words->n = 0;
-    for (char *at = text; at != NULL;) {
-        char *end = strchr(at, HS_SAVED_WORD);
-        if (end != NULL) *end++ = '\0';
-        word[words->n++] = at;
-        at = end;
-    }
-    words->word = word;
-    return HS_OK;
-}
-
 /* ---- Variables ---- */
 
 static hs_status get_variable(hs_checkpoint *checkpoint, hs_deck *deck, const char *name, hs_error *err)
@@ -48,7 +30,7 @@ static hs_status get_variable(hs_checkpoint *checkpoint, hs_deck *deck, const ch
     if (status == HS_OK) status = hs_state_text(&state, "values", &values, err);
     if (status == HS_OK) status = hs_state_text(&state, "formula", &formula, err);
     if (status == HS_OK) status = hs_state_int(&state, "value count", &n_values, err);
-    if (status == HS_OK && values != NULL) status = cut_words(values, &words, err);
+    if (status == HS_OK && values != NULL) status = hs_saved_cut_words(values, &words, err);
     if (status == HS_OK && (words.n != n_values && n_values > 0))
         status = hs_fail(err, HS_ERROR_INPUT, "the variable '%s' has %d values; there should be %d", name, words.n,
                          n_values);
@@ -76,44 +58,6 @@ static hs_status get_variables(hs_checkpoint *checkpoint, hs_deck *deck, hs_erro
 }
 
 /* ---- The simulation ---- */
-
-/** The number of types decides how much memory is taken: another value must confirm it first. */
-static hs_status check_types(hs_checkpoint *checkpoint, int n_types, hs_error *err)
-{
-    hs_state state;
-    HS_TRY(hs_checkpoint_get(checkpoint, "run", &state, err));
-    const hs_state_value *mass = hs_state_find(&state, "mass");
-    const bool is_fine = mass != NULL && mass->n == (int64_t)n_types + 1;
-    hs_state_fini(&state);
-    return is_fine ? HS_OK : hs_fail(err, HS_ERROR_INPUT, "there are not as many masses as types");
-}
-
-/** Box, types and atoms, as far as what there is knows of their fields. */
-static hs_status get_atoms(hs_checkpoint *checkpoint, hs_sim *sim, bool all_fields, hs_error *err)
-{
-    hs_state state;
-    const int n_types = sim->atoms.n_types;
-    HS_TRY(hs_checkpoint_get(checkpoint, "box", &state, err));
-    hs_status status = hs_sim_keep_box(sim, &state, err);
-    hs_state_fini(&state);
-    HS_TRY(status);
-    HS_TRY(check_types(checkpoint, sim->atoms.n_types, err));
-    if (n_types != sim->atoms.n_types || sim->atoms.mass == NULL)
-        HS_TRY(hs_atoms_set_types(&sim->atoms, sim->atoms.n_types, err));
-    HS_TRY(hs_domain_divide(&sim->domain, &sim->box, err));
-    HS_TRY(hs_checkpoint_get_atoms(checkpoint, &sim->atoms, all_fields, err));
-    hs_sim_atoms_changed(sim);
-    return HS_OK;
-}
-
-static hs_status get_run(hs_checkpoint *checkpoint, hs_sim *sim, hs_error *err)
-{
-    hs_state state;
-    HS_TRY(hs_checkpoint_get(checkpoint, "run", &state, err));
-    const hs_status status = hs_sim_keep_run(sim, &state, err);
-    hs_state_fini(&state);
-    return status;
-}
 
 static hs_status get_dumps(hs_checkpoint *checkpoint, hs_sim *sim, hs_error *err)
 {
@@ -149,106 +93,13 @@ static hs_status get_styles(hs_checkpoint *checkpoint, hs_sim *sim, hs_error *er
     return HS_OK;
 }
 
-/** Commands whose effects come from the checkpoint's values: they are not repeated. */
-static bool is_done_once(const char *name)
-{
-    static const char *const names[] = {"balance",
-                                        "create_atoms",
-                                        "delete_atoms",
-                                        "displace_atoms",
-                                        "echo",
-                                        "if",
-                                        "include",
-                                        "info",
-                                        "jump",
-                                        "label",
-                                        "log",
-                                        "minimize",
-                                        "next",
-                                        "print",
-                                        "quit",
-                                        "read_dump",
-                                        "rerun",
-                                        "replicate",
-                                        "reset_timestep",
-                                        "run",
-                                        "set",
-                                        "variable",
-                                        "velocity",
-                                        "write_data",
-                                        "write_dump",
-                                        "write_restart",
-                                        "change_box",
-                                        "timestep",
-                                        "plot",
-                                        "report",
-                                        NULL};
-    for (int k = 0; names[k] != NULL; ++k)
-        if (strcmp(names[k], name) == 0) return true;
-    return false;
-}
-
-/** Commands that make the box: it and the atoms come from the checkpoint here. */
-static bool makes_box(const char *name)
-{
-    return strcmp(name, "create_box") == 0 || strcmp(name, "read_data") == 0 || strcmp(name, "read_restart") == 0;
-}
-
-/** read_restart takes these over from the deck that wrote the file, as LAMMPS does. */
-static bool is_of_restart(const char *name)
-{
-    static const char *const names[] = {"units",      "dimension",   "boundary", "atom_style", "newton", "pair_style",
-                                        "pair_coeff", "pair_modify", "group",    "mass",       NULL};
-    for (int k = 0; names[k] != NULL; ++k)
-        if (strcmp(names[k], name) == 0) return true;
-    return false;
-}
-
-static hs_status repeat(hs_checkpoint *checkpoint, hs_deck *deck, char *text, bool is_restart, hs_error *err)
-{
-    hs_args words;
-    HS_TRY(cut_words(text, &words, err));
-    const char *name = words.word[0];
-    const hs_args args = {.command = name, .n = words.n - 1, .word = words.word + 1};
-    const hs_command *command = hs_command_find(name);
-    hs_status status = HS_OK;
-    if (makes_box(name)) {
-        if (!deck->sim->box.exists) status = get_atoms(checkpoint, deck->sim, false, err);
-    } else if (is_restart ? is_of_restart(name) : !is_done_once(name)) {
-        if (command == NULL) status = hs_fail(err, HS_ERROR_INPUT, "there is no command '%s' in this version", name);
-        if (status == HS_OK) status = command->run(deck, &args, err);
-        if (status == HS_OK && is_restart) status = hs_deck_remember(deck, &args, err);
-    }
-    hs_memory_free((void *)(uintptr_t)words.word);
-    return status;
-}
-
-/** Repeat the commands that made the simulation, without a word to anyone. */
-static hs_status repeat_all(hs_checkpoint *checkpoint, hs_deck *deck, char *commands, bool is_restart, hs_error *err)
-{
-    hs_sink quiet = {0}, *const out = deck->out;
-    const hs_sink before = *out;
-    hs_status status = HS_OK;
-    *out = quiet;
-    deck->sim->env.is_resuming = true;
-    for (char *at = commands; at != NULL && *at != '\0' && status == HS_OK;) {
-        char *end = strchr(at, HS_SAVED_COMMAND);
-        if (end != NULL) *end++ = '\0';
-        status = repeat(checkpoint, deck, at, is_restart, err);
-        at = end;
-    }
-    deck->sim->env.is_resuming = false;
-    *out = before;
-    return status;
-}
-
 static hs_status get_simulation(hs_checkpoint *checkpoint, hs_deck *deck, char *commands, hs_error *err)
 {
     HS_TRY(hs_text_append(&deck->done, commands, strlen(commands), err));
-    HS_TRY(repeat_all(checkpoint, deck, commands, false, err));
+    HS_TRY(hs_saved_repeat(checkpoint, deck, commands, false, err));
     hs_sim *sim = deck->sim; /* a `clear` among the commands has made it anew */
-    HS_TRY(get_atoms(checkpoint, sim, true, err));
-    HS_TRY(get_run(checkpoint, sim, err));
+    HS_TRY(hs_saved_get_atoms(checkpoint, sim, true, err));
+    HS_TRY(hs_saved_get_run(checkpoint, sim, err));
     HS_TRY(get_dumps(checkpoint, sim, err));
     const bool is_set_up = sim->is_initialized;
     if (is_set_up) {
@@ -259,7 +110,7 @@ static hs_status get_simulation(hs_checkpoint *checkpoint, hs_deck *deck, char *
     }
     HS_TRY(get_styles(checkpoint, sim, err));
     if (is_set_up) HS_TRY(hs_sim_setup_resumed(sim, err));
-    return get_run(checkpoint, sim, err); /* what set-up has changed */
+    return hs_saved_get_run(checkpoint, sim, err); /* what set-up has changed */
 }
 
 /* ---- The place in the deck ---- */
@@ -299,7 +150,7 @@ static hs_status enter_frame(hs_deck *deck, places *where, int k, int kind, hs_s
     frame.kind = kind == HS_FRAME_RUN || kind == HS_FRAME_MINIMIZE ? kind : HS_FRAME_LIST;
     if (status == HS_OK) status = hs_state_text(state, "words", &text, err);
     if (status == HS_OK && text == NULL) status = hs_fail(err, HS_ERROR_INPUT, "a command has no words");
-    if (status == HS_OK) status = cut_words(text, &frame.words, err);
+    if (status == HS_OK) status = hs_saved_cut_words(text, &frame.words, err);
     frame.words.command = kind == HS_FRAME_RUN ? "run" : kind == HS_FRAME_MINIMIZE ? "minimize" : "if";
     if (status == HS_OK) {
         hs_frame_push(deck, &frame);
@@ -395,84 +246,5 @@ hs_status hs_deck_resume(hs_deck *deck, const char *path, hs_error *err)
     hs_checkpoint_destroy(&where.checkpoint);
     hs_error_locate(err, path, 0);
     hs_deck_make_printable(err->text);
-    return status;
-}
-
-/** Call keep for each of the names that a text joins. */
-static hs_status keep_each(hs_checkpoint *checkpoint, hs_sim *sim, hs_state *state, const char *list,
-                           hs_status (*keep)(hs_checkpoint *, hs_sim *, const char *, hs_error *), hs_error *err)
-{
-    char *names = NULL;
-    const hs_state_value *value = hs_state_find(state, list); /* older files have none */
-    if (value == NULL || value->kind != HS_STATE_TEXT) return HS_OK;
-    hs_status status = hs_state_text(state, list, &names, err);
-    for (char *at = names; at != NULL && *at != '\0' && status == HS_OK;) {
-        char *end = strchr(at, HS_SAVED_COMMAND);
-        if (end != NULL) *end++ = '\0';
-        status = keep(checkpoint, sim, at, err);
-        at = end;
-    }
-    HS_FREE(names);
-    return status;
-}
-
-static hs_status keep_field(hs_checkpoint *checkpoint, hs_sim *sim, const char *words, hs_error *err)
-{
-    unsigned size = 0;
-    int n = 0;
-    (void)checkpoint;
-    if (sscanf(words, "%u %n", &size, &n) < 1 || n == 0 || size < 4 || size > 4096 || (size != 4 && size % 8 != 0))
-        return hs_fail(err, HS_ERROR_INPUT, "a field of the atoms has no size");
-    return hs_restored_keep_field(sim, words + n, size, err);
-}
-
-static hs_status keep_style(hs_checkpoint *checkpoint, hs_sim *sim, hs_restored_kind kind, const char *id,
-                            hs_error *err)
-{
-    char section[300];
-    hs_state state = {0};
-    char *name = NULL;
-    snprintf(section, sizeof section, "%s/%s", hs_restored_kinds[kind], id);
-    HS_TRY(hs_checkpoint_get(checkpoint, section, &state, err));
-    hs_status status = hs_state_text(&state, "style", &name, err);
-    if (status == HS_OK && name != NULL) status = hs_restored_keep_style(sim, kind, id, name, &state, err);
-    HS_FREE(name);
-    hs_state_fini(&state);
-    return status;
-}
-
-static hs_status keep_fix(hs_checkpoint *checkpoint, hs_sim *sim, const char *id, hs_error *err)
-{
-    return keep_style(checkpoint, sim, HS_RESTORED_FIX, id, err);
-}
-
-static hs_status keep_compute(hs_checkpoint *checkpoint, hs_sim *sim, const char *id, hs_error *err)
-{
-    return keep_style(checkpoint, sim, HS_RESTORED_COMPUTE, id, err);
-}
-
-hs_status hs_deck_read_restart(hs_deck *deck, const char *path, hs_error *err)
-{
-    hs_checkpoint *checkpoint = NULL;
-    hs_state state = {0};
-    char *commands = NULL;
-    hs_sim *sim = deck->sim;
-    HS_TRY(hs_checkpoint_open(&checkpoint, path, &sim->parallel, err));
-    hs_status status = hs_checkpoint_get(checkpoint, "deck", &state, err);
-    if (status == HS_OK) status = hs_state_text(&state, "commands", &commands, err);
-    if (status == HS_OK) status = repeat_all(checkpoint, deck, commands, true, err);
-    if (status == HS_OK) status = keep_each(checkpoint, sim, &state, "fixes", keep_fix, err);
-    if (status == HS_OK) status = keep_each(checkpoint, sim, &state, "computes", keep_compute, err);
-    if (status == HS_OK) status = keep_each(checkpoint, sim, &state, "fields of fixes", keep_field, err);
-    if (status == HS_OK) status = keep_each(checkpoint, sim, &state, "fields of computes", keep_field, err);
-    if (status == HS_OK) status = get_atoms(checkpoint, sim, false, err);
-    if (status == HS_OK) status = get_run(checkpoint, sim, err);
-    sim->is_initialized = false;
-    hs_state_fini(&state);
-    HS_FREE(commands);
-    hs_checkpoint_destroy(&checkpoint);
-    if (status == HS_OK)
-        hs_say(deck->out, "Reading restart file ...\n  %lld atoms, step %lld\n", (long long)sim->atoms.n_all,
-               (long long)sim->env.step);
     return status;
 }

@@ -77,4 +77,26 @@ static inline hs_status wall_place(const hs_fix *fix, wall_face *face, double un
     return HS_OK;
 }
 
+/** Atoms that are beyond a wall before the first step were placed there by the deck: an error. Walls are where they were placed
+ *  last (collective). */
+static inline hs_status wall_check_inside(const hs_fix *fix, hs_error *err)
+{
+    const wall_state *state = fix->state;
+    const hs_atoms *atoms = fix->env->atoms;
+    int64_t n_outside = 0;
+    for (int k = 0; k < state->n; ++k) {
+        const wall_face *face = &state->face[k];
+        for (int i = 0; i < atoms->n_local; ++i) {
+            const double x = atoms->x[face->axis][i], depth = face->end == 0 ? face->place - x : x - face->place;
+            n_outside += atoms->mask[i] & fix->mask && depth > 0.0;
+        }
+    }
+    hs_parallel_sum_int64(fix->env->parallel, &n_outside, 1);
+    if (n_outside == 0) return HS_OK;
+    return hs_fail(err, HS_ERROR_INPUT,
+                   "fix '%s' (%s): %lld atoms are outside of the walls; place them inside, or leave them out of "
+                   "the fix's group",
+                   fix->id, fix->style->about.name, (long long)n_outside);
+}
+
 #endif

@@ -36,27 +36,11 @@ static hs_status create(hs_fix *fix, const hs_args *args, hs_error *err)
     return HS_OK;
 }
 
-/** Atoms that are beyond a wall before the first step were placed there by the deck. */
 static hs_status setup(hs_fix *fix, hs_error *err)
 {
     reflect_state *state = fix->state;
-    const hs_atoms *atoms = fix->env->atoms;
-    int64_t n_outside = 0;
-    for (int k = 0; k < state->wall.n; ++k) {
-        wall_face *face = &state->wall.face[k];
-        HS_TRY(wall_place(fix, face, state->unit[k], err));
-        for (int i = 0; i < atoms->n_local; ++i) {
-            const double x = atoms->x[face->axis][i], depth = face->end == 0 ? face->place - x : x - face->place;
-            n_outside += atoms->mask[i] & fix->mask && depth > 0.0;
-        }
-    }
-    hs_parallel_sum_int64(fix->env->parallel, &n_outside, 1);
-    if (n_outside == 0) return HS_OK;
-    return hs_fail(
-        err, HS_ERROR_INPUT,
-        "fix '%s' (wall/reflect): %lld atoms are outside of the walls; place them inside, or leave them out of "
-        "the fix's group",
-        fix->id, (long long)n_outside);
+    for (int k = 0; k < state->wall.n; ++k) HS_TRY(wall_place(fix, &state->wall.face[k], state->unit[k], err));
+    return wall_check_inside(fix, err);
 }
 
 static void reflect(const hs_fix *fix, const wall_face *face)

@@ -88,6 +88,7 @@ const hs_pair_style hs_pair_style_born = {
                   "F. G. Fumi, M. P. Tosi, J. Phys. Chem. Solids 25, 31 (1964), doi:10.1016/0022-3697(64)90159-3",
               .example = "pair_style born 2.5\npair_coeff * * 2.0 0.3 1.0 1.0 0.5"},
     .coeff_syntax = {.usage = "<A> <rho> <sigma> <C> <D> [<cutoff>]", .n_min = 5, .n_max = 6},
+    .adaptable = (const hs_pair_adaptable[]){{"a", STRENGTH}, {"c", DISPERSION}, {"d", QUADRUPOLE}, {NULL, 0}},
     .state_size = sizeof(hs_pair_coeffs),
     .settings = hs_pair_coeffs_settings,
     .destroy = hs_pair_coeffs_destroy,

@@ -80,6 +80,7 @@ const hs_pair_style hs_pair_style_buck = {
               .reference = "R. A. Buckingham, Proc. R. Soc. Lond. A 168, 264 (1938), doi:10.1098/rspa.1938.0173",
               .example = "pair_style buck 2.5\npair_coeff * * 100.0 0.35 1.0"},
     .coeff_syntax = {.usage = "<A> <rho> <C> [<cutoff>]", .n_min = 3, .n_max = 4},
+    .adaptable = (const hs_pair_adaptable[]){{"a", STRENGTH}, {"c", DISPERSION}, {NULL, 0}},
     .state_size = sizeof(hs_pair_coeffs),
     .settings = hs_pair_coeffs_settings,
     .destroy = hs_pair_coeffs_destroy,

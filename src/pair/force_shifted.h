@@ -8,39 +8,13 @@ enum { HS_SF_F12, HS_SF_MINUS_F6, HS_SF_U12, HS_SF_MINUS_U6, HS_SF_SLOPE, HS_SF_
 
 #ifndef HS_KERNEL_ISA
 
-#include <math.h>
-
-#include "style/pair_coeffs.h"
-
-enum { HS_SF_EPSILON, HS_SF_SIGMA, HS_SF_N_COEFFS };
-
-static inline HS_MUST_USE hs_status hs_force_shifted_coeff(hs_pair *pair, int i, int j, const hs_args *args,
-                                                           hs_error *err)
-{
-    hs_pair_coeff c = {.cutoff = 0.0};
-    HS_TRY(hs_arg_double(args, 0, &c.c[HS_SF_EPSILON], err));
-    HS_TRY(hs_arg_not_negative(args, 1, &c.c[HS_SF_SIGMA], err));
-    HS_TRY(hs_pair_coeffs_read_cutoff(pair, args, 2, &c.cutoff, err));
-    *hs_pair_coeffs_at(pair, i, j) = c;
-    return HS_OK;
-}
-
-static inline HS_MUST_USE hs_status hs_force_shifted_mix(hs_pair *pair, int i, int j, hs_error *err)
-{
-    const hs_pair_coeff a = *hs_pair_coeffs_at(pair, i, i), b = *hs_pair_coeffs_at(pair, j, j);
-    (void)err;
-    *hs_pair_coeffs_at(pair, i, j) = (hs_pair_coeff){
-        .c = {hs_pair_mix_energy(pair->mix, a.c[HS_SF_EPSILON], b.c[HS_SF_EPSILON], a.c[HS_SF_SIGMA], b.c[HS_SF_SIGMA]),
-              hs_pair_mix_distance(pair->mix, a.c[HS_SF_SIGMA], b.c[HS_SF_SIGMA])},
-        .cutoff = hs_pair_mix_distance(pair->mix, a.cutoff, b.cutoff)};
-    return HS_OK;
-}
+#include "pair/lj_coeffs.h"
 
 static inline void hs_force_shifted_params(const hs_pair *pair, int i, int j, double *cutoff, double *p)
 {
     const hs_pair_coeff c = *hs_pair_coeffs_at(pair, i, j);
-    const double epsilon = c.c[HS_SF_EPSILON], sigma6 = pow(c.c[HS_SF_SIGMA], 6.0);
-    const double ratio6 = c.cutoff > 0.0 ? pow(c.c[HS_SF_SIGMA] / c.cutoff, 6.0) : 0.0;
+    const double epsilon = c.c[HS_LJ_EPSILON], sigma6 = pow(c.c[HS_LJ_SIGMA], 6.0);
+    const double ratio6 = c.cutoff > 0.0 ? pow(c.c[HS_LJ_SIGMA] / c.cutoff, 6.0) : 0.0;
     *cutoff = c.cutoff;
     p[HS_SF_F12] = 48.0 * epsilon * sigma6 * sigma6;
     p[HS_SF_MINUS_F6] = -24.0 * epsilon * sigma6;
@@ -51,11 +25,26 @@ static inline void hs_force_shifted_params(const hs_pair *pair, int i, int j, do
     p[HS_SF_SHIFT] = 4.0 * epsilon * ratio6 * (ratio6 - 1.0) - p[HS_SF_SLOPE] * c.cutoff;
 }
 
-static inline HS_MUST_USE hs_status hs_force_shifted_write_coeff(const hs_pair *pair, int i, int j, hs_text *words,
-                                                                 hs_error *err)
-{
-    return hs_pair_coeffs_write(pair, i, j, HS_SF_N_COEFFS, words, err);
-}
+extern const hs_evaluator hs_evaluator_lj_smooth_linear;
+
+/** The descriptor of the style under one of its names. */
+#define HS_FORCE_SHIFTED_STYLE(its_name, its_summary)                                                                  \
+    {                                                                                                                  \
+        .about = {.name = its_name,                                                                                    \
+                  .syntax = {.usage = "<cutoff>", .n_min = 1, .n_max = 1},                                             \
+                  .summary = its_summary,                                                                              \
+                  .details =                                                                                           \
+                      "U(r) = phi(r) - phi(cutoff) - (r - cutoff) phi'(cutoff) for r < cutoff, 0 beyond, where phi "   \
+                      "is the Lennard-Jones potential 4 epsilon [(sigma/r)^12 - (sigma/r)^6].\n\n"                     \
+                      "`pair_coeff I J <epsilon> <sigma> [<cutoff>]` as in lj/cut. There is nothing to shift, and "    \
+                      "no long-range part. Unlike pairs are mixed as in lj/cut.",                                      \
+                  .reference = "S. Toxvaerd, J. C. Dyre, J. Chem. Phys. 134, 081102 (2011), doi:10.1063/1.3558787",    \
+                  .example = "pair_style " its_name " 2.5\npair_coeff * * 1.0 1.0"},                                   \
+        .coeff_syntax = {.usage = "<epsilon> <sigma> [<cutoff>]", .n_min = 2, .n_max = 3},                             \
+        .adaptable = HS_LJ_ADAPTABLE, .state_size = sizeof(hs_pair_coeffs), .settings = hs_pair_coeffs_settings,       \
+        .destroy = hs_pair_coeffs_destroy, .coeff = hs_lj_coeff, .mix = hs_lj_mix, .params = hs_force_shifted_params,  \
+        .write_coeff = hs_lj_write_coeff, .evaluator = &hs_evaluator_lj_smooth_linear,                                 \
+    }
 
 #endif
 #endif

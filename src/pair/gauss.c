@@ -76,6 +76,7 @@ const hs_pair_style hs_pair_style_gauss = {
               .reference = "F. H. Stillinger, J. Chem. Phys. 65, 3968 (1976), doi:10.1063/1.432891",
               .example = "pair_style gauss 3.0\npair_coeff * * -10.0 1.0"},
     .coeff_syntax = {.usage = "<A> <B> [<cutoff>]", .n_min = 2, .n_max = 3},
+    .adaptable = (const hs_pair_adaptable[]){{"a", 0}, {NULL, 0}},
     .state_size = sizeof(hs_pair_coeffs),
     .settings = hs_pair_coeffs_settings,
     .destroy = hs_pair_coeffs_destroy,

@@ -20,12 +20,6 @@ HS_EVALUATE(const hs_vec *p, hs_vec r2, hs_vec *force_over_r, hs_vec *energy, bo
 
 #include "style/pair_coeffs.h"
 
-static hs_status settings(hs_pair *pair, const hs_args *args, hs_error *err)
-{
-    (void)args;
-    return ((hs_pair_coeffs *)pair->state)->at != NULL ? HS_OK : hs_pair_coeffs_set_cutoff(pair, 0.0, err);
-}
-
 static hs_status coeff(hs_pair *pair, int i, int j, const hs_args *args, hs_error *err)
 {
     hs_pair_coeff c = {.cutoff = 0.0};
@@ -71,8 +65,9 @@ const hs_pair_style hs_pair_style_harmonic_cut = {
               .reference = NULL,
               .example = "pair_style harmonic/cut\npair_coeff * * 50.0 1.0"},
     .coeff_syntax = {.usage = "<k> <cutoff>", .n_min = 2, .n_max = 2},
+    .adaptable = (const hs_pair_adaptable[]){{"k", 0}, {NULL, 0}},
     .state_size = sizeof(hs_pair_coeffs),
-    .settings = settings,
+    .settings = hs_pair_coeffs_no_settings,
     .destroy = hs_pair_coeffs_destroy,
     .coeff = coeff,
     .mix = mix,

@@ -10,12 +10,6 @@
 
 extern const hs_evaluator hs_evaluator_harmonic_cut;
 
-static hs_status settings(hs_pair *pair, const hs_args *args, hs_error *err)
-{
-    (void)args;
-    return ((hs_pair_coeffs *)pair->state)->at != NULL ? HS_OK : hs_pair_coeffs_set_cutoff(pair, 0.0, err);
-}
-
 static hs_status coeff(hs_pair *pair, int i, int j, const hs_args *args, hs_error *err)
 {
     hs_pair_coeff c = {.cutoff = 0.0};
@@ -64,8 +58,9 @@ const hs_pair_style hs_pair_style_harmonic_repulsion = {
                       "doi:10.1103/PhysRevE.68.011306",
          .example = "pair_style harmonic/repulsion\npair_coeff 1 1 100.0 1.0\npair_coeff 2 2 100.0 1.4"},
     .coeff_syntax = {.usage = "<k> <r0>", .n_min = 2, .n_max = 2},
+    .adaptable = (const hs_pair_adaptable[]){{"k", 0}, {NULL, 0}},
     .state_size = sizeof(hs_pair_coeffs),
-    .settings = settings,
+    .settings = hs_pair_coeffs_no_settings,
     .destroy = hs_pair_coeffs_destroy,
     .coeff = coeff,
     .mix = mix,

@@ -117,6 +117,7 @@ const hs_pair_style hs_pair_style_harmonic_sphere = {
                       "doi:10.1103/PhysRevE.68.011306",
          .example = "atom_style sphere\npair_style harmonic/sphere\npair_coeff * * 1000.0"},
     .coeff_syntax = {.usage = "<k>", .n_min = 1, .n_max = 1},
+    .adaptable = (const hs_pair_adaptable[]){{"k", 0}, {NULL, 0}},
     .state_size = sizeof(sphere_state),
     .settings = settings,
     .destroy = destroy,

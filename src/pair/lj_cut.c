@@ -20,60 +20,24 @@ HS_EVALUATE(const hs_vec *p, hs_vec r2, hs_vec *force_over_r, hs_vec *energy, bo
 
 #ifndef HS_KERNEL_ISA
 
-#include "pair/lj_state.h"
-
-static hs_status settings(hs_pair *pair, const hs_args *args, hs_error *err)
-{
-    lj_state *lj = pair->state;
-    HS_TRY(hs_arg_positive(args, 0, &lj->cutoff_global, err));
-    if (lj->coeff != NULL) {
-        /* pair_style given again with the same style: explicit cutoffs of earlier pair_coeffs follow the new one */
-        for (int k = 0; k < lj->n_coeffs; ++k)
-            if (pair->is_set[k]) lj->coeff[k].cutoff = lj->cutoff_global;
-        return HS_OK;
-    }
-    return hs_lj_allocate(pair, err);
-}
-
-static hs_status coeff(hs_pair *pair, int i, int j, const hs_args *args, hs_error *err)
-{
-    lj_state *lj = pair->state;
-    lj_coeff c = {.cutoff = lj->cutoff_global};
-    HS_TRY(hs_arg_double(args, 0, &c.epsilon, err));
-    HS_TRY(hs_arg_not_negative(args, 1, &c.sigma, err));
-    if (args->n > 2) HS_TRY(hs_arg_not_negative(args, 2, &c.cutoff, err));
-    lj->coeff[hs_pair_index(pair, i, j)] = c;
-    return HS_OK;
-}
-
-static hs_status mix(hs_pair *pair, int i, int j, hs_error *err)
-{
-    (void)err;
-    hs_lj_mix(pair, i, j);
-    return HS_OK;
-}
+#include "pair/lj_coeffs.h"
 
 static void params(const hs_pair *pair, int i, int j, double *cutoff, double *p)
 {
-    const lj_coeff c = ((lj_state *)pair->state)->coeff[hs_pair_index(pair, i, j)];
-    *cutoff = c.cutoff;
+    const hs_pair_coeff *c = hs_pair_coeffs_at(pair, i, j);
+    *cutoff = c->cutoff;
     hs_lj_params(c, pair->shift, p);
 }
 
 static void tail(const hs_pair *pair, int i, int j, double *energy, double *virial)
 {
-    const lj_coeff c = ((lj_state *)pair->state)->coeff[hs_pair_index(pair, i, j)];
-    const double sigma3 = c.sigma * c.sigma * c.sigma, rc3 = c.cutoff * c.cutoff * c.cutoff;
+    const hs_pair_coeff c = *hs_pair_coeffs_at(pair, i, j);
+    const double epsilon = c.c[HS_LJ_EPSILON], sigma = c.c[HS_LJ_SIGMA];
+    const double sigma3 = sigma * sigma * sigma, rc3 = c.cutoff * c.cutoff * c.cutoff;
     const double s9 = sigma3 * sigma3 * sigma3 / (rc3 * rc3 * rc3), s3 = sigma3 / rc3;
     /* integrals of U and of r dU/dr from r_c to infinity with g(r) = 1, per n_i n_j / V */
-    *energy = 8.0 * M_PI * c.epsilon * sigma3 * (s9 / 9.0 - s3 / 3.0);
-    *virial = 16.0 * M_PI * c.epsilon * sigma3 * (2.0 * s9 / 9.0 - s3 / 3.0);
-}
-
-static hs_status write_coeff(const hs_pair *pair, int i, int j, hs_text *words, hs_error *err)
-{
-    const lj_coeff c = ((lj_state *)pair->state)->coeff[hs_pair_index(pair, i, j)];
-    return hs_text_printf(words, err, "%.15g %.15g %.15g", c.epsilon, c.sigma, c.cutoff);
+    *energy = 8.0 * M_PI * epsilon * sigma3 * (s9 / 9.0 - s3 / 3.0);
+    *virial = 16.0 * M_PI * epsilon * sigma3 * (2.0 * s9 / 9.0 - s3 / 3.0);
 }
 
 const hs_pair_style hs_pair_style_lj_cut = {
@@ -90,14 +54,15 @@ const hs_pair_style hs_pair_style_lj_cut = {
               .reference = "J. E. Lennard-Jones, Proc. Phys. Soc. 43, 461 (1931), doi:10.1088/0959-5309/43/5/301",
               .example = "pair_style lj/cut 2.5\npair_coeff * * 1.0 1.0\npair_coeff 1 2 0.8 1.1 2.8"},
     .coeff_syntax = {.usage = "<epsilon> <sigma> [<cutoff>]", .n_min = 2, .n_max = 3},
-    .state_size = sizeof(lj_state),
-    .settings = settings,
-    .destroy = hs_lj_destroy,
-    .coeff = coeff,
-    .mix = mix,
+    .adaptable = HS_LJ_ADAPTABLE,
+    .state_size = sizeof(hs_pair_coeffs),
+    .settings = hs_pair_coeffs_settings,
+    .destroy = hs_pair_coeffs_destroy,
+    .coeff = hs_lj_coeff,
+    .mix = hs_lj_mix,
     .params = params,
     .tail = tail,
-    .write_coeff = write_coeff,
+    .write_coeff = hs_lj_write_coeff,
     .evaluator = &hs_evaluator_lj_cut,
 };
 

@@ -98,6 +98,7 @@ const hs_pair_style hs_pair_style_lj_expand = {
          .reference = NULL,
          .example = "pair_style lj/expand 2.5\npair_coeff * * 1.0 1.0 0.5\npair_coeff 1 2 1.0 1.0 -0.2 2.0"},
     .coeff_syntax = {.usage = "<epsilon> <sigma> <delta> [<cutoff>]", .n_min = 3, .n_max = 4},
+    .adaptable = (const hs_pair_adaptable[]){{"epsilon", EPSILON}, {"sigma", SIGMA}, {"delta", LENGTH}, {NULL, 0}},
     .state_size = sizeof(hs_pair_coeffs),
     .settings = hs_pair_coeffs_settings,
     .destroy = hs_pair_coeffs_destroy,

@@ -5,8 +5,7 @@
  * C0 and C1 are value and slope of the Lennard-Jones force at r_in; C2 and C3 follow from the two conditions at r_c.
  * Units: eps energy; sigma, r_in and r_c distance. */
 #include "kernel/evaluator.h"
-
-enum { F12, MINUS_F6, U12, MINUS_U6, SHIFT, INNER, INNER_R2, U_INNER, C0, C1, C2, C3, N_PARAMS };
+#include "pair/lj_cubic_end.h"
 
 HS_EVALUATE(const hs_vec *p, hs_vec r2, hs_vec *force_over_r, hs_vec *energy, bool with_energy)
 {
@@ -81,19 +80,11 @@ static hs_status mix(hs_pair *pair, int i, int j, hs_error *err)
 
 static void params(const hs_pair *pair, int i, int j, double *cutoff, double *p)
 {
-    const hs_pair_coeff c = *hs_pair_coeffs_at(pair, i, j);
-    const double epsilon = c.c[EPSILON], sigma6 = pow(c.c[SIGMA], 6.0), inner = c.c[INNER_CUTOFF],
-                 width = c.cutoff - inner;
-    const double ratio6 = sigma6 / pow(inner, 6.0);
-    *cutoff = c.cutoff;
-    p[F12] = 48.0 * epsilon * sigma6 * sigma6;
-    p[MINUS_F6] = -24.0 * epsilon * sigma6;
-    p[U12] = 4.0 * epsilon * sigma6 * sigma6;
-    p[MINUS_U6] = -4.0 * epsilon * sigma6;
-    p[INNER] = inner;
-    p[INNER_R2] = inner * inner;
-    p[U_INNER] = 4.0 * epsilon * ratio6 * (ratio6 - 1.0);
-    p[C0] = p[C1] = p[C2] = p[C3] = 0.0;
+    const hs_pair_coeff *c = hs_pair_coeffs_at(pair, i, j);
+    const double epsilon = c->c[EPSILON], inner = c->c[INNER_CUTOFF], width = c->cutoff - inner;
+    const double ratio6 = pow(c->c[SIGMA] / inner, 6.0);
+    *cutoff = c->cutoff;
+    hs_lj_cubic_end_params(epsilon, c->c[SIGMA], inner, p);
     if (width > 0.0) {
         p[C0] = 24.0 * epsilon * ratio6 * (2.0 * ratio6 - 1.0) / inner;
         p[C1] = -24.0 * epsilon * ratio6 * (26.0 * ratio6 - 7.0) / (inner * inner);
@@ -127,6 +118,7 @@ const hs_pair_style hs_pair_style_lj_smooth = {
          .reference = NULL,
          .example = "pair_style lj/smooth 2.0 2.5\npair_coeff * * 1.0 1.0\npair_coeff 1 2 1.0 1.0 1.8 2.2"},
     .coeff_syntax = {.usage = "<epsilon> <sigma> [<inner> <cutoff>]", .n_min = 2, .n_max = 4},
+    .adaptable = (const hs_pair_adaptable[]){{"epsilon", EPSILON}, {"sigma", SIGMA}, {NULL, 0}},
     .state_size = sizeof(smooth_state),
     .settings = settings,
     .destroy = hs_pair_coeffs_destroy,

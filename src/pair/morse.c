@@ -61,6 +61,7 @@ const hs_pair_style hs_pair_style_morse = {
               .reference = "P. M. Morse, Phys. Rev. 34, 57 (1929), doi:10.1103/PhysRev.34.57",
               .example = "pair_style morse 2.5\npair_coeff * * 100.0 2.0 1.5"},
     .coeff_syntax = {.usage = "<D> <alpha> <r0> [<cutoff>]", .n_min = 3, .n_max = 4},
+    .adaptable = (const hs_pair_adaptable[]){{"d0", 0}, {"alpha", 1}, {"r0", 2}, {NULL, 0}},
     .state_size = sizeof(hs_pair_coeffs),
     .settings = hs_pair_coeffs_settings,
     .destroy = hs_pair_coeffs_destroy,

@@ -1,47 +1,32 @@
 /* Weeks-Chandler-Andersen: the repulsive part of Lennard-Jones, cut and shifted at its minimum 2^(1/6) sigma.
  * Source: J. D. Weeks, D. Chandler, H. C. Andersen, J. Chem. Phys. 54, 5237 (1971), doi:10.1063/1.1674820. */
-#include "pair/lj_state.h"
+#include "pair/lj_coeffs.h"
 
 extern const hs_evaluator hs_evaluator_lj_cut;
 
 static const double minimum = 1.122462048309373; /* 2^(1/6), in units of sigma */
 
-static hs_status settings(hs_pair *pair, const hs_args *args, hs_error *err)
-{
-    (void)args;
-    return ((lj_state *)pair->state)->coeff != NULL ? HS_OK : hs_lj_allocate(pair, err);
-}
-
 static hs_status coeff(hs_pair *pair, int i, int j, const hs_args *args, hs_error *err)
 {
-    lj_coeff c;
-    HS_TRY(hs_arg_not_negative(args, 0, &c.epsilon, err));
-    HS_TRY(hs_arg_positive(args, 1, &c.sigma, err));
-    c.cutoff = minimum * c.sigma;
-    ((lj_state *)pair->state)->coeff[hs_pair_index(pair, i, j)] = c;
+    hs_pair_coeff c = {.cutoff = 0.0};
+    HS_TRY(hs_arg_not_negative(args, 0, &c.c[HS_LJ_EPSILON], err));
+    HS_TRY(hs_arg_positive(args, 1, &c.c[HS_LJ_SIGMA], err));
+    *hs_pair_coeffs_at(pair, i, j) = c;
     return HS_OK;
 }
 
-static hs_status mix(hs_pair *pair, int i, int j, hs_error *err)
-{
-    (void)err;
-    hs_lj_mix(pair, i, j);
-    lj_coeff *c = &((lj_state *)pair->state)->coeff[hs_pair_index(pair, i, j)];
-    c->cutoff = minimum * c->sigma;
-    return HS_OK;
-}
-
+/** The cutoff follows from sigma, which fix adapt may have changed. */
 static void params(const hs_pair *pair, int i, int j, double *cutoff, double *p)
 {
-    const lj_coeff c = ((lj_state *)pair->state)->coeff[hs_pair_index(pair, i, j)];
-    *cutoff = c.cutoff;
-    hs_lj_params(c, true, p);
+    hs_pair_coeff c = *hs_pair_coeffs_at(pair, i, j);
+    *cutoff = c.cutoff = minimum * c.c[HS_LJ_SIGMA];
+    hs_lj_params(&c, true, p);
 }
 
 static hs_status write_coeff(const hs_pair *pair, int i, int j, hs_text *words, hs_error *err)
 {
-    const lj_coeff c = ((lj_state *)pair->state)->coeff[hs_pair_index(pair, i, j)];
-    return hs_text_printf(words, err, "%.15g %.15g", c.epsilon, c.sigma);
+    const hs_pair_coeff *c = hs_pair_coeffs_at(pair, i, j);
+    return hs_text_printf(words, err, "%.15g %.15g", c->c[HS_LJ_EPSILON], c->c[HS_LJ_SIGMA]);
 }
 
 const hs_pair_style hs_pair_style_wca = {
@@ -56,11 +41,12 @@ const hs_pair_style hs_pair_style_wca = {
                   "J. D. Weeks, D. Chandler, H. C. Andersen, J. Chem. Phys. 54, 5237 (1971), doi:10.1063/1.1674820",
               .example = "pair_style wca\npair_coeff * * 1.0 1.0"},
     .coeff_syntax = {.usage = "<epsilon> <sigma>", .n_min = 2, .n_max = 2},
-    .state_size = sizeof(lj_state),
-    .settings = settings,
-    .destroy = hs_lj_destroy,
+    .adaptable = HS_LJ_ADAPTABLE,
+    .state_size = sizeof(hs_pair_coeffs),
+    .settings = hs_pair_coeffs_no_settings,
+    .destroy = hs_pair_coeffs_destroy,
     .coeff = coeff,
-    .mix = mix,
+    .mix = hs_lj_mix,
     .params = params,
     .write_coeff = write_coeff,
     .evaluator = &hs_evaluator_lj_cut,

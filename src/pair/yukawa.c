@@ -59,6 +59,7 @@ const hs_pair_style hs_pair_style_yukawa = {
               .reference = "H. Yukawa, Proc. Phys.-Math. Soc. Japan 17, 48 (1935), doi:10.11429/ppmsj1919.17.0_48",
               .example = "pair_style yukawa 2.0 2.5\npair_coeff * * 100.0\npair_coeff 1 2 50.0 3.0"},
     .coeff_syntax = {.usage = "<A> [<cutoff>]", .n_min = 1, .n_max = 2},
+    .adaptable = (const hs_pair_adaptable[]){{"a", 0}, {NULL, 0}},
     .state_size = sizeof(yukawa_state),
     .settings = settings,
     .destroy = hs_pair_coeffs_destroy,

@@ -6,6 +6,15 @@
 /** Whether the forces of a fix are to be heard now. */
 static bool acts(const hs_sim *sim, const hs_fix *fix) { return !sim->is_minimizing || fix->style->acts_in_minimize; }
 
+hs_status hs_sim_pre_force(hs_sim *sim, bool is_setup, hs_error *err)
+{
+    hs_env_changed(&sim->env);
+    for (int k = 0; k < sim->n_fixes; ++k)
+        if (sim->fix[k]->style->pre_force != NULL && acts(sim, sim->fix[k]))
+            HS_TRY(sim->fix[k]->style->pre_force(sim->fix[k], is_setup, err));
+    return HS_OK;
+}
+
 /** Energies and virials of the fixes that count, over all ranks. What a fix gives is summed over ranks already. */
 static hs_status add_up(hs_sim *sim, hs_error *err)
 {

@@ -107,15 +107,35 @@ static hs_status count_types(hs_sim *sim, hs_error *err)
     return HS_OK;
 }
 
-hs_status hs_sim_setup_pair(hs_sim *sim, hs_error *err)
+/** Cutoffs and tables, all else being known. */
+static hs_status renew(hs_sim *sim, hs_error *err)
 {
-    HS_TRY(hs_sim_need_pair(sim, "run", err));
-    HS_TRY(hs_sim_fit_pair(sim, err));
-    HS_TRY(hs_pair_complete(sim->pair, err));
-    HS_TRY(count_types(sim, err));
-    sim->env.reach = sim->pair->cutoff_max > 0.0 ? sim->pair->cutoff_max + sim->neighbor.settings.skin : 0.0;
     int groups[HS_GROUPS_MAX];
     const int n_groups = excluded_groups(&sim->neighbor.settings, groups);
+    HS_TRY(hs_pair_complete(sim->pair, err));
+    sim->env.reach = sim->pair->cutoff_max > 0.0 ? sim->pair->cutoff_max + sim->neighbor.settings.skin : 0.0;
+    return fill_tables(sim, 1 << n_groups, groups, n_groups, err);
+}
+
+hs_status hs_sim_renew_pair(hs_sim *sim, bool *needs_lists, hs_error *err)
+{
+    const size_t n = (size_t)(sim->pair->n_types + 1) * (size_t)(sim->pair->n_types + 1);
+    double *before = NULL;
+    HS_TRY(HS_ALLOC(before, n, err));
+    memcpy(before, sim->pair->cutoff, n * sizeof *before);
+    const hs_status status = renew(sim, err);
+    *needs_lists = hs_pair_has_radii(sim->pair, false) || memcmp(before, sim->pair->cutoff, n * sizeof *before) != 0;
+    HS_FREE(before);
+    return status;
+}
+
+hs_status hs_sim_setup_pair(hs_sim *sim, hs_error *err)
+{
+    int groups[HS_GROUPS_MAX];
+    const int n_groups = excluded_groups(&sim->neighbor.settings, groups);
+    HS_TRY(hs_sim_need_pair(sim, "run", err));
+    HS_TRY(hs_sim_fit_pair(sim, err));
+    HS_TRY(count_types(sim, err));
     if (n_groups > 10 || (sim->atoms.n_types + 1) << n_groups > KERNEL_TYPES_MAX)
         return hs_fail(err, HS_ERROR_INPUT,
                        "neigh_modify exclude: %d groups and %d atom types are too many together; give the "
@@ -126,5 +146,5 @@ hs_status hs_sim_setup_pair(hs_sim *sim, hs_error *err)
         hs_atoms_keep_from_halo(&sim->atoms, (void **)&sim->kernel_type); /* computed anew after the halo is made */
     }
     if (n_groups == 0 && sim->kernel_type != NULL) hs_atoms_remove_field(&sim->atoms, (void **)&sim->kernel_type);
-    return fill_tables(sim, 1 << n_groups, groups, n_groups, err);
+    return renew(sim, err);
 }

@@ -1,10 +1,12 @@
 /* What of a simulation is kept in a checkpoint, and how it is set up again. */
+#include <stdio.h>
 #include <string.h>
 
 #include "base/memory.h"
 #include "sim/methods.h"
 #include "sim/saving.h"
 #include "sim/thermo.h"
+#include "style/pair_coeffs.h"
 
 hs_status hs_sim_keep_box(hs_sim *sim, hs_state *state, hs_error *err)
 {
@@ -45,6 +47,21 @@ static hs_status keep_neighbor(hs_neighbor *neighbor, hs_state *state, hs_error 
     return hs_state_int64(state, "first late step", &counters->first_late_step, 1, err);
 }
 
+/** Coefficients that fix adapt has changed; those of pair_coeff come from its repetition. */
+static hs_status keep_adapted(hs_pair *pair, hs_state *state, hs_error *err)
+{
+    for (int k = 0; pair != NULL && k < pair->n_parts; ++k) {
+        hs_pair *part = pair->part[k];
+        char name[48];
+        snprintf(name, sizeof name, "part %d of pairs is adapted", k + 1);
+        if (state->is_reading ? hs_state_find(state, name) == NULL : !part->is_adapted) continue;
+        HS_TRY(hs_state_bool(state, name, &part->is_adapted, err));
+        snprintf(name, sizeof name, "part %d of pairs:", k + 1);
+        HS_TRY(hs_pair_coeffs_keep(part, name, state, err));
+    }
+    return HS_OK;
+}
+
 hs_status hs_sim_keep_run(hs_sim *sim, hs_state *state, hs_error *err)
 {
     hs_env *env = &sim->env;
@@ -80,6 +97,7 @@ hs_status hs_sim_keep_run(hs_sim *sim, hs_state *state, hs_error *err)
     HS_TRY(hs_state_bool(state, "output is due", &sim->is_output_due, err));
     HS_TRY(hs_state_double(state, "mass", sim->atoms.mass, sim->atoms.n_types + 1, err));
     HS_TRY(hs_state_int(state, "restart turn", &sim->saving->restart_turn, err));
+    HS_TRY(keep_adapted(sim->pair, state, err));
     return keep_neighbor(&sim->neighbor, state, err);
 }
 

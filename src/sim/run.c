@@ -66,6 +66,7 @@ hs_status hs_sim_setup(hs_sim *sim, hs_error *err)
 hs_status hs_sim_setup_forces(hs_sim *sim, hs_error *err)
 {
     hs_neighbor_start(&sim->neighbor);
+    HS_TRY(hs_sim_pre_force(sim, true, err));
     HS_TRY(hs_sim_exchange(sim, err));
     HS_TRY(hs_sim_pair_forces(sim, true, err));
     sim->env.with_energy = true;
@@ -258,6 +259,8 @@ hs_status hs_sim_run(hs_sim *sim, const hs_run_plan *plan, hs_error *err)
     const hs_status status = run_steps(sim, plan, err);
     hs_progress_wipe(sim->env.out);
     if (status != HS_OK) return tell_what_is_left(sim, status, err);
+    for (int k = 0; k < sim->n_fixes; ++k)
+        if (sim->fix[k]->style->end_of_run != NULL) HS_TRY(sim->fix[k]->style->end_of_run(sim->fix[k], err));
     if (plan->post)
         hs_report_finish(sim, plan->n_steps, hs_time_now_s() - start_s, hs_time_cpu_s() - start_cpu_s, NULL);
     hs_thermo_say_means(sim->thermo);

@@ -12,6 +12,8 @@
 #include "style/pair_scan.h"
 
 static void view_pairs(hs_env *env, hs_pair_view *view);
+static hs_status pairs_changed(hs_env *env, bool *needs_lists, hs_error *err);
+static hs_pair *pair_of(hs_env *env);
 static hs_compute *find_compute(hs_env *env, const char *id);
 static hs_fix *find_fix(hs_env *env, const char *id);
 static hs_region *find_region(hs_env *env, const char *id);
@@ -59,6 +61,8 @@ static hs_status create(hs_sim *sim, const hs_options *options, hs_sink *out, hs
                         .energy_step = -1,
                         .revision = 1,
                         .view_pairs = view_pairs,
+                        .pairs_changed = pairs_changed,
+                        .pair = pair_of,
                         .find_compute = find_compute,
                         .find_fix = find_fix,
                         .find_region = find_region};
@@ -141,6 +145,12 @@ static void view_pairs(hs_env *env, hs_pair_view *view)
         view->list = &sim->list;
 }
 
+static hs_status pairs_changed(hs_env *env, bool *needs_lists, hs_error *err)
+{
+    return hs_sim_renew_pair(sim_of(env), needs_lists, err);
+}
+
+static hs_pair *pair_of(hs_env *env) { return sim_of(env)->pair; }
 static hs_compute *find_compute(hs_env *env, const char *id) { return hs_sim_find_compute(sim_of(env), id); }
 static hs_fix *find_fix(hs_env *env, const char *id) { return hs_sim_find_fix(sim_of(env), id); }
 static hs_region *find_region(hs_env *env, const char *id) { return hs_sim_find_region(sim_of(env), id); }

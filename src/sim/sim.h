@@ -163,6 +163,9 @@ HS_MUST_USE hs_status hs_sim_run(hs_sim *sim, const hs_run_plan *plan, hs_error 
 HS_MUST_USE hs_status hs_sim_exchange(hs_sim *sim, hs_error *err);
 /** Tables of pair parameters, exclusions and cutoffs for the next run.  sim/pair_setup.c */
 HS_MUST_USE hs_status hs_sim_setup_pair(hs_sim *sim, hs_error *err);
+/** The same within a run, after coefficients or radii were changed. *needs_lists: lists and halo of the present reach do not serve
+ *  any more (collective).  sim/pair_setup.c */
+HS_MUST_USE hs_status hs_sim_renew_pair(hs_sim *sim, bool *needs_lists, hs_error *err);
 /** Kernel types of the local atoms from their types and groups; only when groups are excluded from each other. */
 void hs_sim_set_kernel_types(hs_sim *sim);
 /** What a force evaluation (or the making of a list) reads, for the first part of the pair style that exerts forces; there must be
@@ -194,6 +197,9 @@ HS_MUST_USE hs_status hs_sim_fit_grid(hs_sim *sim, const hs_force_result *result
 void hs_sim_await_halo(hs_sim *sim);
 /** Pair forces on all local atoms, and with_energy also env.pair_energy and pair_virial (collective).  sim/pair_forces.c */
 HS_MUST_USE hs_status hs_sim_pair_forces(hs_sim *sim, bool with_energy, hs_error *err);
+/** What fixes change that lists and forces depend on; @p is_setup: before the first forces of a run (collective).
+ *  sim/fix_forces.c */
+HS_MUST_USE hs_status hs_sim_pre_force(hs_sim *sim, bool is_setup, hs_error *err);
 /** What fixes add to, or change about, the forces; with env.with_energy also env.fix_energy and fix_virial (collective).
  *  sim/fix_forces.c */
 HS_MUST_USE hs_status hs_sim_post_force(hs_sim *sim, hs_error *err);

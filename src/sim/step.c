@@ -68,6 +68,7 @@ hs_status hs_sim_step(hs_sim *sim, bool with_energy, hs_error *err)
     hs_timer_mark(&sim->timer);
     CALL_FIXES(sim, initial_integrate, err);
     CALL_FIXES(sim, post_integrate, err);
+    HS_TRY(hs_sim_pre_force(sim, false, err));
     hs_timer_add(&sim->timer, HS_PHASE_MODIFY);
 
     HS_TRY(bring_neighbors_up_to_date(sim, err));

@@ -24,8 +24,11 @@ HS_MUST_USE hs_status hs_chunks_find(hs_env *env, const char *id, const char *co
                                      hs_error *err);
 static inline hs_chunks *hs_chunks_of(const hs_compute *compute) { return compute->state; }
 
-/** sums[n]: values[n_local] of the atoms with a group bit of @p mask, added up by chunk (compute->atoms must be current).
- *  The same bits for any threads, ranks and order of atoms; exact to 2^-59 of the largest value. Collective. */
+/** sums[n_bins]: values[n_local] of the atoms with a group bit of @p mask, added up by their bin[n_local], from 1 (0: none). The same
+ *  bits for any threads, ranks and order of atoms; exact to 2^-59 of the largest value. Collective. */
+HS_MUST_USE hs_status hs_bins_sum(const hs_env *env, uint32_t mask, const double *bin, size_t n_bins,
+                                  const double *values, double *sums, hs_error *err);
+/** The same by chunk (compute->atoms must be current). */
 HS_MUST_USE hs_status hs_chunks_sum(const hs_compute *compute, uint32_t mask, const double *values, double *sums,
                                     hs_error *err);
 

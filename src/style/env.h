@@ -13,6 +13,7 @@
 #include "parallel/parallel.h"
 
 struct hs_compute;
+struct hs_pair;
 struct hs_pair_view;
 struct hs_fix;
 struct hs_region;
@@ -67,6 +68,11 @@ typedef struct hs_env {
 
     /** How pairs of atoms interact now: see style/pair_scan.h. */
     void (*view_pairs)(struct hs_env *env, struct hs_pair_view *view);
+    /** Coefficients of the pair style, or radii, were changed: make the tables of pair parameters anew (collective).
+     *  *needs_lists: pairs reach farther or less far, or by other radii, than before, so that the present step needs new lists. */
+    hs_status (*pairs_changed)(struct hs_env *env, bool *needs_lists, hs_error *err);
+    /** The pair style; NULL without one. */
+    struct hs_pair *(*pair)(struct hs_env *env);
     /* Look-ups; NULL when there is none of that ID */
     struct hs_compute *(*find_compute)(struct hs_env *env, const char *id);
     struct hs_fix *(*find_fix)(struct hs_env *env, const char *id);
@@ -75,6 +81,8 @@ typedef struct hs_env {
     hs_status (*variable_value)(void *deck, const char *name, double *value, hs_error *err);
     /** Values of an atom-style variable for the local atoms: values[n_local]. */
     hs_status (*variable_atoms)(void *deck, const char *name, double *values, hs_error *err);
+    /** Give an internal-style variable a value; an error when it is of another style. */
+    hs_status (*set_variable)(void *deck, const char *name, double value, hs_error *err);
     /** 0: there is no variable of that name, 1: it has one value, 2: one for each atom. */
     int (*variable_kind)(void *deck, const char *name);
     /** Replace $x, ${name} and $(formula) in a text, as in a line of the deck (collective). */

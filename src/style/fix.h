@@ -22,6 +22,9 @@ typedef struct hs_fix_style {
     HS_MUST_USE hs_status (*setup)(struct hs_fix *fix, hs_error *err); /**< after the run's first forces */
     HS_MUST_USE hs_status (*initial_integrate)(struct hs_fix *fix, hs_error *err); /**< half kick and drift */
     HS_MUST_USE hs_status (*post_integrate)(struct hs_fix *fix, hs_error *err); /**< after all drifts: walls, shifts */
+    /** After all moves, before lists and forces: change what these depend on, such as coefficients (env->pairs_changed). Also
+     *  before the first forces of a run (@p is_setup). */
+    HS_MUST_USE hs_status (*pre_force)(struct hs_fix *fix, bool is_setup, hs_error *err);
     /** First step, from the present one on, at which this fix wants lists made anew whatever the schedule; NULL: never. */
     int64_t (*next_exchange)(const struct hs_fix *fix);
     /** Before atoms go to the ranks that own their places, whenever lists are due: add or remove atoms, or move the ranks'
@@ -31,6 +34,7 @@ typedef struct hs_fix_style {
     HS_MUST_USE hs_status (*post_force)(struct hs_fix *fix, hs_error *err);
     HS_MUST_USE hs_status (*final_integrate)(struct hs_fix *fix, hs_error *err); /**< half kick */
     HS_MUST_USE hs_status (*end_of_step)(struct hs_fix *fix, hs_error *err);
+    HS_MUST_USE hs_status (*end_of_run)(struct hs_fix *fix, hs_error *err); /**< after the last step and its output */
     /** Global values that decide the future, moved into a checkpoint or back (collective). Reading comes after create and
      *  init; setup is not called then, for the run goes on in its midst. NULL: the words of the fix say everything. */
     HS_MUST_USE hs_status (*keep_state)(struct hs_fix *fix, hs_state *state, hs_error *err);

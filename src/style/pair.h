@@ -11,9 +11,16 @@
 
 struct hs_pair;
 
+/** A coefficient that fix adapt may change. */
+typedef struct hs_pair_adaptable {
+    const char *name;
+    int index; /**< in hs_pair_coeff.c: see style/pair_coeffs.h */
+} hs_pair_adaptable;
+
 typedef struct hs_pair_style {
-    hs_description about;   /**< words after pair_style */
-    hs_syntax coeff_syntax; /**< words of pair_coeff after the two types */
+    hs_description about;               /**< words after pair_style */
+    hs_syntax coeff_syntax;             /**< words of pair_coeff after the two types */
+    const hs_pair_adaptable *adaptable; /**< ended by a NULL name; the state begins with hs_pair_coeffs. NULL: none */
     size_t state_size;
     HS_MUST_USE hs_status (*settings)(struct hs_pair *pair, const hs_args *args, hs_error *err);
     void (*destroy)(struct hs_pair *pair);
@@ -47,6 +54,7 @@ typedef struct hs_pair {
     double *cutoff;        /**< distance, 0 where no force acts; the largest of the parts; by hs_pair_complete; owned */
     double cutoff_max;     /**< the largest of all */
     bool shift, tail;      /**< pair_modify */
+    bool is_adapted;       /**< coefficients are no longer those of pair_coeff: checkpoints keep them */
     hs_mix_rule mix;
     struct hs_pair *
         *part; /**< whose forces are added: the sub-styles of a hybrid style, owned; else only the pair itself */

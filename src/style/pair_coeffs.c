@@ -1,8 +1,12 @@
 #include "style/pair_coeffs.h"
 
 #include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
 
 #include "base/memory.h"
+
+static hs_pair_coeffs *coeffs_of(const hs_pair *pair) { return pair->state; }
 
 hs_status hs_pair_coeffs_set_cutoff(hs_pair *pair, double cutoff, hs_error *err)
 {
@@ -22,17 +26,53 @@ hs_status hs_pair_coeffs_settings(hs_pair *pair, const hs_args *args, hs_error *
     return hs_pair_coeffs_set_cutoff(pair, cutoff, err);
 }
 
+hs_status hs_pair_coeffs_no_settings(hs_pair *pair, const hs_args *args, hs_error *err)
+{
+    (void)args;
+    return coeffs_of(pair)->at != NULL ? HS_OK : hs_pair_coeffs_set_cutoff(pair, 0.0, err);
+}
+
 hs_status hs_pair_coeffs_read_cutoff(const hs_pair *pair, const hs_args *args, int i, double *cutoff, hs_error *err)
 {
     *cutoff = ((hs_pair_coeffs *)pair->state)->cutoff;
     return args->n > i ? hs_arg_not_negative(args, i, cutoff, err) : HS_OK;
 }
 
+/** A number with as many digits as bring it back. */
+static hs_status write_number(double value, hs_text *words, hs_error *err)
+{
+    char text[40];
+    snprintf(text, sizeof text, "%.15g", value);
+    return hs_text_printf(words, err, strtod(text, NULL) == value ? "%.15g" : "%.17g", value);
+}
+
 hs_status hs_pair_coeffs_write(const hs_pair *pair, int i, int j, int n, hs_text *words, hs_error *err)
 {
     const hs_pair_coeff *coeff = hs_pair_coeffs_at(pair, i, j);
-    for (int k = 0; k < n; ++k) HS_TRY(hs_text_printf(words, err, "%.17g ", coeff->c[k]));
-    return hs_text_printf(words, err, "%.17g", coeff->cutoff);
+    for (int k = 0; k < n; ++k) {
+        HS_TRY(write_number(coeff->c[k], words, err));
+        HS_TRY(hs_text_append(words, " ", 1, err));
+    }
+    return write_number(coeff->cutoff, words, err);
+}
+
+hs_status hs_pair_coeffs_keep(hs_pair *pair, const char *name, hs_state *state, hs_error *err)
+{
+    const hs_pair_adaptable *adaptable = pair->style->adaptable;
+    for (; adaptable != NULL && adaptable->name != NULL; ++adaptable) {
+        hs_text full = {0};
+        double *values = NULL;
+        const int n = pair->n_types + 1;
+        hs_status status = hs_text_printf(&full, err, "%s %s", name, adaptable->name);
+        if (status == HS_OK) status = HS_ALLOC(values, (size_t)n * (size_t)n, err);
+        for (int k = 0; k < n * n && status == HS_OK; ++k) values[k] = coeffs_of(pair)->at[k].c[adaptable->index];
+        if (status == HS_OK) status = hs_state_double(state, hs_text_get(&full), values, (int64_t)n * n, err);
+        for (int k = 0; k < n * n && status == HS_OK; ++k) coeffs_of(pair)->at[k].c[adaptable->index] = values[k];
+        hs_text_fini(&full);
+        HS_FREE(values);
+        HS_TRY(status);
+    }
+    return HS_OK;
 }
 
 void hs_pair_coeffs_destroy(hs_pair *pair)

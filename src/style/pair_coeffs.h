@@ -3,6 +3,7 @@
 #define HS_STYLE_PAIR_COEFFS_H
 
 #include "style/pair.h"
+#include "style/state.h"
 
 enum { HS_COEFFS_MAX = 8 };
 
@@ -28,10 +29,15 @@ static inline hs_pair_coeff *hs_pair_coeffs_at(const hs_pair *pair, int i, int j
 HS_MUST_USE hs_status hs_pair_coeffs_set_cutoff(hs_pair *pair, double cutoff, hs_error *err);
 /** A pair_style whose only word is that cutoff: ->settings of most styles. */
 HS_MUST_USE hs_status hs_pair_coeffs_settings(hs_pair *pair, const hs_args *args, hs_error *err);
+/** A pair_style without words, whose cutoffs follow from the coefficients. */
+HS_MUST_USE hs_status hs_pair_coeffs_no_settings(hs_pair *pair, const hs_args *args, hs_error *err);
 /** Cutoff of a pair from word @p i, or the one of all pairs when there is no such word. */
 HS_MUST_USE hs_status hs_pair_coeffs_read_cutoff(const hs_pair *pair, const hs_args *args, int i, double *cutoff,
                                                  hs_error *err);
-/** Append the first n coefficients and the cutoff, with all digits. */
+/** The coefficients that fix adapt may change, of all pairs of types: moved into a checkpoint or back; their names there begin
+ *  with @p name. */
+HS_MUST_USE hs_status hs_pair_coeffs_keep(hs_pair *pair, const char *name, hs_state *state, hs_error *err);
+/** Append the first n coefficients and the cutoff, with the digits that bring them back. */
 HS_MUST_USE hs_status hs_pair_coeffs_write(const hs_pair *pair, int i, int j, int n, hs_text *words, hs_error *err);
 /* Hooks of styles with one coefficient, mixed by the geometric mean, and a cutoff, mixed as a distance. */
 HS_MUST_USE hs_status hs_pair_coeffs_read_one(hs_pair *pair, int i, int j, const hs_args *args, hs_error *err);

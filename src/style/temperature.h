@@ -12,6 +12,7 @@ enum { HS_ALL_AXES = -1 };
 typedef struct hs_temperature {
     int n_axes;       /**< degrees of freedom of an atom; HS_ALL_AXES: as many as the box has dimensions */
     double n_fixed;   /**< not thermal, to be taken off: compute_modify extra/dof */
+    double n_bias;    /**< degrees of freedom that the bias takes, to be taken off too */
     bool has_n_fixed; /**< else they are those of one atom */
     bool is_dynamic;  /**< atoms are counted at each evaluation: compute_modify dynamic/dof */
 } hs_temperature;

@@ -105,3 +105,49 @@ variable r atom random(-0.1,0.1,99)
 set group all vx v_r
 fix p all print 10 "$(atoms) $(f_2)" file p.txt screen no
 D
+
+check adapt <<'D'
+fix 1 all nve
+variable f equal 1.2-0.3*cos(step/11)
+variable s equal 1+0.002*step
+fix a all adapt 5 pair lj/cut epsilon 1 1 v_f pair lj/cut sigma * * v_s scale yes reset yes
+fix b all adapt 3 pair lj/cut epsilon 1 1 v_f
+run 7
+unfix b
+fix p all print 10 "$(pe:%.17g)" file p.txt screen no
+D
+
+check controller <<'D'
+variable T internal 1.0
+fix 1 all nve
+fix 2 all langevin v_T 1.0 0.5 4711
+fix 3 all controller 7 1.0 0.5 0.2 0.1 c_thermo_temp 1.5 T
+fix p all print 10 "$(v_T:%.17g) $(f_3[1]:%.17g) $(f_3[2]:%.17g) $(f_3[3]:%.17g)" file p.txt screen no
+D
+
+check adapted_before <<'D'
+fix 1 all nve
+variable f equal 0.4+0.01*step
+fix a all adapt 2 pair lj/cut epsilon 1 2 v_f
+run 9
+unfix a
+D
+
+check diameters <<'D'
+clear
+units lj
+atom_style sphere
+lattice sc 1.0
+region box block 0 4 0 4 0 4
+create_box 1 box
+create_atoms 1 box
+set group all diameter 0.8
+velocity all create 0.5 4711
+pair_style harmonic/sphere
+pair_coeff * * 100
+checkpoint every 33 steps keep 9
+thermo 10
+fix 1 all nve
+variable d equal 1+0.004*step
+fix a all adapt 4 atom diameter v_d scale yes reset yes
+D
