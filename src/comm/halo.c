@@ -251,6 +251,7 @@ hs_status hs_halo_build(hs_halo *halo, const hs_domain *domain, const hs_paralle
     HS_UNLESS_FAILED(err, describe_messages(halo, err));
     HS_TRY(hs_parallel_agree(parallel, err));
     halo->n = halo->in.n;
+    halo->is_ascending = true;
     place_atoms(halo, atoms);
     return HS_OK;
 }
@@ -259,6 +260,7 @@ void hs_halo_follow(hs_halo *halo, hs_atoms *atoms, const int32_t *place)
 {
 #pragma omp parallel for schedule(static)
     for (int k = 0; k < halo->out.n; ++k) halo->source[k] = place[halo->source[k]];
+    halo->is_ascending = false;
     place_atoms(halo, atoms);
 }
 

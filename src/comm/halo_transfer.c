@@ -2,6 +2,7 @@
 #include <string.h>
 
 #include "comm/halo.h"
+#include "parallel/parallel.h"
 
 /** Part of a per-atom array, as it stands in the words of a message. */
 typedef struct piece {
@@ -25,13 +26,36 @@ void hs_halo_fit_box(hs_halo *halo, const hs_box *box)
         }
 }
 
-static void pack_positions(const hs_halo *halo, double *const position[3])
+/** First place in [begin, end) whose source is not below `atom`; if sources do not ascend, some place that only grows with it. */
+static int place_of(const hs_halo *halo, int begin, int end, int64_t atom)
 {
-#pragma omp parallel
-    for (int b = halo->out.n_self; b < halo->out.n_blocks; ++b) {
+    while (begin < end) {
+        const int middle = begin + (end - begin) / 2;
+        if (halo->source[middle] < atom)
+            begin = middle + 1;
+        else
+            end = middle;
+    }
+    return begin;
+}
+
+/** Share of the calling thread in a block to send: copies of the atoms that are its share in all loops over atoms, so that it finds them in
+ *  its cache and does not take them from another's. */
+static void share_of_block(const hs_halo *halo, const hs_halo_block *block, int n_local, int *begin, int *end)
+{
+    int64_t first, last;
+    const int thread = hs_thread_number(), n_threads = hs_thread_count();
+    hs_thread_range(n_local, 1, thread, n_threads, &first, &last);
+    *begin = place_of(halo, block->begin, block->end, first);
+    *end = thread == n_threads - 1 ? block->end : place_of(halo, block->begin, block->end, last);
+}
+
+static void pack_positions(const hs_halo *halo, int n_local, double *const position[3])
+{
+    for (int b = halo->out.n_self, begin, end; b < halo->out.n_blocks; ++b) {
         const hs_halo_block *block = &halo->out.block[b];
-#pragma omp for schedule(static) nowait
-        for (int k = block->begin; k < block->end; ++k) {
+        share_of_block(halo, block, n_local, &begin, &end);
+        for (int k = begin; k < end; ++k) {
             double *words = words_of(&halo->out, k);
             for (int axis = 0; axis < 3; ++axis) words[axis] = position[axis][halo->source[k]] + block->shift[axis];
         }
@@ -40,11 +64,10 @@ static void pack_positions(const hs_halo *halo, double *const position[3])
 
 static void copy_own_positions(const hs_halo *halo, int n_local, double *const position[3])
 {
-#pragma omp parallel
-    for (int b = 0; b < halo->out.n_self; ++b) {
+    for (int b = 0, begin, end; b < halo->out.n_self; ++b) {
         const hs_halo_block *block = &halo->out.block[b];
-#pragma omp for schedule(static) nowait
-        for (int k = block->begin; k < block->end; ++k)
+        share_of_block(halo, block, n_local, &begin, &end);
+        for (int k = begin; k < end; ++k)
             for (int axis = 0; axis < 3; ++axis)
                 position[axis][n_local + halo->slot[k]] = position[axis][halo->source[k]] + block->shift[axis];
     }
@@ -52,27 +75,43 @@ static void copy_own_positions(const hs_halo *halo, int n_local, double *const p
 
 static void unpack_positions(const hs_halo *halo, int n_local, double *const position[3])
 {
-#pragma omp parallel for schedule(static)
+#pragma omp for schedule(static) nowait
     for (int k = halo->in.n_self_atoms; k < halo->n; ++k)
         for (int axis = 0; axis < 3; ++axis) position[axis][n_local + halo->slot[k]] = words_of(&halo->in, k)[axis];
 }
 
+/* Each of these on all threads, unless there is nothing to do. */
+
+static void send_positions(const hs_halo *halo, int n_local, double *const position[3])
+{
+    if (halo->out.n > halo->out.n_self_atoms) HS_ON_THREADS(pack_positions(halo, n_local, position));
+    hs_messages_start(&halo->forward);
+}
+
+static void make_own_images(const hs_halo *halo, int n_local, double *const position[3])
+{
+    if (halo->out.n_self_atoms > 0) HS_ON_THREADS(copy_own_positions(halo, n_local, position));
+}
+
+static void take_positions(const hs_halo *halo, int n_local, double *const position[3])
+{
+    if (halo->n > halo->in.n_self_atoms) HS_ON_THREADS(unpack_positions(halo, n_local, position));
+}
+
 void hs_halo_forward_positions(const hs_halo *halo, const hs_atoms *atoms, double *const position[3])
 {
-    if (halo->out.n > halo->out.n_self_atoms) pack_positions(halo, position);
-    hs_messages_start(&halo->forward);
-    copy_own_positions(halo, atoms->n_local, position);
+    send_positions(halo, atoms->n_local, position);
+    make_own_images(halo, atoms->n_local, position);
     hs_messages_wait(&halo->forward);
-    if (halo->n > halo->in.n_self_atoms) unpack_positions(halo, atoms->n_local, position);
+    take_positions(halo, atoms->n_local, position);
 }
 
 void hs_halo_forward(const hs_halo *halo, hs_atoms *atoms) { hs_halo_forward_positions(halo, atoms, atoms->x); }
 
 void hs_halo_forward_send(hs_halo *halo, hs_atoms *atoms)
 {
-    if (halo->out.n > halo->out.n_self_atoms) pack_positions(halo, atoms->x);
-    hs_messages_start(&halo->forward);
-    copy_own_positions(halo, atoms->n_local, atoms->x);
+    send_positions(halo, atoms->n_local, atoms->x);
+    make_own_images(halo, atoms->n_local, atoms->x);
     halo->is_awaited = true;
 }
 
@@ -82,10 +121,7 @@ void hs_halo_forward_wait(hs_halo *halo)
     halo->is_awaited = false;
 }
 
-void hs_halo_forward_receive(const hs_halo *halo, hs_atoms *atoms)
-{
-    if (halo->n > halo->in.n_self_atoms) unpack_positions(halo, atoms->n_local, atoms->x);
-}
+void hs_halo_forward_receive(const hs_halo *halo, hs_atoms *atoms) { take_positions(halo, atoms->n_local, atoms->x); }
 
 void hs_halo_reorder(hs_halo *halo, hs_atoms *atoms, const int32_t *order)
 {
@@ -94,8 +130,8 @@ void hs_halo_reorder(hs_halo *halo, hs_atoms *atoms, const int32_t *order)
         halo->slot[order[q]] = q;
         halo->is_remote[q] = order[q] >= halo->in.n_self_atoms;
     }
-    copy_own_positions(halo, atoms->n_local, atoms->x);
-    unpack_positions(halo, atoms->n_local, atoms->x); /* those of the build are in the buffer still */
+    make_own_images(halo, atoms->n_local, atoms->x);
+    take_positions(halo, atoms->n_local, atoms->x); /* those of the build are in the buffer still */
 }
 
 /** The usual lengths as plain moves. */
@@ -188,46 +224,64 @@ static inline void add_back(double *to, const double *value, bool is_fixed)
 
 static void pack_back(const hs_halo *halo, int n_local, double *const values[3])
 {
-    if (halo->n == halo->in.n_self_atoms) return; /* a parallel region for nothing costs some microseconds */
-#pragma omp parallel for schedule(static)
+#pragma omp for schedule(static) nowait
     for (int k = halo->in.n_self_atoms; k < halo->n; ++k)
         for (int axis = 0; axis < 3; ++axis) words_of(&halo->in, k)[axis] = values[axis][n_local + halo->slot[k]];
 }
 
-/* Within one block a source occurs once at most, so threads never meet; blocks follow one another. */
+/* Within one block a source occurs once at most. Where sources ascend, threads have atoms of their own in all blocks; else blocks follow
+   one another. */
+
+static void finish_block(const hs_halo *halo)
+{
+    if (halo->is_ascending) return;
+#pragma omp barrier
+}
 
 static void add_own(const hs_halo *halo, int n_local, double *const values[3], bool is_fixed)
 {
-#pragma omp parallel
-    for (int b = 0; b < halo->out.n_self; ++b) {
-        const hs_halo_block *block = &halo->out.block[b];
-#pragma omp for schedule(static)
-        for (int k = block->begin; k < block->end; ++k)
+    for (int b = 0, begin, end; b < halo->out.n_self; ++b) {
+        share_of_block(halo, &halo->out.block[b], n_local, &begin, &end);
+        for (int k = begin; k < end; ++k)
             for (int axis = 0; axis < 3; ++axis)
                 add_back(&values[axis][halo->source[k]], &values[axis][n_local + halo->slot[k]], is_fixed);
+        finish_block(halo);
     }
 }
 
-static void add_received(const hs_halo *halo, double *const values[3], bool is_fixed)
+static void add_received(const hs_halo *halo, int n_local, double *const values[3], bool is_fixed)
 {
-    if (halo->out.n == halo->out.n_self_atoms) return;
-#pragma omp parallel
-    for (int b = halo->out.n_self; b < halo->out.n_blocks; ++b) {
-        const hs_halo_block *block = &halo->out.block[b];
-#pragma omp for schedule(static)
-        for (int k = block->begin; k < block->end; ++k)
+    for (int b = halo->out.n_self, begin, end; b < halo->out.n_blocks; ++b) {
+        share_of_block(halo, &halo->out.block[b], n_local, &begin, &end);
+        for (int k = begin; k < end; ++k)
             for (int axis = 0; axis < 3; ++axis)
                 add_back(&values[axis][halo->source[k]], &words_of(&halo->out, k)[axis], is_fixed);
+        finish_block(halo);
     }
+}
+
+static void send_back(const hs_halo *halo, int n_local, double *const values[3])
+{
+    if (halo->n > halo->in.n_self_atoms) HS_ON_THREADS(pack_back(halo, n_local, values));
+    hs_messages_start(&halo->reverse);
+}
+
+static void take_own(const hs_halo *halo, int n_local, double *const values[3], bool is_fixed)
+{
+    if (halo->out.n_self_atoms > 0) HS_ON_THREADS(add_own(halo, n_local, values, is_fixed));
+}
+
+static void take_back(const hs_halo *halo, int n_local, double *const values[3], bool is_fixed)
+{
+    if (halo->out.n > halo->out.n_self_atoms) HS_ON_THREADS(add_received(halo, n_local, values, is_fixed));
 }
 
 void hs_halo_reverse_arrays(const hs_halo *halo, const hs_atoms *atoms, double *const values[3], bool is_fixed)
 {
-    pack_back(halo, atoms->n_local, values);
-    hs_messages_start(&halo->reverse);
-    add_own(halo, atoms->n_local, values, is_fixed);
+    send_back(halo, atoms->n_local, values);
+    take_own(halo, atoms->n_local, values, is_fixed);
     hs_messages_wait(&halo->reverse);
-    add_received(halo, values, is_fixed);
+    take_back(halo, atoms->n_local, values, is_fixed);
 }
 
 void hs_halo_reverse(const hs_halo *halo, hs_atoms *atoms, bool is_fixed)
@@ -235,22 +289,18 @@ void hs_halo_reverse(const hs_halo *halo, hs_atoms *atoms, bool is_fixed)
     hs_halo_reverse_arrays(halo, atoms, atoms->f, is_fixed);
 }
 
-void hs_halo_reverse_send(const hs_halo *halo, const hs_atoms *atoms)
-{
-    pack_back(halo, atoms->n_local, atoms->f);
-    hs_messages_start(&halo->reverse);
-}
+void hs_halo_reverse_send(const hs_halo *halo, const hs_atoms *atoms) { send_back(halo, atoms->n_local, atoms->f); }
 
 void hs_halo_reverse_own(const hs_halo *halo, hs_atoms *atoms, bool is_fixed)
 {
-    add_own(halo, atoms->n_local, atoms->f, is_fixed);
+    take_own(halo, atoms->n_local, atoms->f, is_fixed);
 }
 
 void hs_halo_reverse_wait(const hs_halo *halo) { hs_messages_wait(&halo->reverse); }
 
 void hs_halo_reverse_receive(const hs_halo *halo, hs_atoms *atoms, bool is_fixed)
 {
-    add_received(halo, atoms->f, is_fixed);
+    take_back(halo, atoms->n_local, atoms->f, is_fixed);
 }
 
 /** Bytes [at, at + length) of each value. */

@@ -54,7 +54,7 @@ static inline __attribute__((always_inline)) void move_atoms(const hs_atoms *ato
     }
 }
 
-static inline __attribute__((always_inline)) void move(const hs_fix *fix, const bool drift)
+static void move(const hs_fix *fix, const bool drift)
 {
     const nve_state *nve = fix->state;
     const hs_atoms *atoms = fix->env->atoms;
@@ -64,10 +64,11 @@ static inline __attribute__((always_inline)) void move(const hs_fix *fix, const 
                               .half_kick = nve->half_kick,
                               .mask = fix->mask};
     const bool is_plain = atoms->n_types == 1 && atoms->rmass == NULL && fix->group == 0;
-#pragma omp parallel
     for (int axis = 0; axis < 3; ++axis) {
-        if (is_plain)
-            move_atoms(atoms, axis, &sizes, drift, true);
+        if (is_plain && drift)
+            move_atoms(atoms, axis, &sizes, true, true);
+        else if (is_plain)
+            move_atoms(atoms, axis, &sizes, false, true);
         else
             move_atoms(atoms, axis, &sizes, drift, false);
     }
@@ -76,14 +77,14 @@ static inline __attribute__((always_inline)) void move(const hs_fix *fix, const 
 static hs_status initial_integrate(hs_fix *fix, hs_error *err)
 {
     (void)err;
-    move(fix, true);
+    HS_ON_THREADS(move(fix, true));
     return HS_OK;
 }
 
 static hs_status final_integrate(hs_fix *fix, hs_error *err)
 {
     (void)err;
-    move(fix, false);
+    HS_ON_THREADS(move(fix, false));
     return HS_OK;
 }
 

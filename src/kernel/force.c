@@ -5,6 +5,7 @@
 
 #include "base/memory.h"
 #include "kernel/motion.h"
+#include "parallel/cache.h"
 #include "parallel/parallel.h"
 
 static int64_t n_blocks(int64_t n_atoms) { return (n_atoms + HS_FORCE_BLOCK - 1) >> HS_FORCE_BLOCK_BITS; }
@@ -118,7 +119,16 @@ static void reduce_block(hs_force_space *space, int64_t block, int64_t n_room, b
             if (space->buffer[t].touched[block]) add_forces(f, space->buffer[t].f[axis], begin, end, is_fixed);
         }
     }
-    for (int t = 0; t < space->n_threads; ++t) space->buffer[t].touched[block] = t == 0;
+}
+
+/** Take the positions of a block that other threads have read back from their caches, for they will be written soon. */
+static void take_back_positions(const hs_force_space *space, const hs_atoms *atoms, int64_t block, int thread)
+{
+    const int64_t begin = block << HS_FORCE_BLOCK_BITS, left = atoms->n_local - begin;
+    bool is_shared = false;
+    for (int t = 0; t < space->n_threads && left > 0; ++t) is_shared |= t != thread && space->buffer[t].touched[block];
+    for (int axis = 0; axis < 3 && is_shared; ++axis)
+        hs_cache_take(atoms->x[axis] + begin, sizeof(double) * (size_t)(left < HS_FORCE_BLOCK ? left : HS_FORCE_BLOCK));
 }
 
 /** The atoms' forces of one block of packed clusters, from the threads that wrote there. */
@@ -165,34 +175,50 @@ static int64_t first_halo_block(const hs_force_job *job)
 static void reduce(hs_force_space *space, const hs_force_job *job, const float **part, int64_t block)
 {
     const int64_t n_room = (int64_t)job->atoms->n_local + job->atoms->n_halo + HS_ATOMS_PAD;
-    if (hs_force_is_packed(job))
+    if (hs_force_is_packed(job)) {
         unpack_block(space, job, part, block);
-    else
+    } else {
         reduce_block(space, block, n_room, job->precision == HS_PRECISION_FIXED);
+        take_back_positions(space, job->atoms, block, hs_thread_number());
+        for (int t = 0; t < space->n_threads; ++t) space->buffer[t].touched[block] = t == 0;
+    }
 }
 
-/** One stage on all threads, then the reduction of the blocks [begin, end) of forces: those of local atoms first, shared as the loops
- *  over local atoms are that follow, so that each thread finds in its cache what it has written. */
+/** A stage, and the blocks of forces [begin, end) that are reduced after it. */
+typedef struct stage_work {
+    hs_force_space *space;
+    const hs_force_job *job;
+    hs_force_work work;
+    hs_force_stage stage;
+    int64_t begin, end;
+} stage_work;
+
+/** One stage on one thread, then its share of the reduction. Blocks of local atoms come first, shared as the loops over local atoms are
+ *  that follow, so that each thread finds in its cache what it has written. */
+static void run_stage_on_thread(const stage_work *w)
+{
+    hs_force_space *space = w->space;
+    const hs_force_job *job = w->job;
+    const int thread = hs_thread_number();
+    hs_force_buffer *buffer = &space->buffer[thread];
+    const float *part[space->n_threads];
+    const int64_t first_halo = first_halo_block(job),
+                  middle = first_halo < w->begin ? w->begin : (first_halo < w->end ? first_halo : w->end);
+    if (w->stage == HS_STAGE_ALL || w->stage == HS_STAGE_BEFORE)
+        begin_thread(buffer, n_blocks_of(space, job), job->is_added && thread == 0 && !hs_force_is_packed(job));
+    if (buffer->error.status == HS_OK) (void)w->work(space, job, w->stage, thread);
+#pragma omp barrier
+#pragma omp for schedule(static) nowait
+    for (int64_t block = w->begin; block < middle; ++block) reduce(space, job, part, block);
+#pragma omp for schedule(static) nowait
+    for (int64_t block = middle; block < w->end; ++block) reduce(space, job, part, block);
+}
+
 static void run_stage(hs_force_space *space, const hs_force_job *job, hs_force_work work, hs_force_stage stage,
                       int64_t begin, int64_t end)
 {
-    const bool is_first = stage == HS_STAGE_ALL || stage == HS_STAGE_BEFORE, is_packed = hs_force_is_packed(job);
-    const int64_t first_halo = first_halo_block(job), middle = first_halo < begin ? begin
-                                                               : first_halo < end ? first_halo
-                                                                                  : end;
-#pragma omp parallel num_threads(space->n_threads)
-    {
-        const int thread = hs_thread_number();
-        hs_force_buffer *buffer = &space->buffer[thread];
-        const float *part[space->n_threads];
-        if (is_first) begin_thread(buffer, n_blocks_of(space, job), job->is_added && thread == 0 && !is_packed);
-        if (buffer->error.status == HS_OK) (void)work(space, job, stage, thread);
-#pragma omp barrier
-#pragma omp for schedule(static) nowait
-        for (int64_t block = begin; block < middle; ++block) reduce(space, job, part, block);
-#pragma omp for schedule(static)
-        for (int64_t block = middle; block < end; ++block) reduce(space, job, part, block);
-    }
+    const stage_work w = {space, job, work, stage, begin, end};
+    HS_ON_THREADS(run_stage_on_thread(&w));
 }
 
 /** Pack clusters from number `begin` on. */
@@ -325,87 +351,6 @@ hs_status hs_force_cell(hs_force_space *space, const hs_force_job *job, hs_force
     return status;
 }
 
-static double distance2(const double *const x[3], int i, int j, double d[3])
-{
-    for (int axis = 0; axis < 3; ++axis) d[axis] = x[axis][i] - x[axis][j];
-    return d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
-}
-
-/** Whether the pair was within its listed distance, where that counts. */
-static inline bool is_listed(const hs_kernel_input *in, const double *row, int i, int j)
-{
-    double d[3];
-    if (!in->listed_only) return true;
-    const double r2 = distance2(in->x_listed, i, j, d);
-    return r2 < row[HS_TABLE_LISTED_R2] && (!in->listed_by_radius || r2 < hs_listed_by_radius_r2(in, i, j));
-}
-
-/** One pair of the double loop. */
-static inline void nsq_pair(hs_force_buffer *buffer, const hs_force_job *job, int i, int j)
-{
-    const hs_kernel_input *in = &job->input;
-    const hs_pair_table *table = in->table;
-    const double *row = table->values + (size_t)(in->type[i] * table->n_types + in->type[j]) * (size_t)table->stride;
-    double d[3];
-    const double r2 = distance2(in->x, i, j, d);
-    const double sum_of_radii = job->evaluator->has_radii ? in->radius[i] + in->radius[j] : 0.0;
-    double force_over_r, energy, f[3];
-    if (!hs_evaluator_pair(job->evaluator, row, sum_of_radii, r2, &force_over_r, &energy)) return;
-    if (!is_listed(in, row, i, j)) return;
-    for (int axis = 0; axis < 3; ++axis) {
-        f[axis] = force_over_r * d[axis];
-        buffer->f[axis][i] += f[axis];
-        buffer->f[axis][j] -= f[axis];
-    }
-    buffer->out.energy += energy;
-    double *virial = buffer->out.virial;
-    virial[0] += d[0] * f[0];
-    virial[1] += d[1] * f[1];
-    virial[2] += d[2] * f[2];
-    virial[3] += d[0] * f[1];
-    virial[4] += d[0] * f[2];
-    virial[5] += d[1] * f[2];
-}
-
-/** The double loop with the kernel of method verlet for the pairs it finds: in fixed point all methods must round alike. */
-static hs_status nsq_in_fixed_point(hs_force_space *space, const hs_force_job *job, int thread)
-{
-    hs_force_buffer *buffer = &space->buffer[thread];
-    const hs_kernel_input *in = &job->input;
-    const hs_pair_table *table = in->table;
-    const int n_local = job->atoms->n_local, n_all = n_local + job->atoms->n_halo;
-    const hs_verlet_kernel kernel =
-        job->evaluator->set[job->isa][job->precision]->verlet[job->with_energy][!table->is_uniform];
-    HS_TRY(hs_candidates_reserve(&buffer->candidates, n_all, &buffer->error));
-    int32_t *const listed = buffer->candidates.near;
-    for (int i = thread; i < n_local; i += space->n_threads) {
-        const double *rows = table->values + (size_t)(in->type[i] * table->n_types) * (size_t)table->stride;
-        int64_t range[2] = {0, 0};
-        for (int j = i + 1; j < n_all; ++j)
-            if (is_listed(in, rows + (size_t)in->type[j] * (size_t)table->stride, i, j)) listed[range[1]++] = j;
-        for (int k = 0; k < HS_VERLET_PAD; ++k) listed[range[1] + k] = i;
-        kernel(in, &buffer->out, i, i + 1, range, listed);
-    }
-    return HS_OK;
-}
-
-static hs_status work_nsq(hs_force_space *space, const hs_force_job *job, hs_force_stage stage, int thread)
-{
-    (void)stage;
-    hs_force_buffer *buffer = &space->buffer[thread];
-    const int n_local = job->atoms->n_local, n_all = n_local + job->atoms->n_halo;
-    for (int64_t i = 0; i < n_all; i += HS_FORCE_BLOCK) hs_force_touch(buffer, i, n_all + HS_ATOMS_PAD);
-    if (job->precision == HS_PRECISION_FIXED) return nsq_in_fixed_point(space, job, thread);
-    for (int i = thread; i < n_local; i += space->n_threads)
-        for (int j = i + 1; j < n_all; ++j) nsq_pair(buffer, job, i, j);
-    return HS_OK;
-}
-
-hs_status hs_force_nsq(hs_force_space *space, const hs_force_job *job, hs_force_result *result, hs_error *err)
-{
-    return hs_force_run_threads(space, job, work_nsq, false, result, err);
-}
-
 int hs_fixed_exponent(double value, int bits)
 {
     int exponent;
@@ -419,16 +364,19 @@ void hs_force_job_set_grid(hs_force_job *job, hs_fixed_grid grid)
     job->input.magic_energy = ldexp(1.5, 52 + grid.energy);
 }
 
-void hs_force_settle(hs_atoms *atoms, hs_isa isa, int exponent, bool is_flat)
+static void settle_blocks(hs_atoms *atoms, hs_motion_settle settle, double unit, int n_axes)
 {
-    const double unit = ldexp(1.0, exponent);
-    const hs_motion_settle settle = hs_isa_motion(isa)->settle;
-    const int n_axes = is_flat ? 2 : 3; /* an integer 0 is the number 0, too */
     const int64_t n_atoms = atoms->n_local;
-#pragma omp parallel for schedule(static)
+#pragma omp for schedule(static) nowait
     for (int64_t block = 0; block < n_blocks(n_atoms); ++block) {
         const int64_t begin = block << HS_FORCE_BLOCK_BITS, left = n_atoms - begin;
         for (int axis = 0; axis < n_axes; ++axis)
             settle(atoms->f[axis] + begin, left < HS_FORCE_BLOCK ? left : HS_FORCE_BLOCK, unit);
     }
+}
+
+void hs_force_settle(hs_atoms *atoms, hs_isa isa, int exponent, bool is_flat)
+{
+    const int n_axes = is_flat ? 2 : 3; /* an integer 0 is the number 0, too */
+    HS_ON_THREADS(settle_blocks(atoms, hs_isa_motion(isa)->settle, ldexp(1.0, exponent), n_axes));
 }

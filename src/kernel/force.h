@@ -12,7 +12,7 @@
 #include "parallel/share.h"
 
 enum {
-    HS_FORCE_BLOCK_BITS = 8, /**< forces are cleared and reduced in blocks of this many atoms */
+    HS_FORCE_BLOCK_BITS = 7, /**< forces are cleared and reduced in blocks of this many atoms */
     HS_FORCE_BLOCK = 1 << HS_FORCE_BLOCK_BITS,
     HS_FORCE_CHUNKS = 64 /**< parts of the clusters that are weighed to balance the threads */
 };

@@ -59,7 +59,19 @@ void hs_neighbor_continue(hs_neighbor *neighbor)
     neighbor->counters.first_late_step = -1;
 }
 
-enum { SETTLE_BLOCK = 4096 };
+/** A thread's share of the local atoms; all->... become the largest displacement and all bits of z. */
+static void settle_share(const hs_settle_input *in, int n_local, hs_settle settle, hs_settle_result *all)
+{
+    int64_t begin, end;
+    hs_settle_result own = {0, 0};
+    hs_thread_range(n_local, 1, hs_thread_number(), hs_thread_count(), &begin, &end);
+    settle(in, (int)begin, (int)end, &own);
+#pragma omp critical(hs_neighbor_settle)
+    {
+        if (own.displacement2 > all->displacement2) all->displacement2 = own.displacement2;
+        all->z |= own.z;
+    }
+}
 
 hs_displacements hs_neighbor_settle(const hs_neighbor *neighbor, hs_atoms *atoms, double magic, bool is_2d,
                                     hs_settle settle)
@@ -69,18 +81,12 @@ hs_displacements hs_neighbor_settle(const hs_neighbor *neighbor, hs_atoms *atoms
         in.x[axis] = atoms->x[axis];
         in.listed[axis] = neighbor->x_listed[axis];
     }
-    uint64_t displacement2 = 0, z = 0;
-#pragma omp parallel for schedule(static) reduction(max : displacement2) reduction(| : z)
-    for (int begin = 0; begin < atoms->n_local; begin += SETTLE_BLOCK) {
-        const int left = atoms->n_local - begin;
-        hs_settle_result result = {displacement2, z};
-        settle(&in, begin, begin + (left < SETTLE_BLOCK ? left : SETTLE_BLOCK), &result);
-        displacement2 = result.displacement2;
-        z = result.z;
-    }
+    hs_settle_result all = {0, 0};
+    HS_ON_THREADS(settle_share(&in, atoms->n_local, settle, &all));
     double largest2;
-    memcpy(&largest2, &displacement2, sizeof largest2);
-    return (hs_displacements){.largest2 = largest2 < INFINITY ? largest2 : INFINITY, .has_z = !in.is_flat || z != 0};
+    memcpy(&largest2, &all.displacement2, sizeof largest2);
+    return (hs_displacements){.largest2 = largest2 < INFINITY ? largest2 : INFINITY,
+                              .has_z = !in.is_flat || all.z != 0};
 }
 
 /** Positions whose squares are no numbers: none of a simulation that makes sense is so far away. */
