@@ -36,6 +36,7 @@ static const hs_keyword keywords[] = {
      "atoms outside of all bins belong to none, to the nearest bin, or to none beyond a `bound` (default: mixed)"},
     {"bound", 3, "<x|y|z> <lo> <hi>",
      "bins cover this range (distance, or fractions); `lower` and `upper` are the box's faces"},
+    {"pbc", 1, "yes|no", "shells: distances to the nearest image of the center (default: no)"},
     {"units", 1, "lattice|box|reduced", "lengths in lattice spacings (default), distance, or fractions of the box"},
     {NULL, 0, NULL, NULL},
 };
@@ -48,6 +49,7 @@ static hs_status read_keyword(hs_compute *compute, const hs_args *args, int i, h
     const char *word = args->word[i], *value = args->word[i + 1];
     int choice;
     if (strcmp(word, "bound") == 0) return hs_chunk_bins_read_bound(&state->bins, args, i + 1, err);
+    if (strcmp(word, "pbc") == 0) return hs_arg_bool(args, i + 1, &state->bins.shells.is_periodic, err);
     if (strcmp(word, "compress") == 0) return hs_arg_bool(args, i + 1, &state->chunks.is_compressed, err);
     if (strcmp(word, "nchunk") == 0) state->is_counted_once = strcmp(value, "once") == 0;
     state->chunks.is_once |=
@@ -65,7 +67,7 @@ static hs_status read_keyword(hs_compute *compute, const hs_args *args, int i, h
         HS_TRY(hs_arg_choice(args, i + 1, units, &choice, err));
         state->bins.units = (hs_bins_units)choice;
     } else if (strcmp(word, "limit") == 0) {
-        if (state->kind == BY_BIN)
+        if (state->kind == BY_BIN) /* LAMMPS ignores it */
             return hs_arg_refuse(args, i, "of use with bins: their width and 'bound' say how many there are", NULL,
                                  err);
         HS_TRY(hs_arg_int(args, i + 1, 0, INT32_MAX, &state->limit, err));
@@ -89,28 +91,44 @@ static hs_status count_raw(hs_compute *compute, hs_error *err)
     return HS_OK;
 }
 
-static hs_status create(hs_compute *compute, const hs_args *args, hs_error *err)
+/** What chunks are made by; *n_words is how many words that takes. */
+static hs_status read_kind(hs_compute *compute, const hs_args *args, int *n_words, hs_error *err)
 {
-    static const char *const kinds[] = {"type", "bin/1d", "bin/2d", "bin/3d", NULL};
+    static const char *const kinds[] = {"type", "bin/1d", "bin/2d", "bin/3d", "bin/sphere", "bin/cylinder", NULL};
+    static const int words[] = {1, 4, 7, 10, 7, 9};
     chunk_state *state = compute->state;
-    hs_text name = {0};
-    int kind, first = 1;
+    hs_chunk_bins *bins = &state->bins;
+    int kind;
+    *n_words = 1;
     if (hs_value_is_reference(args->word[0])) {
         state->kind = BY_VALUE;
-        HS_TRY(hs_value_init(&state->value, compute->env, args, 0, HS_VALUE_ATOMS, err));
-    } else {
-        if (hs_arg_choice(args, 0, kinds, &kind, err) != HS_OK) {
-            hs_error_clear(err);
-            return hs_arg_refuse(args, 0, "type, bin/1d, bin/2d, bin/3d or a value per atom (c_ID, f_ID, v_name)",
-                                 kinds, err);
-        }
-        if (kind > 0) {
-            state->kind = BY_BIN;
-            state->chunks.n_axes = kind;
-            HS_TRY(hs_chunk_bins_read(&state->bins, compute->env, args, kind, err));
-        }
-        first = 1 + 3 * kind;
+        return hs_value_init(&state->value, compute->env, args, 0, HS_VALUE_ATOMS, err);
     }
+    if (hs_arg_choice(args, 0, kinds, &kind, err) != HS_OK) {
+        hs_error_clear(err);
+        return hs_arg_refuse(
+            args, 0, "type, bin/1d, bin/2d, bin/3d, bin/sphere, bin/cylinder or a value per atom (c_ID, f_ID, v_name)",
+            kinds, err);
+    }
+    *n_words = words[kind];
+    if (kind == 0) return HS_OK;
+    state->kind = BY_BIN;
+    if (kind == 4)
+        HS_TRY(hs_chunk_bins_read_sphere(bins, args, err));
+    else if (kind == 5)
+        HS_TRY(hs_chunk_bins_read_cylinder(bins, compute->env, args, err));
+    else
+        HS_TRY(hs_chunk_bins_read(bins, compute->env, args, kind, err));
+    state->chunks.n_axes = hs_chunk_bins_coordinates(bins);
+    return HS_OK;
+}
+
+static hs_status create(hs_compute *compute, const hs_args *args, hs_error *err)
+{
+    chunk_state *state = compute->state;
+    hs_text name = {0};
+    int first;
+    HS_TRY(read_kind(compute, args, &first, err));
     const int n_fixed = hs_syntax_first_keyword(&compute->style->about.syntax, args);
     if (n_fixed != first) return hs_arg_refuse(args, n_fixed < first ? n_fixed : first, "a keyword here", NULL, err);
     for (int i = first; i < args->n;) {
@@ -135,6 +153,7 @@ static void destroy(hs_compute *compute)
     if (state->kept != NULL) hs_atoms_remove_field(compute->env->atoms, (void **)&state->kept);
     hs_value_fini(&state->value);
     HS_FREE(state->chunks.place);
+    HS_FREE(state->chunks.volumes);
     HS_FREE(state->chunks.original);
     HS_FREE(state->number);
     HS_FREE(state->region_id);
@@ -191,12 +210,20 @@ static hs_status place_chunks(hs_compute *compute, hs_error *err)
 {
     const chunk_state *state = compute->state;
     hs_chunks *chunks = hs_chunks_of(compute);
+    const bool has_shells = state->bins.shells.n > 0;
     if (chunks->n_axes == 0) return HS_OK;
     HS_TRY(HS_GROW(chunks->place, 0, (size_t)chunks->n * (size_t)chunks->n_axes + 1, err));
+    if (has_shells) HS_TRY(HS_GROW(chunks->volumes, 0, (size_t)chunks->n + 1, err));
     for (int64_t c = 0; c < chunks->n; ++c) {
         const int64_t bin = chunks->is_compressed ? chunks->original[c] - 1 : c;
-        if (bin >= 0) /* `limit exact` may have asked for more than there are */
-            hs_chunk_bins_place(&state->bins, bin, chunks->place + c * chunks->n_axes);
+        double *place = chunks->place + c * chunks->n_axes;
+        /* `limit exact` may have asked for more than there are */
+        const bool is_there = bin >= 0 && bin < state->n_raw;
+        for (int k = 0; k < chunks->n_axes; ++k) place[k] = 0.0;
+        if (is_there) hs_chunk_bins_place(&state->bins, bin, place);
+        if (has_shells)
+            chunks->volumes[c] =
+                is_there ? hs_chunk_bins_volume(&state->bins, compute->env->box, bin, chunks->volume) : chunks->volume;
     }
     return HS_OK;
 }
@@ -267,7 +294,9 @@ static hs_status keep_state(hs_compute *compute, hs_state *kept, hs_error *err)
     HS_TRY(hs_state_int64(kept, "n_raw", &state->n_raw, 1, err));
     HS_TRY(hs_state_int64(kept, "n_locks", &chunks->n_locks, 1, err));
     HS_TRY(hs_state_double(kept, "volume", &chunks->volume, 1, err));
-    for (int k = 0; k < chunks->n_axes; ++k) {
+    HS_TRY(hs_state_double(kept, "center", state->bins.shells.place, 3, err));
+    HS_TRY(hs_state_double(kept, "radii", state->bins.shells.ends, 2, err));
+    for (int k = 0; k < state->bins.n_axes; ++k) {
         const char *const offset[] = {"offset 1", "offset 2", "offset 3"}, *const n[] = {"bins 1", "bins 2", "bins 3"};
         HS_TRY(hs_state_double(kept, offset[k], &state->bins.axis[k].offset, 1, err));
         HS_TRY(hs_state_int64(kept, n[k], &state->bins.axis[k].n, 1, err));
@@ -282,11 +311,14 @@ static hs_status keep_state(hs_compute *compute, hs_state *kept, hs_error *err)
 const hs_compute_style hs_compute_style_chunk_atom = {
     .about =
         {.name = "chunk/atom",
-         .syntax = {.usage =
-                        "type | bin/1d <axis> <origin> <delta> | bin/2d ... | bin/3d ... | <value> [keyword value ...]",
-                    .n_min = 1,
-                    .n_max = -1,
-                    .keywords = keywords},
+         .syntax =
+             {.usage =
+                  "type | bin/1d <axis> <origin> <delta> | bin/2d ... | bin/3d ... | bin/sphere <x> <y> <z> <rmin> "
+                  "<rmax> <n> | bin/cylinder <axis> <origin> <delta> <c1> <c2> <rmin> <rmax> <n> | <value> "
+                  "[keyword value ...]",
+              .n_min = 1,
+              .n_max = -1,
+              .keywords = keywords},
          .summary = "number atoms by bins, types or values, for averages over each part",
          .details =
              "The value per atom `c_ID` is the number of the chunk it belongs to, from 1; 0 for none (atoms outside of "
@@ -294,15 +326,22 @@ const hs_compute_style hs_compute_style_chunk_atom = {
              "`type`: the atom's type. `bin/1d`, `bin/2d`, `bin/3d`: layers, columns or boxes; for each axis (x, y, z) "
              "an origin (`lower`, `center`, `upper` of the covered range, or a coordinate) and a width delta. Edges "
              "are at origin "
-             "plus multiples of delta, and bins cover the box, or the `bound`; the last axis changes fastest. A value "
+             "plus multiples of delta, and bins cover the box, or the `bound`; the last axis changes fastest. "
+             "`bin/sphere`: n "
+             "shells around a point (rings in two dimensions), from rmin to rmax; `bin/cylinder`: such shells around a "
+             "line along an axis, at c1, c2 of the two others, in layers along the axis; c1, c2 and the "
+             "radii are distances even in lattice units, as in LAMMPS. A value "
              "per atom (`c_ID`, `c_ID[i]`, `f_ID`, `v_name`): its whole part, if that is at least 1.\n\n"
              "With `nchunk every` bins follow the box and chunks are counted anew, though not within an averaging "
              "window. `limit N max` leaves out numbers above N, `limit N exact` makes just N chunks. `compress yes` "
              "numbers only chunks that have atoms. `discard` says what becomes of atoms outside of all bins: `mixed` "
-             "puts them into the nearest bin, except beyond a bound given as a number. `ids once` keeps the first "
+             "puts them into the nearest bin or shell, except beyond a bound given as a number. In lattice units the "
+             "bound of x (with bins along two axes of x and y, along three of all) is scaled, others are not, as in "
+             "LAMMPS. `ids once` keeps the first "
              "numbers, `ids nfreq` those of the first sample of each window of fix ave/chunk.",
          .example = "compute layers all chunk/atom bin/1d z lower 0.05 units reduced\n"
-                    "compute grid flow chunk/atom bin/2d x lower 1.0 y lower 1.0\ncompute kinds all chunk/atom type"},
+                    "compute grid flow chunk/atom bin/2d x lower 1.0 y lower 1.0\ncompute kinds all chunk/atom type\n"
+                    "compute drop all chunk/atom bin/sphere 10 10 10 0 8 32 units box"},
     .state_size = sizeof(chunk_state),
     .create = create,
     .destroy = destroy,

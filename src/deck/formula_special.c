@@ -43,8 +43,9 @@ static hs_status do_vector(hs_deck *deck, const hs_node *node, double *value, hs
                        "f_ID[j], a column of an array",
                        args.command, node->words[0]);
     HS_TRY(hs_value_init(&vector, env, &args, 0, HS_VALUE_VECTOR, err));
+    hs_status status = hs_value_refresh(env, &vector, err);
     const int n = hs_value_length(env, &vector);
-    hs_status status = HS_ALLOC(x, (size_t)n, err);
+    if (status == HS_OK) status = HS_ALLOC(x, (size_t)n + 1, err);
     if (status == HS_OK) status = hs_value_vector(env, &vector, x, err);
     if (status == HS_OK) *value = of_vector(node->words_of->name, n, x);
     HS_FREE(x);

@@ -68,6 +68,7 @@ static hs_status reserve(hs_fix *fix, const hs_compute *compute, hs_error *err)
         HS_TRY(hs_fold_reserve(&state->fold, (int)(n * width), err));
     }
     state->n_chunks = chunks->n;
+    fix->has_variable_length = true;
     fix->n_rows = (int)chunks->n;
     fix->n_columns = n_heads(chunks) + 1 + state->columns.n * (state->fold.has_errors ? 3 : 1);
     return HS_OK;
@@ -158,8 +159,9 @@ static hs_status add_to_errors(hs_fix *fix, const hs_chunks *chunks, hs_error *e
     for (int64_t c = 0; c < chunks->n; ++c)
         for (int k = -1; k < state->columns.n; ++k) {
             const size_t at = (size_t)c * width + (size_t)(k + 1);
-            hs_chunk_columns_weigh(&state->columns, fix->env, chunks, k, state->sample[(k + 1) * chunks->n + c],
-                                   state->sample[c], &state->each[at], &state->each[n + at]);
+            hs_chunk_columns_weigh(&state->columns, fix->env, hs_chunks_volume(chunks, c), k,
+                                   state->sample[(k + 1) * chunks->n + c], state->sample[c], &state->each[at],
+                                   &state->each[n + at]);
         }
     return hs_fold_add_sample(&state->fold, state->each, state->each + n, err);
 }
@@ -186,7 +188,8 @@ static hs_status take_sample(hs_fix *fix, hs_compute *compute, hs_error *err)
         for (int k = -1; k < state->columns.n; ++k) {
             double value = state->sample[(k + 1) * chunks->n + c];
             if (k >= 0 && state->columns.norm != HS_NORM_ALL)
-                value = hs_chunk_columns_mean(&state->columns, fix->env, chunks, k, value, state->sample[c], 1.0);
+                value = hs_chunk_columns_mean(&state->columns, fix->env, hs_chunks_volume(chunks, c), k, value,
+                                              state->sample[c], 1.0);
             state->sum[(size_t)c * width + (size_t)(k + 1)] += value;
         }
     return add_to_errors(fix, chunks, err);
@@ -254,7 +257,8 @@ static hs_status end_of_step(hs_fix *fix, hs_error *err)
         double *row = state->sum + c * width;
         for (int k = 0; k < state->columns.n; ++k)
             row[k + 1] = state->columns.norm == HS_NORM_ALL
-                             ? hs_chunk_columns_mean(&state->columns, fix->env, chunks, k, row[k + 1], row[0], repeat)
+                             ? hs_chunk_columns_mean(&state->columns, fix->env, hs_chunks_volume(chunks, c), k,
+                                                     row[k + 1], row[0], repeat)
                              : row[k + 1] / repeat;
         row[0] /= repeat;
     }
@@ -331,7 +335,7 @@ const hs_fix_style hs_fix_style_ave_chunk = {
              "per atom (`c_ID`, `c_ID[i]`, `f_ID`, `f_ID[i]`, `v_name`); and the number or mass of atoms per volume, "
              "`density/number` and `density/mass`, and the temperature, `temp`, from all of the velocity with adof "
              "degrees of freedom of each atom and cdof of each chunk (profiles of a flow: take off its velocity with "
-             "`bias`). The volume is that of a bin, or of the box for other chunks.\n\n"
+             "`bias`). The volume is that of the bin or shell, or of the box for other chunks.\n\n"
              "`norm all` divides the sum over all atoms of all samples by their number; `sample` takes the mean of "
              "each "
              "sample, and of these the mean; `none` gives sums over atoms, not means. Chunks without atoms have 0.\n\n"

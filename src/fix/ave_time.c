@@ -56,17 +56,10 @@ static hs_status read_keywords(ave_state *state, const hs_args *args, int first,
     return HS_OK;
 }
 
-/** Length of the vectors, which must agree. */
-static hs_status find_length(hs_fix *fix, const char *command, hs_error *err)
+static hs_status set_length(hs_fix *fix, int n_rows, hs_error *err)
 {
     ave_state *state = fix->state;
-    state->n_rows = state->is_vector ? hs_value_length(fix->env, &state->values[0]) : 1;
-    for (int k = 1; k < state->n_values && state->is_vector; ++k) {
-        const int n = hs_value_length(fix->env, &state->values[k]);
-        if (n != state->n_rows)
-            return hs_fail(err, HS_ERROR_INPUT, "%s: the vectors must be equally long, and %s has %d elements, %s %d",
-                           command, state->values[0].word, state->n_rows, state->values[k].word, n);
-    }
+    state->n_rows = n_rows;
     const size_t n = (size_t)state->n_rows * (size_t)state->n_values;
     HS_TRY(HS_GROW(state->sum, 0, n, err));
     HS_TRY(HS_GROW(state->sample, 0, (size_t)state->n_rows, err));
@@ -82,6 +75,20 @@ static hs_status find_length(hs_fix *fix, const char *command, hs_error *err)
     fix->n_rows = state->n_rows;
     fix->n_columns = fix->has_array ? n_columns : 0;
     return HS_OK;
+}
+
+/** Length of the vectors, which must agree. */
+static hs_status find_length(hs_fix *fix, const char *command, hs_error *err)
+{
+    const ave_state *state = fix->state;
+    const int n_rows = state->is_vector ? hs_value_length(fix->env, &state->values[0]) : 1;
+    for (int k = 1; k < state->n_values && state->is_vector; ++k) {
+        const int n = hs_value_length(fix->env, &state->values[k]);
+        if (n != n_rows)
+            return hs_fail(err, HS_ERROR_INPUT, "%s: the vectors must be equally long, and %s has %d elements, %s %d",
+                           command, state->values[0].word, n_rows, state->values[k].word, n);
+    }
+    return set_length(fix, n_rows, err);
 }
 
 static const char *name_of(const void *context, int k) { return ((const ave_state *)context)->values[k].word; }
@@ -116,6 +123,7 @@ static hs_status create(hs_fix *fix, const hs_args *args, hs_error *err)
     HS_TRY(read_mode(state, args, first, err));
     HS_TRY(hs_values_create(&state->values, &state->n_values, fix->env, args, 3, first - 3,
                             state->is_vector ? HS_VALUE_VECTOR : HS_VALUE_NUMBER, err));
+    fix->has_variable_length = state->is_vector && hs_value_is_variable(fix->env, &state->values[0]);
     HS_TRY(HS_ALLOC(state->is_off, (size_t)state->n_values, err));
     HS_TRY(read_keywords(state, args, first, err));
     HS_TRY(hs_fold_check_errors(&state->fold, &state->schedule, args->command, err));
@@ -163,12 +171,25 @@ static bool needs_energy(const hs_fix *fix, int64_t step)
     return is_needed;
 }
 
+/** Vectors whose length varies, as the number of chunks does: each window may have another (ave one). */
+static hs_status fit_length(hs_fix *fix, hs_error *err)
+{
+    ave_state *state = fix->state;
+    if (!state->is_vector || state->fold.mode != HS_FOLD_ONE) return HS_OK;
+    for (int k = 0; k < state->n_values; ++k) HS_TRY(hs_value_refresh(fix->env, &state->values[k], err));
+    if (hs_value_length(fix->env, &state->values[0]) == state->n_rows) return HS_OK;
+    char command[128];
+    snprintf(command, sizeof command, "fix '%.80s' (ave/time)", fix->id);
+    return find_length(fix, command, err);
+}
+
 static hs_status take_sample(hs_fix *fix, hs_error *err)
 {
     ave_state *state = fix->state;
     const int n = state->n_values;
     for (int k = 0; k < n; ++k) {
         const hs_value *value = &state->values[k];
+        if (state->is_vector) HS_TRY(hs_value_refresh(fix->env, value, err));
         if (state->is_vector && hs_value_length(fix->env, value) != state->n_rows)
             return hs_fail(err, HS_ERROR_RUN, "fix '%s' (ave/time): the vector %s had %d elements and has %d now",
                            fix->id, value->word, state->n_rows, hs_value_length(fix->env, value));
@@ -190,7 +211,7 @@ static double result(const ave_state *state, int i, int k)
     const hs_fold *fold = &state->fold;
     const double count = hs_fold_count(fold);
     const int n = state->n_values, at = i * n + k % n;
-    if (count == 0.0) return 0.0;
+    if (count == 0.0 || i >= state->n_rows) return 0.0;
     return k < n ? fold->sum[at] / count : k < 2 * n ? fold->error[at] : fold->inefficiency[at];
 }
 
@@ -216,6 +237,7 @@ static hs_status end_of_step(hs_fix *fix, hs_error *err)
     ave_state *state = fix->state;
     HS_TRY(hs_fix_need_sample(fix, state->schedule.next, err));
     if (!hs_schedule_is_due(&state->schedule, fix->env->step)) return HS_OK;
+    if (state->schedule.n_taken == 0) HS_TRY(fit_length(fix, err));
     const int n = state->n_rows * state->n_values;
     if (state->schedule.n_taken == 0) memset(state->sum, 0, (size_t)n * sizeof *state->sum);
     HS_TRY(take_sample(fix, err));
@@ -274,7 +296,10 @@ static hs_status array(hs_fix *fix, int i, int j, double *value, hs_error *err)
 static hs_status keep_state(hs_fix *fix, hs_state *kept, hs_error *err)
 {
     ave_state *state = fix->state;
+    int64_t n_rows = state->n_rows;
     HS_TRY(hs_schedule_keep(&state->schedule, kept, err));
+    HS_TRY(hs_state_int64(kept, "rows", &n_rows, 1, err));
+    if (n_rows != state->n_rows) HS_TRY(set_length(fix, (int)n_rows, err));
     HS_TRY(hs_state_double(kept, "sum", state->sum, (int64_t)state->n_rows * state->n_values, err));
     HS_TRY(hs_fold_keep(&state->fold, kept, err));
     HS_TRY(hs_fold_keep_errors(&state->fold, kept, err));

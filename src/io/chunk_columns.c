@@ -113,27 +113,27 @@ hs_status hs_chunk_columns_fill(const hs_chunk_columns *columns, hs_env *env, in
 /** Density of one mass unit in one distance^3: 1, and in real and metal units (masses are gram/mole) in gram/cm^3. */
 static double density_unit(const hs_units *units) { return strcmp(units->name, "lj") == 0 ? 1.0 : 1.0 / 0.602214129; }
 
-double hs_chunk_columns_mean(const hs_chunk_columns *columns, const hs_env *env, const hs_chunks *chunks, int k,
-                             double sum, double count, double n_samples)
+double hs_chunk_columns_mean(const hs_chunk_columns *columns, const hs_env *env, double volume, int k, double sum,
+                             double count, double n_samples)
 {
     const hs_units *units = env->units;
     const hs_chunk_quantity kind = columns->column[k].kind;
     const double n_dof = n_samples * columns->cdof + columns->adof * count;
     if (count == 0.0) return 0.0;
-    if (kind == HS_CHUNK_NUMBER) return sum / chunks->volume / n_samples;
-    if (kind == HS_CHUNK_MASS_DENSITY) return sum / chunks->volume / n_samples * density_unit(units);
+    if (kind == HS_CHUNK_NUMBER) return sum / volume / n_samples;
+    if (kind == HS_CHUNK_MASS_DENSITY) return sum / volume / n_samples * density_unit(units);
     if (kind == HS_CHUNK_TEMPERATURE) return n_dof > 0.0 ? sum * units->mvv2e / (n_dof * units->boltz) : 0.0;
     return columns->norm == HS_NORM_NONE ? sum / n_samples : sum / count;
 }
 
-void hs_chunk_columns_weigh(const hs_chunk_columns *columns, const hs_env *env, const hs_chunks *chunks, int k,
-                            double sum, double count, double *value, double *weight)
+void hs_chunk_columns_weigh(const hs_chunk_columns *columns, const hs_env *env, double volume, int k, double sum,
+                            double count, double *value, double *weight)
 {
     const hs_units *units = env->units;
     const hs_chunk_quantity kind = k < 0 ? HS_CHUNK_NUMBER : columns->column[k].kind;
     const bool is_density = kind == HS_CHUNK_NUMBER || kind == HS_CHUNK_MASS_DENSITY;
     *weight = 1.0;
-    *value = k < 0 ? count : hs_chunk_columns_mean(columns, env, chunks, k, sum, count, 1.0);
+    *value = k < 0 ? count : hs_chunk_columns_mean(columns, env, volume, k, sum, count, 1.0);
     if (is_density || columns->norm != HS_NORM_ALL) return;
     *weight = kind == HS_CHUNK_TEMPERATURE ? columns->cdof + columns->adof * count : count;
     *value = kind == HS_CHUNK_TEMPERATURE ? sum * units->mvv2e / units->boltz : sum;

@@ -48,11 +48,11 @@ bool hs_chunk_columns_need_energy(const hs_chunk_columns *columns, hs_env *env);
 /** values[n_local]: what column k adds up for each local atom; column -1 is the count (collective). */
 HS_MUST_USE hs_status hs_chunk_columns_fill(const hs_chunk_columns *columns, hs_env *env, int k, const hs_compute *bias,
                                             double *values, hs_error *err);
-/** A sum over `count` atoms in `n_samples` samples as the mean that the column stands for. */
-double hs_chunk_columns_mean(const hs_chunk_columns *columns, const hs_env *env, const hs_chunks *chunks, int k,
-                             double sum, double count, double n_samples);
+/** A sum over `count` atoms of a chunk of that volume in `n_samples` samples as the mean that the column stands for. */
+double hs_chunk_columns_mean(const hs_chunk_columns *columns, const hs_env *env, double volume, int k, double sum,
+                             double count, double n_samples);
 /** For errors: what one sample of a chunk gives to column k, and the weight that it has in the mean. */
-void hs_chunk_columns_weigh(const hs_chunk_columns *columns, const hs_env *env, const hs_chunks *chunks, int k,
-                            double sum, double count, double *value, double *weight);
+void hs_chunk_columns_weigh(const hs_chunk_columns *columns, const hs_env *env, double volume, int k, double sum,
+                            double count, double *value, double *weight);
 
 #endif

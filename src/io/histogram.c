@@ -87,6 +87,7 @@ static hs_status read_input(hs_fix *fix, const hs_histogram_input *input, bool i
 {
     hs_histogram *histogram = fix->state;
     hs_env *env = fix->env;
+    if (histogram->shape == HS_VALUE_VECTOR) HS_TRY(hs_value_refresh(env, &input->value, err));
     *n = histogram->shape == HS_VALUE_NUMBER   ? 1
          : histogram->shape == HS_VALUE_VECTOR ? hs_value_length(env, &input->value)
                                                : env->atoms->n_local;

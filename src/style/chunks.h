@@ -12,6 +12,7 @@ typedef struct hs_chunks {
     double *place;      /**< owned [n][n_axes]: centers, distance or fractions of the box */
     int64_t *original;  /**< owned [n]: numbers before they were compressed; NULL when they were not */
     double volume;      /**< of one chunk: distance^3, distance^2 in two dimensions */
+    double *volumes;    /**< owned [n]: where they differ; NULL: all have `volume` */
     int64_t n_locks;    /**< while there are some, chunks stay as many as they are */
     bool is_compressed; /**< only chunks with atoms have numbers */
     bool is_once;       /**< counted or numbered once: at the start of the first run of who averages */
@@ -22,6 +23,11 @@ typedef struct hs_chunks {
 /** The compute chunk/atom of that ID; an error naming @p command otherwise. */
 HS_MUST_USE hs_status hs_chunks_find(hs_env *env, const char *id, const char *command, hs_compute **compute,
                                      hs_error *err);
+/** Volume of chunk c, from 0. */
+static inline double hs_chunks_volume(const hs_chunks *chunks, int64_t c)
+{
+    return chunks->volumes != NULL ? chunks->volumes[c] : chunks->volume;
+}
 static inline hs_chunks *hs_chunks_of(const hs_compute *compute) { return compute->state; }
 
 /** sums[n_bins]: values[n_local] of the atoms with a group bit of @p mask, added up by their bin[n_local], from 1 (0: none). The same

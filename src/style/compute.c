@@ -123,11 +123,11 @@ hs_status hs_compute_vector(hs_compute *compute, int i, double *value, hs_error 
     if (!compute->has_vector)
         return hs_fail(err, HS_ERROR_INPUT, "compute '%s' (%s) has no vector%s", compute->id,
                        compute->style->about.name, compute->has_scalar ? "; its value is c_ID" : "");
-    if (i < 0 || i >= compute->n_vector)
+    if (i < 0 || (i >= compute->n_vector && !compute->has_variable_length))
         return hs_fail(err, HS_ERROR_INPUT, "c_%s[%d]: the vector of compute '%s' (%s) has the elements 1 to %d",
                        compute->id, i + 1, compute->id, compute->style->about.name, compute->n_vector);
     HS_TRY(hs_compute_eval_vector(compute, err));
-    *value = compute->vector[i];
+    *value = i < compute->n_vector ? compute->vector[i] : 0.0;
     return HS_OK;
 }
 

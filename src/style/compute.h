@@ -63,6 +63,8 @@ typedef struct hs_compute {
     bool is_extensive, is_vector_extensive;
     /** What there is: at first what the style has functions for; create may clear some. */
     bool has_scalar, has_vector, has_array, has_atoms;
+    /** Vector or rows of the array: as many as the latest evaluation found; elements beyond are 0. Set by create. */
+    bool has_variable_length;
     bool may_need_energy; /**< made from other values that may need the pair energy or virial; set by create */
     double n_dof;         /**< temperature computes: degrees of freedom */
 } hs_compute;

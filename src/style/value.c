@@ -70,6 +70,17 @@ static int limit_of(hs_env *env, const hs_value *value, hs_value_shape shape, in
     return which == 1 ? n_columns : compute != NULL ? compute->n_rows : fix->n_rows;
 }
 
+/** Whether index number `which` counts elements or rows of which there may be more at another time. */
+static bool is_open_ended(hs_env *env, const hs_value *value, hs_value_shape shape, int which)
+{
+    const hs_compute *compute = compute_of(env, value);
+    const hs_fix *fix = fix_of(env, value);
+    if (shape != HS_VALUE_NUMBER || which != 0) return false;
+    if (!hs_value_is_variable(env, value)) return false;
+    if (value->n_indices == 1) return compute != NULL ? compute->has_vector : fix->has_vector;
+    return compute != NULL ? compute->has_array : fix->has_array;
+}
+
 bool hs_value_has(hs_env *env, const hs_value *value, hs_value_shape shape)
 {
     if (value->kind == 'v') {
@@ -80,7 +91,7 @@ bool hs_value_has(hs_env *env, const hs_value *value, hs_value_shape shape)
     const hs_fix *fix = fix_of(env, value);
     if (compute == NULL && fix == NULL) return false;
     for (int k = 0; k < value->n_indices; ++k)
-        if (value->index[k] > limit_of(env, value, shape, k)) return false;
+        if (value->index[k] > limit_of(env, value, shape, k) && !is_open_ended(env, value, shape, k)) return false;
     if (value->n_indices > 0) return shape == HS_VALUE_NUMBER || value->n_indices == 1;
     switch (shape) {
     case HS_VALUE_NUMBER:
@@ -143,6 +154,20 @@ hs_status hs_value_check(hs_env *env, const hs_value *value, hs_value_shape shap
         value->kind == 'c' ? compute_of(env, value)->style->about.name : fix_of(env, value)->style->about.name;
     return hs_fail(err, HS_ERROR_INPUT, "%s: %s is not %s; %s '%s' (%s) has %s", command, value->word, wanted[shape],
                    kind, value->id, style, has[0] != '\0' ? has + 2 : "no values");
+}
+
+bool hs_value_is_variable(hs_env *env, const hs_value *value)
+{
+    const hs_compute *compute = compute_of(env, value);
+    const hs_fix *fix = fix_of(env, value);
+    return compute != NULL ? compute->has_variable_length : fix != NULL && fix->has_variable_length;
+}
+
+hs_status hs_value_refresh(hs_env *env, const hs_value *value, hs_error *err)
+{
+    hs_compute *compute = compute_of(env, value);
+    if (compute == NULL || !compute->has_variable_length) return HS_OK;
+    return compute->has_array ? hs_compute_eval_array(compute, err) : hs_compute_eval_vector(compute, err);
 }
 
 int hs_value_length(hs_env *env, const hs_value *value)

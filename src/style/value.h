@@ -47,6 +47,11 @@ HS_MUST_USE hs_status hs_value_check(hs_env *env, const hs_value *value, hs_valu
 /** Whether the shape is there at all: no error. */
 bool hs_value_has(hs_env *env, const hs_value *value, hs_value_shape shape);
 
+/** Bring a vector, or column of an array, whose length varies up to date, so that hs_value_length is that of now (collective).
+ *  Nothing for all others. */
+HS_MUST_USE hs_status hs_value_refresh(hs_env *env, const hs_value *value, hs_error *err);
+/** Whether the length of a vector, or of an array's columns, varies. */
+bool hs_value_is_variable(hs_env *env, const hs_value *value);
 /** Elements of a vector (or rows of an array, when a column is named); 0 when there is none. */
 int hs_value_length(hs_env *env, const hs_value *value);
 /** The number now (collective). */

@@ -1,0 +1,124 @@
+#include "style/per_chunk.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "base/memory.h"
+#include "core/atom_style.h"
+
+static hs_status find(hs_compute *compute, hs_error *err)
+{
+    hs_per_chunk *state = compute->state;
+    char command[128];
+    snprintf(command, sizeof command, "compute '%.60s' (%s)", compute->id, compute->style->about.name);
+    return hs_chunks_find(compute->env, state->chunk_id, command, &state->chunk_atom, err);
+}
+
+/** Room for n rows. */
+static hs_status set_rows(hs_compute *compute, int64_t n, hs_error *err)
+{
+    hs_per_chunk *state = compute->state;
+    const size_t n_columns = compute->has_array ? (size_t)compute->n_columns : 1;
+    if ((size_t)n > state->capacity || state->sum == NULL) {
+        state->capacity = (size_t)n + 1;
+        HS_TRY(HS_GROW(state->sum, 0, state->capacity, err));
+        if (compute->has_array) HS_TRY(HS_GROW(compute->array, 0, state->capacity * n_columns, err));
+        if (compute->has_vector) HS_TRY(HS_GROW(compute->vector, 0, state->capacity, err));
+    }
+    state->n = n;
+    if (compute->has_array) compute->n_rows = (int)n;
+    if (compute->has_vector) compute->n_vector = (int)n;
+    return HS_OK;
+}
+
+hs_status hs_per_chunk_create(hs_compute *compute, const hs_args *args, int n_columns, bool is_array, hs_error *err)
+{
+    hs_per_chunk *state = compute->state;
+    HS_TRY(hs_memory_strdup(&state->chunk_id, args->word[0], err));
+    HS_TRY(hs_chunks_find(compute->env, state->chunk_id, args->command, &state->chunk_atom, err));
+    compute->has_array = is_array || n_columns > 1;
+    compute->has_vector = !compute->has_array;
+    compute->n_columns = compute->has_array ? n_columns : 0;
+    compute->has_variable_length = true;
+    return set_rows(compute, hs_chunks_of(state->chunk_atom)->n, err);
+}
+
+void hs_per_chunk_destroy(hs_compute *compute)
+{
+    hs_per_chunk *state = compute->state;
+    HS_FREE(state->chunk_id);
+    HS_FREE(state->value);
+    HS_FREE(state->sum);
+    HS_FREE(compute->vector);
+    HS_FREE(compute->array);
+}
+
+hs_status hs_per_chunk_init(hs_compute *compute, hs_error *err) { return find(compute, err); }
+
+hs_status hs_per_chunk_begin(hs_compute *compute, hs_error *err)
+{
+    hs_per_chunk *state = compute->state;
+    const size_t n_local = (size_t)compute->env->atoms->n_local;
+    HS_TRY(find(compute, err));
+    HS_TRY(hs_compute_eval_atoms(state->chunk_atom, err));
+    hs_status status = HS_OK;
+    if (n_local > state->capacity_atoms || state->value == NULL) {
+        state->capacity_atoms = n_local + 1;
+        status = HS_GROW(state->value, 0, state->capacity_atoms, err);
+    }
+    if (status == HS_OK) status = set_rows(compute, hs_chunks_of(state->chunk_atom)->n, err);
+    if (hs_parallel_agree(compute->env->parallel, err) != HS_OK) return status != HS_OK ? status : err->status;
+    return HS_OK;
+}
+
+hs_status hs_per_chunk_sum(hs_compute *compute, int k, hs_per_chunk_value value, const void *context, hs_error *err)
+{
+    hs_per_chunk *state = compute->state;
+#pragma omp parallel for schedule(static)
+    for (int i = 0; i < compute->env->atoms->n_local; ++i) {
+        const int64_t c = hs_per_chunk_of(compute, i);
+        state->value[i] = c >= 0 ? value(compute, i, c, context) : 0.0;
+    }
+    HS_TRY(hs_chunks_sum(state->chunk_atom, compute->mask, state->value, state->sum, err));
+    for (int64_t c = 0; c < state->n; ++c) *hs_per_chunk_at(compute, c, k) = state->sum[c];
+    return HS_OK;
+}
+
+static double mass(const hs_compute *compute, int i, int64_t c, const void *context)
+{
+    (void)c, (void)context;
+    return hs_atom_mass(compute->env->atoms, i);
+}
+
+/** A value times the mass. */
+typedef struct weighted {
+    hs_per_chunk_value value;
+    int axis;
+} weighted;
+
+static double moment(const hs_compute *compute, int i, int64_t c, const void *context)
+{
+    const weighted *w = context;
+    return hs_atom_mass(compute->env->atoms, i) * w->value(compute, i, c, &w->axis);
+}
+
+hs_status hs_per_chunk_mean(hs_compute *compute, hs_per_chunk_value value, hs_error *err)
+{
+    const hs_per_chunk *state = compute->state;
+    for (int axis = 0; axis < 3; ++axis)
+        HS_TRY(hs_per_chunk_sum(compute, axis, moment, &(weighted){.value = value, .axis = axis}, err));
+    double *moments; /* column 0, while its place holds the masses */
+    HS_TRY(HS_ALLOC(moments, (size_t)state->n + 1, err));
+    for (int64_t c = 0; c < state->n; ++c) moments[c] = *hs_per_chunk_at(compute, c, 0);
+    const hs_status status = hs_per_chunk_sum(compute, 0, mass, NULL, err);
+    for (int64_t c = 0; c < state->n && status == HS_OK; ++c) {
+        const double total = *hs_per_chunk_at(compute, c, 0);
+        *hs_per_chunk_at(compute, c, 0) = moments[c];
+        for (int axis = 0; axis < 3; ++axis) {
+            double *mean = hs_per_chunk_at(compute, c, axis);
+            *mean = total > 0.0 ? *mean / total : 0.0;
+        }
+    }
+    HS_FREE(moments);
+    return status;
+}

@@ -1,0 +1,222 @@
+#include "style/reduction.h"
+
+#include <float.h>
+#include <string.h>
+
+#include "base/memory.h"
+#include "style/atom_sum.h"
+#include "style/attribute.h"
+#include "style/region.h"
+
+typedef enum { MODE_SUM, MODE_MIN, MODE_MAX, MODE_AVE, MODE_SUMSQ, MODE_AVESQ } reduce_mode;
+static const char *const modes[] = {"sum", "min", "max", "ave", "sumsq", "avesq", NULL};
+
+static const char *const allowed[] = {"x", "y", "z", "vx", "vy", "vz", "fx", "fy", "fz", NULL};
+
+const hs_keyword hs_reduction_keywords[] = {
+    {"replace", 2, "<input 1> <input 2>",
+     "with min or max: input 1 (by number) is given at the atom where input 2 has its extreme"},
+    {NULL, 0, NULL, NULL},
+};
+
+static hs_status add_input(hs_compute *compute, const hs_args *args, int i, hs_error *err)
+{
+    hs_reduction *state = compute->state;
+    int attribute = -1, n = 1;
+    hs_value *values = NULL;
+    if (hs_value_is_reference(args->word[i])) {
+        HS_TRY(hs_values_create(&values, &n, compute->env, args, i, 1, HS_VALUE_ATOMS, err));
+    } else {
+        int which;
+        HS_TRY(hs_arg_choice(args, i, allowed, &which, err));
+        attribute = hs_attribute_find(args->word[i]);
+    }
+    hs_status status = HS_GROW(state->inputs, (size_t)state->n, (size_t)(state->n + n), err);
+    if (status != HS_OK) {
+        hs_values_destroy(&values, n);
+        return status;
+    }
+    for (int k = 0; k < n; ++k) {
+        hs_reduction_input *new = &state->inputs[state->n++];
+        *new = (hs_reduction_input){.attribute = attribute, .replaced_by = -1};
+        if (values != NULL) new->value = values[k];
+    }
+    HS_FREE(values);
+    return HS_OK;
+}
+
+static hs_status add_replacement(hs_reduction *state, const hs_args *args, int i, hs_error *err)
+{
+    int64_t which, at;
+    if (state->mode != MODE_MIN && state->mode != MODE_MAX)
+        return hs_fail(err, HS_ERROR_INPUT, "%s: replace needs the mode min or max, where one atom has the extreme",
+                       args->command);
+    HS_TRY(hs_arg_int(args, i + 1, 1, state->n, &which, err));
+    HS_TRY(hs_arg_int(args, i + 2, 1, state->n, &at, err));
+    if (which == at || state->inputs[at - 1].replaced_by >= 0)
+        return hs_arg_refuse(args, i + 2, "another input, one that is not replaced itself", NULL, err);
+    state->inputs[which - 1].replaced_by = (int)at - 1;
+    return HS_OK;
+}
+
+/** The region as it is now. */
+static hs_status find_region(hs_compute *compute, hs_error *err)
+{
+    hs_reduction *state = compute->state;
+    state->region = NULL;
+    if (state->region_id == NULL) return HS_OK;
+    state->region = compute->env->find_region(compute->env, state->region_id);
+    if (state->region != NULL) return HS_OK;
+    return hs_fail(err, HS_ERROR_INPUT, "compute '%s' (%s): there is no region '%s'", compute->id,
+                   compute->style->about.name, state->region_id);
+}
+
+hs_status hs_reduction_create(hs_compute *compute, const hs_args *args, hs_error *err)
+{
+    hs_reduction *state = compute->state;
+    int i = 0;
+    if (strcmp(compute->style->about.name, "reduce/region") == 0)
+        HS_TRY(hs_memory_strdup(&state->region_id, args->word[i++], err));
+    HS_TRY(hs_arg_choice(args, i++, modes, &state->mode, err));
+    if (i == args->n) return hs_arg_need(args, i, "an input", err);
+    HS_TRY(find_region(compute, err));
+    for (; i < args->n && strcmp(args->word[i], "replace") != 0; ++i) HS_TRY(add_input(compute, args, i, err));
+    for (; i < args->n; i += 3) HS_TRY(add_replacement(state, args, i, err));
+    compute->n_vector = state->n > 1 ? state->n : 0;
+    compute->has_vector = state->n > 1;
+    compute->has_scalar = !compute->has_vector;
+    for (int k = 0; k < state->n; ++k)
+        compute->may_need_energy |=
+            state->inputs[k].attribute < 0 && hs_value_needs_energy(compute->env, &state->inputs[k].value);
+    compute->is_extensive = compute->is_vector_extensive = state->mode == MODE_SUM || state->mode == MODE_SUMSQ;
+    return HS_ALLOC(compute->vector, (size_t)state->n, err);
+}
+
+void hs_reduction_destroy(hs_compute *compute)
+{
+    hs_reduction *state = compute->state;
+    for (int k = 0; k < state->n; ++k) hs_value_fini(&state->inputs[k].value);
+    HS_FREE(state->inputs);
+    HS_FREE(state->region_id);
+    HS_FREE(state->values);
+    HS_FREE(compute->vector);
+}
+
+hs_status hs_reduction_init(hs_compute *compute, hs_error *err)
+{
+    const hs_reduction *state = compute->state;
+    char command[128];
+    snprintf(command, sizeof command, "compute '%.80s' (%s)", compute->id, compute->style->about.name);
+    for (int k = 0; k < state->n; ++k)
+        if (state->inputs[k].attribute < 0)
+            HS_TRY(hs_value_check(compute->env, &state->inputs[k].value, HS_VALUE_ATOMS, command, err));
+    return find_region(compute, err);
+}
+
+/** Values of an input for the local atoms into state->values. */
+static hs_status fetch(hs_compute *compute, const hs_reduction_input *from, hs_error *err)
+{
+    hs_reduction *state = compute->state;
+    const hs_atoms *atoms = compute->env->atoms;
+    if (state->capacity < atoms->n_local || state->values == NULL) {
+        HS_TRY(HS_GROW(state->values, 0, (size_t)atoms->n_local, err));
+        state->capacity = atoms->n_local;
+    }
+    if (from->attribute < 0) return hs_value_atoms(compute->env, &from->value, state->values, err);
+    for (int i = 0; i < atoms->n_local; ++i)
+        state->values[i] = hs_attribute_value(compute->env, (hs_attribute)from->attribute, false, i);
+    return HS_OK;
+}
+
+/** Whether local atom i is one of those that are reduced. */
+static inline bool is_in(const hs_compute *compute, int i)
+{
+    const hs_reduction *state = compute->state;
+    const hs_atoms *atoms = compute->env->atoms;
+    if (!(atoms->mask[i] & compute->mask)) return false;
+    if (state->region == NULL) return true;
+    const double x[3] = {atoms->x[0][i], atoms->x[1][i], atoms->x[2][i]};
+    return hs_region_contains(state->region, x);
+}
+
+static int64_t count_atoms(const hs_compute *compute)
+{
+    const hs_reduction *state = compute->state;
+    int64_t n = 0;
+    if (state->region == NULL) return hs_atom_count(compute->env->atoms, compute->env->parallel, compute->mask);
+    for (int i = 0; i < compute->env->atoms->n_local; ++i) n += is_in(compute, i);
+    hs_parallel_sum_int64(compute->env->parallel, &n, 1);
+    return n;
+}
+
+static void add_terms(const hs_atoms *atoms, const void *context, int begin, int end, hs_exact_sum *sums)
+{
+    const hs_compute *compute = context;
+    const hs_reduction *state = compute->state;
+    (void)atoms;
+    const bool is_squared = state->mode == MODE_SUMSQ || state->mode == MODE_AVESQ;
+    for (int i = begin; i < end; ++i)
+        if (is_in(compute, i))
+            hs_exact_add(&sums[0], is_squared ? state->values[i] * state->values[i] : state->values[i]);
+}
+
+/** Extreme of state->values over all atoms of the group, and the least id of an atom that has it (0: no atoms). */
+static void find_extreme(const hs_compute *compute, double *extreme, int64_t *id)
+{
+    const hs_reduction *state = compute->state;
+    const hs_atoms *atoms = compute->env->atoms;
+    const double sign = state->mode == MODE_MAX ? 1.0 : -1.0;
+    double best = -DBL_MAX;
+    for (int i = 0; i < atoms->n_local; ++i)
+        if (is_in(compute, i) && sign * state->values[i] > best) best = sign * state->values[i];
+    hs_parallel_max_double(compute->env->parallel, &best, 1);
+    int64_t minus_id = -INT64_MAX;
+    for (int i = 0; i < atoms->n_local; ++i)
+        if (is_in(compute, i) && sign * state->values[i] == best && -atoms->id[i] > minus_id) minus_id = -atoms->id[i];
+    hs_parallel_max_int64(compute->env->parallel, &minus_id, 1);
+    *id = minus_id == -INT64_MAX ? 0 : -minus_id;
+    *extreme = *id == 0 ? 0.0 : sign * best;
+}
+
+static hs_status reduce_one(hs_compute *compute, const hs_reduction_input *from, double *value, hs_error *err)
+{
+    const hs_reduction *state = compute->state;
+    const hs_env *env = compute->env;
+    int64_t id;
+    if (from->replaced_by >= 0) {
+        HS_TRY(fetch(compute, &state->inputs[from->replaced_by], err));
+        find_extreme(compute, value, &id);
+        HS_TRY(fetch(compute, from, err));
+        *value = 0.0;
+        for (int i = 0; i < env->atoms->n_local; ++i)
+            if (env->atoms->id[i] == id) *value = state->values[i];
+        hs_parallel_sum_double(env->parallel, value, 1);
+        return HS_OK;
+    }
+    HS_TRY(fetch(compute, from, err));
+    if (state->mode == MODE_MIN || state->mode == MODE_MAX) {
+        find_extreme(compute, value, &id);
+        return HS_OK;
+    }
+    hs_atom_sum(env->atoms, env->parallel, add_terms, compute, 1, value);
+    if (state->mode == MODE_AVE || state->mode == MODE_AVESQ) {
+        const int64_t n = count_atoms(compute);
+        *value = n > 0 ? *value / (double)n : 0.0;
+    }
+    return HS_OK;
+}
+
+hs_status hs_reduction_scalar(hs_compute *compute, double *value, hs_error *err)
+{
+    const hs_reduction *state = compute->state;
+    HS_TRY(find_region(compute, err));
+    return reduce_one(compute, &state->inputs[0], value, err);
+}
+
+hs_status hs_reduction_vector(hs_compute *compute, hs_error *err)
+{
+    const hs_reduction *state = compute->state;
+    HS_TRY(find_region(compute, err));
+    for (int k = 0; k < state->n; ++k) HS_TRY(reduce_one(compute, &state->inputs[k], &compute->vector[k], err));
+    return HS_OK;
+}
