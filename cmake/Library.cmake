@@ -49,6 +49,9 @@ foreach(isa IN LISTS kernel_isas)
           halfshell_kernels_${isa}_fixed)
     # without -g: debug information of hundreds of unrolled kernels is most of the library, and of the time to link it
     target_compile_options(${target} PRIVATE ${kernel_flags_${isa}} $<$<CONFIG:Release>:-g0>)
+    if(NOT target MATCHES "_search_")   # sums may begin with their first term instead of 0 plus it
+      target_compile_options(${target} PRIVATE -fno-signed-zeros)
+    endif()
     target_include_directories(${target} PRIVATE "${CMAKE_CURRENT_SOURCE_DIR}/src")
     if(HALFSHELL_FUZZ)   # readers are what fuzzers test; kernels are most of the time to build
       target_compile_options(${target} PRIVATE -O0 -g0 -fno-sanitize=all)

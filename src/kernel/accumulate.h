@@ -104,9 +104,8 @@ HS_INLINE void hs_acc_scatter_subtract(double *f, const int32_t *j, hs_acc sum)
     }
 }
 /** Energy and virial of one call, in the wide integers of the result. */
-HS_INLINE void hs_acc_report(hs_kernel_output *out, hs_acc energy, const hs_acc virial[6], double length2)
+HS_INLINE void hs_acc_report(hs_kernel_output *out, hs_acc energy, const hs_acc virial[6])
 {
-    (void)length2;
     out->energy_fixed += (int64_t)hs_acc_lanes(energy);
     for (int k = 0; k < 6; ++k) out->virial_fixed[k] += (int64_t)hs_acc_lanes(virial[k]);
 }
@@ -153,11 +152,11 @@ HS_INLINE void hs_acc_add_clusters(double *f, const hs_cluster_entry *entry, int
 }
 HS_INLINE void hs_acc_scatter_add(double *f, const int32_t *j, hs_acc sum) { hs_scatter_add(f, j, sum); }
 HS_INLINE void hs_acc_scatter_subtract(double *f, const int32_t *j, hs_acc sum) { hs_scatter_subtract(f, j, sum); }
-/** Energy and virial of one call; @p length2 is the square of the unit of length in the virial. */
-HS_INLINE void hs_acc_report(hs_kernel_output *out, hs_acc energy, const hs_acc virial[6], double length2)
+/** Energy and virial of one call. */
+HS_INLINE void hs_acc_report(hs_kernel_output *out, hs_acc energy, const hs_acc virial[6])
 {
     out->energy += hs_sum(energy);
-    for (int k = 0; k < 6; ++k) out->virial[k] += length2 * hs_sum(virial[k]);
+    for (int k = 0; k < 6; ++k) out->virial[k] += hs_sum(virial[k]);
 }
 HS_INLINE void hs_acc_report_peak(double *largest, hs_vec peak) { (void)largest, (void)peak; }
 

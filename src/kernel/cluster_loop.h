@@ -6,6 +6,15 @@
 #include "kernel/accumulate.h"
 #include "kernel/cluster_memory.h"
 
+/** Rows one by one, with constant numbers: compilers keep in registers what they index by constants when they first read it,
+ *  but not what loops index that are unrolled later. */
+#define EACH_ROW(act)                                                                                                  \
+    act(0);                                                                                                            \
+    act(1);                                                                                                            \
+    act(2);                                                                                                            \
+    act(3)
+_Static_assert(HS_CLUSTER == 4, "EACH_ROW counts to four");
+
 /** Sums over the pairs of one i-cluster, in vectors: minus the forces on the i-atoms, energy, virial. */
 typedef struct cluster_sums {
     hs_acc f[HS_CLUSTER][3];
@@ -17,9 +26,9 @@ typedef struct cluster_sums {
 typedef struct cluster_constants {
     hs_vec params[HS_TABLE_PARAMS + N_PARAMS]; /**< of the only pair of types; unused by_type */
     const double *row_table[HS_CLUSTER];       /**< rows of the pair table for the four i-atoms, by_type */
-    hs_place x[3][HS_CLUSTER];                 /**< of the i-atoms */
-    hs_place x_listed[3][HS_CLUSTER];          /**< when the list was due; only with listed_only */
-    hs_vec unit2;                              /**< square of the unit of length of differences */
+    hs_frame frame, frame_listed;              /**< of present positions, and of those when the list was due */
+    hs_real x[3][HS_CLUSTER];                  /**< of the i-atoms, in the frame */
+    hs_real x_listed[3][HS_CLUSTER];           /**< only with listed_only */
     hs_real radius[HS_CLUSTER];                /**< of the i-atoms; only where the evaluator asks for them */
     hs_magic magic_force, magic_energy;
 } cluster_constants;
@@ -36,45 +45,88 @@ HS_INLINE void add_virial(hs_acc virial[6], hs_vec force_over_r, hs_vec dx, hs_v
     hs_acc_add_product(&virial[5], dy, fz, magic);
 }
 
-/** One row of one vector: i-atom `row` against the j-atoms at x_j; adds to sums and to the j-atoms' reaction. */
-HS_INLINE void row_pairs(const hs_kernel_input *in, const cluster_constants *constants, int row, const hs_places x_j[3],
-                         const hs_vec *params, hs_msk listed, const hs_cluster_entry *entry, int sub,
-                         cluster_sums *sums, hs_acc reaction[3], bool with_energy, bool listed_only)
+/** Vectors of j-atoms on their way through the loop. Their pairs are measured one vector ahead of the potential and the sums:
+ *  a row's operations wait for each other, and a core that finds no others within its window (64 on a Zen 4) is idle. */
+typedef struct vector_state {
+    const hs_cluster_entry *entry;
+    int sub;
+    uint32_t rows; /**< bits of the i-atoms that have pairs with it */
+    hs_vec x[3];   /**< in the frame of the i-atoms */
+} vector_state;
+
+/** What is known of the rows (i-atoms) of the vector that was measured last. */
+typedef struct measured_rows {
+    hs_vec r2[HS_CLUSTER];
+    hs_msk near[HS_CLUSTER]; /**< pairs that count */
+} measured_rows;
+
+/** Parameter k of the pairs of a row. */
+HS_INLINE hs_vec row_param(const hs_kernel_input *in, const cluster_constants *constants, const vector_state *v,
+                           int row, int k, bool by_type)
 {
-    /* from i to j, so that the i-atom's coordinate can be broadcast by the subtraction itself */
-    const hs_place(*x_i)[HS_CLUSTER] = constants->x;
-    const hs_vec dx = hs_apart(x_j[0], x_i[0][row]), dy = hs_apart(x_j[1], x_i[1][row]),
-                 dz = hs_apart(x_j[2], x_i[2][row]);
-    const hs_vec r2 = hs_in_length2(hs_fma(dz, dz, hs_fma(dy, dy, dx * dx)), constants->unit2);
-    hs_msk mask = hs_mask_and(listed, hs_less(r2, params[HS_TABLE_CUT_R2]));
-    const hs_vec reach = HS_HAS_RADII ? params[HS_TABLE_PARAMS + N_PARAMS] : hs_set1(0.0);
+    const int stride = HS_TABLE_PARAMS + N_PARAMS;
+    return by_type ? hs_lookup(constants->row_table[row] + k, in->type, stride, v->entry, v->sub)
+                   : constants->params[k];
+}
+
+HS_INLINE hs_vec row_reach(const hs_kernel_input *in, const cluster_constants *constants, const vector_state *v,
+                           int row)
+{
+    return hs_load_clusters(in->radius, 0.0, v->entry, v->sub) + hs_set1(constants->radius[row]);
+}
+
+/** First half of a row: which of its pairs count. */
+HS_INLINE void measure_row(const hs_kernel_input *in, const cluster_constants *constants, const vector_state *v,
+                           int row, hs_masks masks, measured_rows *measured, bool by_type, bool listed_only)
+{
+    const hs_vec dx = v->x[0] - hs_set1(constants->x[0][row]), dy = v->x[1] - hs_set1(constants->x[1][row]),
+                 dz = v->x[2] - hs_set1(constants->x[2][row]);
+    const hs_vec r2 = hs_fma(dz, dz, hs_fma(dy, dy, dx * dx));
+    hs_msk mask =
+        hs_mask_and(hs_masks_row(masks, row), hs_less(r2, row_param(in, constants, v, row, HS_TABLE_CUT_R2, by_type)));
+    const hs_vec reach = HS_HAS_RADII ? row_reach(in, constants, v, row) : hs_set1(0.0);
     if (HS_HAS_RADII) mask = hs_mask_and(mask, hs_less(r2, reach * reach));
     if (listed_only) {
-        const hs_place(*from)[HS_CLUSTER] = constants->x_listed;
-        const hs_vec lx = hs_apart(hs_load_places(hs_listed_places_of(in, 0), entry, sub), from[0][row]);
-        const hs_vec ly = hs_apart(hs_load_places(hs_listed_places_of(in, 1), entry, sub), from[1][row]);
-        const hs_vec lz = hs_apart(hs_load_places(hs_listed_places_of(in, 2), entry, sub), from[2][row]);
+        hs_vec d[3];
+        for (int axis = 0; axis < 3; ++axis)
+            d[axis] = hs_load_x(hs_listed_places_of(in, axis), &constants->frame_listed, axis, v->entry, v->sub) -
+                      hs_set1(constants->x_listed[axis][row]);
         /* rounded as in refine.c: the same pairs in both */
-        const hs_vec listed_r2 = hs_in_length2(lx * lx + ly * ly + lz * lz, constants->unit2);
-        mask = hs_mask_and(mask, hs_less(listed_r2, params[HS_TABLE_LISTED_R2]));
+        const hs_vec listed_r2 = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
+        mask = hs_mask_and(mask, hs_less(listed_r2, row_param(in, constants, v, row, HS_TABLE_LISTED_R2, by_type)));
         if (HS_HAS_RADII && in->listed_by_radius) {
             const hs_vec listed_reach = reach + hs_set1(in->skin);
             mask = hs_mask_and(mask, hs_less(listed_r2, listed_reach * listed_reach));
         }
     }
-    hs_vec force_over_r, energy = hs_set1(0.0);
-    evaluate(params + HS_TABLE_PARAMS, r2, &force_over_r, &energy, with_energy);
-    force_over_r = hs_keep(mask, force_over_r);
+    measured->r2[row] = r2;
+    measured->near[row] = mask;
+}
+
+/** Second half: adds the pairs' forces to sums and to the j-atoms' reaction. */
+HS_INLINE void add_row(const hs_kernel_input *in, const cluster_constants *constants, const vector_state *v, int row,
+                       const measured_rows *measured, cluster_sums *sums, hs_acc reaction[3], bool with_energy,
+                       bool by_type)
+{
+    hs_vec params[N_PARAMS + HS_HAS_RADII], force_over_r, energy = hs_set1(0.0);
+    for (int k = 0; k < N_PARAMS; ++k) params[k] = row_param(in, constants, v, row, HS_TABLE_PARAMS + k, by_type);
+    if (HS_HAS_RADII) params[N_PARAMS] = row_reach(in, constants, v, row);
+    evaluate(params, measured->r2[row], &force_over_r, &energy, with_energy);
+    force_over_r = hs_keep(measured->near[row], force_over_r);
     hs_acc_note_peak(&sums->peak_force, force_over_r);
-    const hs_acc term[3] = {hs_acc_term(force_over_r, dx, constants->magic_force),
-                            hs_acc_term(force_over_r, dy, constants->magic_force),
-                            hs_acc_term(force_over_r, dz, constants->magic_force)};
-    for (int axis = 0; axis < 3; ++axis) {
-        sums->f[row][axis] += term[axis];
-        reaction[axis] += term[axis];
-    }
+    const hs_vec dx = v->x[0] - hs_set1(constants->x[0][row]), dy = v->x[1] - hs_set1(constants->x[1][row]),
+                 dz = v->x[2] - hs_set1(constants->x[2][row]);
+    const hs_acc fx = hs_acc_term(force_over_r, dx, constants->magic_force),
+                 fy = hs_acc_term(force_over_r, dy, constants->magic_force),
+                 fz = hs_acc_term(force_over_r, dz, constants->magic_force);
+    sums->f[row][0] += fx;
+    reaction[0] += fx;
+    sums->f[row][1] += fy;
+    reaction[1] += fy;
+    sums->f[row][2] += fz;
+    reaction[2] += fz;
     if (with_energy) {
-        energy = hs_keep(mask, energy);
+        energy = hs_keep(measured->near[row], energy);
         hs_acc_note_peak(&sums->peak_energy, energy);
         hs_acc_add(&sums->energy, energy, constants->magic_energy);
         add_virial(sums->virial, force_over_r, dx, dy, dz, constants->magic_energy);
@@ -93,12 +145,12 @@ HS_INLINE cluster_constants make_constants(const hs_kernel_input *in, int first,
         constants.row_table[row] = table->values + (size_t)in->type[first + row] * (size_t)(table->n_types * stride);
     for (int k = 0; k < stride && !by_type; ++k) constants.params[k] = hs_set1(values[k]);
     for (int row = 0; row < HS_CLUSTER && HS_HAS_RADII; ++row) constants.radius[row] = (hs_real)in->radius[first + row];
-    constants.unit2 = hs_set1(hs_length2(in));
-    for (int axis = 0; axis < 3; ++axis)
-        for (int row = 0; row < HS_CLUSTER; ++row) {
-            constants.x[axis][row] = hs_places_of(in, axis)[first + row];
-            if (listed_only) constants.x_listed[axis][row] = hs_listed_places_of(in, axis)[first + row];
-        }
+    for (int axis = 0; axis < 3; ++axis) {
+        hs_frame_set(&constants.frame, in, axis, hs_places_of(in, axis) + first, constants.x[axis]);
+        if (listed_only)
+            hs_frame_set(&constants.frame_listed, in, axis, hs_listed_places_of(in, axis) + first,
+                         constants.x_listed[axis]);
+    }
     return constants;
 }
 
@@ -124,60 +176,91 @@ static const uint64_t one_each[16] = {
     PLACE(0) + PLACE(1) + PLACE(2) + PLACE(3),
 };
 
-/** One vector of j-atoms against the i-atoms whose bits are set in `rows`. */
-HS_INLINE void vector_rows(const hs_kernel_input *in, hs_kernel_output *out, const hs_cluster_entry *entry, int sub,
-                           const cluster_constants *constants, cluster_sums *sums, const uint32_t rows,
-                           const bool with_energy, const bool by_type, const bool listed_only)
+/** Measure vector `next` and add the pairs of vector `old`, which was measured before; either may be NULL. */
+HS_INLINE void advance(const hs_kernel_input *in, hs_kernel_output *out, const cluster_constants *constants,
+                       const vector_state *old, vector_state *next, measured_rows *measured, cluster_sums *sums,
+                       const bool with_energy, const bool by_type, const bool listed_only)
 {
-    const int stride = HS_TABLE_PARAMS + N_PARAMS;
-    const hs_places x_j[3] = {hs_load_places(hs_places_of(in, 0), entry, sub),
-                              hs_load_places(hs_places_of(in, 1), entry, sub),
-                              hs_load_places(hs_places_of(in, 2), entry, sub)};
-    const hs_vec radius_j = HS_HAS_RADII ? hs_load_clusters(in->radius, 0.0, entry, sub) : hs_set1(0.0);
-    const hs_masks masks = hs_masks_of(entry, sub);
+    hs_masks masks = {0};
     hs_acc reaction[3] = {hs_acc_zero(), hs_acc_zero(), hs_acc_zero()};
-#pragma GCC unroll 4
-    for (int row = 0; row < HS_CLUSTER; ++row) {
-        if ((rows >> row & 1u) == 0) continue;
-        hs_vec params[HS_TABLE_PARAMS + N_PARAMS + HS_HAS_RADII];
-        if (HS_HAS_RADII) params[stride] = radius_j + hs_set1(constants->radius[row]);
-        for (int k = 0; k < stride; ++k)
-            params[k] =
-                by_type ? hs_lookup(constants->row_table[row] + k, in->type, stride, entry, sub) : constants->params[k];
-        row_pairs(in, constants, row, x_j, params, hs_masks_row(masks, row), entry, sub, sums, reaction, with_energy,
-                  listed_only);
+    if (next != NULL) {
+        next->x[0] = hs_load_x(hs_places_of(in, 0), &constants->frame, 0, next->entry, next->sub);
+        next->x[1] = hs_load_x(hs_places_of(in, 1), &constants->frame, 1, next->entry, next->sub);
+        next->x[2] = hs_load_x(hs_places_of(in, 2), &constants->frame, 2, next->entry, next->sub);
+        masks = hs_masks_of(next->entry, next->sub);
     }
-    for (int axis = 0; axis < 3; ++axis) {
-        hs_acc_settle(&reaction[axis], n_rows[rows & 0xfu], constants->magic_force);
-        hs_add_reaction(out, axis, entry, sub, reaction[axis]);
-    }
+#define ROW(row)                                                                                                       \
+    do {                                                                                                               \
+        if (old != NULL && (old->rows >> row & 1u) != 0)                                                               \
+            add_row(in, constants, old, row, measured, sums, reaction, with_energy, by_type);                          \
+        if (next != NULL && (next->rows >> row & 1u) != 0)                                                             \
+            measure_row(in, constants, next, row, masks, measured, by_type, listed_only);                              \
+    } while (0)
+    EACH_ROW(ROW);
+#undef ROW
+    if (old == NULL) return;
+#define AXIS(axis)                                                                                                     \
+    hs_acc_settle(&reaction[axis], n_rows[old->rows & 0xfu], constants->magic_force);                                  \
+    hs_add_reaction(out, axis, old->entry, old->sub, reaction[axis])
+    AXIS(0);
+    AXIS(1);
+    AXIS(2);
+#undef AXIS
+}
+
+HS_INLINE vector_state vector_at(const hs_cluster_entry *entry, int sub)
+{
+    return (vector_state){.entry = entry, .sub = sub, .rows = entry->mask >> HS_ENTRY_ROWS_SHIFT};
 }
 
 /** Groups of entries after which counts and energies are passed on: so many that sums of HS_FIXED_BITS bits fit 63. */
 enum { CHUNK_MAX = 1 << (63 - HS_FIXED_BITS - 5) };
 
+HS_INLINE void begin_energy(cluster_sums *sums)
+{
+    sums->energy = sums->virial[0] = sums->virial[1] = sums->virial[2] = hs_acc_zero();
+    sums->virial[3] = sums->virial[4] = sums->virial[5] = hs_acc_zero();
+}
+
 /** Element by element: compilers clear the whole struct in memory, which took a seventh of the loop. */
 HS_INLINE void begin_sums(cluster_sums *sums, const bool with_energy)
 {
-    for (int row = 0; row < HS_CLUSTER; ++row)
-        for (int axis = 0; axis < 3; ++axis) sums->f[row][axis] = hs_acc_zero();
+#define ROW(row) sums->f[row][0] = sums->f[row][1] = sums->f[row][2] = hs_acc_zero()
+    EACH_ROW(ROW);
+#undef ROW
     sums->peak_force = hs_set1(0.0);
     if (!with_energy) return;
-    sums->energy = hs_acc_zero();
-    for (int k = 0; k < 6; ++k) sums->virial[k] = hs_acc_zero();
+    begin_energy(sums);
     sums->peak_energy = hs_set1(0.0);
 }
 
 /** Pass on energy and virial of n terms. */
-HS_INLINE void report_energy(const hs_kernel_input *in, hs_kernel_output *out, const cluster_constants *constants,
-                             cluster_sums *sums, int64_t n)
+HS_INLINE void report_energy(hs_kernel_output *out, const cluster_constants *constants, cluster_sums *sums, int64_t n)
 {
-    const double length2 = hs_length2(in);
     hs_acc_settle(&sums->energy, n, constants->magic_energy);
-    for (int k = 0; k < 6; ++k) hs_acc_settle(&sums->virial[k], n, constants->magic_energy);
-    hs_acc_report(out, sums->energy, sums->virial, length2);
-    sums->energy = hs_acc_zero();
-    for (int k = 0; k < 6; ++k) sums->virial[k] = hs_acc_zero();
+#define PART(k) hs_acc_settle(&sums->virial[k], n, constants->magic_energy)
+    PART(0);
+    PART(1);
+    PART(2);
+    PART(3);
+    PART(4);
+    PART(5);
+#undef PART
+    hs_acc_report(out, sums->energy, sums->virial);
+    begin_energy(sums);
+}
+
+/** Take the sums of one axis, of n_terms[row] vectors, off the i-atoms' forces. */
+HS_INLINE void end_axis(hs_kernel_output *out, const cluster_constants *constants, cluster_sums *sums, const int axis,
+                        int first, const int64_t n_terms[HS_CLUSTER])
+{
+    hs_acc of_row[HS_CLUSTER];
+#define ROW(row)                                                                                                       \
+    of_row[row] = sums->f[row][axis];                                                                                  \
+    hs_acc_settle(&of_row[row], n_terms[row], constants->magic_force)
+    EACH_ROW(ROW);
+#undef ROW
+    hs_acc_subtract_rows(hs_own_forces(out, axis, first), of_row);
 }
 
 HS_INLINE void cluster_loop(const hs_kernel_input *in, hs_kernel_output *out, int first, const hs_cluster_entry *entry,
@@ -186,32 +269,35 @@ HS_INLINE void cluster_loop(const hs_kernel_input *in, hs_kernel_output *out, in
     const cluster_constants constants = make_constants(in, first, by_type, listed_only);
     cluster_sums sums;
     begin_sums(&sums, with_energy);
+    measured_rows measured; /* set before it is read, but compilers cannot see that */
+#define ROW(row) measured.r2[row] = hs_set1(1.0), measured.near[row] = hs_less(measured.r2[row], measured.r2[row])
+    EACH_ROW(ROW);
+#undef ROW
     int64_t n_terms[HS_CLUSTER] = {0}; /* vectors that each i-atom met */
     for (int begin = 0, end; begin < n_entries; begin = end) {
         uint64_t count = 0; /* the same since begin, 16 bits for each i-atom: one addition counts for all four */
         int64_t n_new = 0;
         end = n_entries - begin > CHUNK_MAX * HS_GROUP ? begin + CHUNK_MAX * HS_GROUP : n_entries;
-        for (int e = begin; e < end; e += HS_GROUP) {
-            const uint32_t rows = entry[e].mask >> HS_ENTRY_ROWS_SHIFT;
-            for (int sub = 0; sub < HS_SUBS; ++sub)
-                vector_rows(in, out, entry + e, sub, &constants, &sums, rows, with_energy, by_type, listed_only);
-            count += one_each[rows & 0xfu];
+        vector_state old = vector_at(entry + begin, 0), next;
+        advance(in, out, &constants, NULL, &old, &measured, &sums, with_energy, by_type, listed_only);
+        count += one_each[old.rows & 0xfu];
+        for (int v = begin / HS_GROUP * HS_SUBS + 1; v < end / HS_GROUP * HS_SUBS; ++v) {
+            next = vector_at(entry + v / HS_SUBS * HS_GROUP, v % HS_SUBS);
+            advance(in, out, &constants, &old, &next, &measured, &sums, with_energy, by_type, listed_only);
+            if (next.sub == 0) count += one_each[next.rows & 0xfu];
+            old = next;
         }
+        advance(in, out, &constants, &old, NULL, &measured, &sums, with_energy, by_type, listed_only);
         for (int row = 0; row < HS_CLUSTER; ++row) {
             const int64_t n = (int64_t)(count >> 16 * row & 0xffff) * HS_SUBS;
             n_terms[row] += n;
             n_new += n;
         }
-        if (with_energy) report_energy(in, out, &constants, &sums, n_new);
+        if (with_energy) report_energy(out, &constants, &sums, n_new);
     }
-    for (int axis = 0; axis < 3; ++axis) {
-        hs_acc of_row[HS_CLUSTER];
-        for (int row = 0; row < HS_CLUSTER; ++row) {
-            of_row[row] = sums.f[row][axis];
-            hs_acc_settle(&of_row[row], n_terms[row], constants.magic_force);
-        }
-        hs_acc_subtract_rows(hs_own_forces(out, axis, first), of_row);
-    }
+    end_axis(out, &constants, &sums, 0, first, n_terms);
+    end_axis(out, &constants, &sums, 1, first, n_terms);
+    end_axis(out, &constants, &sums, 2, first, n_terms);
     hs_acc_report_peak(&out->peak_force, sums.peak_force);
     if (with_energy) hs_acc_report_peak(&out->peak_energy, sums.peak_energy);
 }

@@ -140,7 +140,7 @@ void hs_packed_unpack(const hs_packed *packed, const hs_clusters *clusters, int6
         for (int axis = 0; axis < 3; ++axis)
             for (int k = 0; k < size; ++k) {
                 double *f = &atoms->f[axis][first + k];
-                *f = (is_added ? *f : 0.0) + packed->unit * (double)sum[HS_CLUSTER * axis + k];
+                *f = (is_added ? *f : 0.0) + (double)sum[HS_CLUSTER * axis + k];
             }
     }
 }

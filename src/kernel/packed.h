@@ -50,8 +50,8 @@ static inline int hs_packed_atom(const hs_clusters *clusters, int place)
     return c < n_local ? clusters->local.entry[c].first : clusters->halo.entry[c - n_local].first;
 }
 
-/** The atoms' forces of one block of clusters: the sum of what n_parts arrays (as `site`, in float) hold there, times the
- *  unit; added to what the atoms have if is_added. */
+/** The atoms' forces of one block of clusters: the sum of what n_parts arrays (as `site`, in float) hold there; added to
+ *  what the atoms have if is_added. */
 void hs_packed_unpack(const hs_packed *packed, const hs_clusters *clusters, int64_t block, const float *const *part,
                       int n_parts, hs_atoms *atoms, bool is_added);
 

@@ -97,7 +97,7 @@ HS_INLINE void report_sums(hs_kernel_output *out, hs_magic magic_energy, verlet_
     if (!with_energy) return;
     hs_acc_settle(&sums->energy, sums->n_terms, magic_energy);
     for (int k = 0; k < 6; ++k) hs_acc_settle(&sums->virial[k], sums->n_terms, magic_energy);
-    hs_acc_report(out, sums->energy, sums->virial, 1.0);
+    hs_acc_report(out, sums->energy, sums->virial);
     hs_acc_report_peak(&out->peak_energy, sums->peak_energy);
 }
 

@@ -10,8 +10,8 @@ enum { F12, MINUS_F6, U12, MINUS_U6, SHIFT, N_PARAMS };
 HS_EVALUATE(const hs_vec *p, hs_vec r2, hs_vec *force_over_r, hs_vec *energy, bool with_energy)
 {
     const hs_vec inv_r2 = hs_set1(1.0) / r2;
-    const hs_vec inv_r6 = inv_r2 * inv_r2 * inv_r2;
-    *force_over_r = inv_r6 * hs_fma(p[F12], inv_r6, p[MINUS_F6]) * inv_r2;
+    const hs_vec inv_r4 = inv_r2 * inv_r2, inv_r6 = inv_r4 * inv_r2;
+    *force_over_r = hs_fma(p[F12], inv_r6, p[MINUS_F6]) * (inv_r4 * inv_r4);
     if (with_energy) *energy = inv_r6 * hs_fma(p[U12], inv_r6, p[MINUS_U6]) - p[SHIFT];
 }
 
