@@ -30,7 +30,13 @@ void hs_error_print(const hs_error *err, FILE *stream)
     fprintf(stream, "%s%s\n", err->status == HS_INTERRUPTED ? "" : "error: ", err->text);
 }
 
-void hs_error_clear(hs_error *err) { memset(err, 0, sizeof *err); }
+void hs_error_clear(hs_error *err)
+{
+    err->status = HS_OK;
+    err->rank = 0;
+    err->line = 0;
+    err->file[0] = err->text[0] = '\0'; /* the rest of the texts is never read, and much to clear */
+}
 
 int hs_exit_code(hs_status status)
 {

@@ -213,18 +213,20 @@ static hs_status permute_wide(hs_atoms *atoms, const hs_atom_field *field, const
     return HS_OK;
 }
 
+static void permute_share(hs_atoms *atoms, const int32_t *order)
+{
+    int64_t begin, end;
+    hs_thread_range(atoms->n_local, 16, hs_thread_number(), hs_thread_count(), &begin, &end);
+    permute_by_rotation(atoms, order, begin, end);
+    permute_by_copy(atoms, order, begin, end);
+}
+
 hs_status hs_atoms_permute(hs_atoms *atoms, const int32_t *order, hs_error *err)
 {
     for (int k = 0; k < atoms->n_fields; ++k)
         if (atoms->field[k].size != 4 && atoms->field[k].size != 8)
             HS_TRY(permute_wide(atoms, &atoms->field[k], order, err));
-#pragma omp parallel
-    {
-        int64_t begin, end;
-        hs_thread_range(atoms->n_local, 16, hs_thread_number(), hs_thread_count(), &begin, &end);
-        permute_by_rotation(atoms, order, begin, end);
-        permute_by_copy(atoms, order, begin, end);
-    }
+    HS_ON_THREADS(permute_share(atoms, order));
     atoms->n_halo = 0;
     ++atoms->generation;
     return HS_OK;

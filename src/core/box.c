@@ -12,8 +12,6 @@ void hs_box_init(hs_box *box)
     }
 }
 
-double hs_box_length(const hs_box *box, int axis) { return box->hi[axis] - box->lo[axis]; }
-
 double hs_box_volume(const hs_box *box)
 {
     double area = hs_box_length(box, 0) * hs_box_length(box, 1);

@@ -25,7 +25,7 @@ typedef struct hs_box {
 
 /** 3D, periodic, nothing created. */
 void hs_box_init(hs_box *box);
-double hs_box_length(const hs_box *box, int axis);
+static inline double hs_box_length(const hs_box *box, int axis) { return box->hi[axis] - box->lo[axis]; }
 /** Volume, or area in 2D (LAMMPS counts the z extent out of 2D volumes). */
 double hs_box_volume(const hs_box *box);
 /** Finish a box that was just given its bounds: shrink-wrapped faces start a ten-thousandth of the box outside, as in

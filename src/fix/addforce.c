@@ -3,7 +3,6 @@
 
 #include "base/memory.h"
 #include "style/applied_force.h"
-#include "style/moments.h"
 
 typedef struct addforce_state {
     hs_applied_force force;
@@ -75,23 +74,39 @@ static hs_status update_energies(hs_fix *fix, hs_error *err)
     return env->variable_atoms(env->deck, state->energy_variable, state->energy_of_atom, err);
 }
 
+/** Add the force along one axis to atoms found[n]; before[] are the forces before, and their energy is taken off energy[]. */
+static void add_along(const hs_fix *fix, int axis, const int32_t *found, int n, double *before, double *energy)
+{
+    const hs_applied_force *force = &((const addforce_state *)fix->state)->force;
+    const hs_atoms *atoms = fix->env->atoms;
+    const double *of_atom = force->of_atom[axis], *x = atoms->x[axis], value = force->value[axis];
+    const double length = hs_box_length(fix->env->box, axis);
+    const int32_t *image = atoms->image[axis];
+    double *restrict f = atoms->f[axis];
+    for (int k = 0; k < n; ++k) {
+        const int i = found[k];
+        before[k] = f[i];
+        f[i] = before[k] + (of_atom != NULL ? of_atom[i] : value);
+    }
+    if (of_atom == NULL && value == 0.0) return;
+    for (int k = 0; k < n; ++k) {
+        const int i = found[k];
+        energy[k] -= (of_atom != NULL ? of_atom[i] : value) * (x[i] + image[i] * length);
+    }
+}
+
 /** Add the force, and up the forces before and its energy. */
 static void add_force(const hs_atoms *atoms, const void *context, int begin, int end, hs_exact_sum *sums)
 {
     const hs_fix *fix = context;
     const addforce_state *state = fix->state;
-    const hs_applied_force *force = &state->force;
     int32_t found[HS_EXACT_ARRAY_MAX];
     double before[HS_EXACT_ARRAY_MAX], energy[HS_EXACT_ARRAY_MAX];
-    const int n = hs_applied_force_find(force, fix, begin, end, found);
+    const int n = hs_applied_force_find(&state->force, fix, begin, end, found);
+    (void)atoms;
     memset(energy, 0, (size_t)n * sizeof *energy);
     for (int axis = 0; axis < 3; ++axis) {
-        const bool has_work = force->of_atom[axis] != NULL || force->value[axis] != 0.0;
-        double *f = atoms->f[axis];
-        for (int k = 0; k < n; ++k) before[k] = f[found[k]];
-        for (int k = 0; k < n; ++k) f[found[k]] += hs_applied_force_of(force, axis, found[k]);
-        for (int k = 0; has_work && k < n; ++k)
-            energy[k] -= hs_applied_force_of(force, axis, found[k]) * hs_unwrapped(fix->env, axis, found[k]);
+        add_along(fix, axis, found, n, before, energy);
         hs_exact_add_array(&sums[axis], before, n);
     }
     for (int k = 0; state->energy_variable != NULL && k < n; ++k) energy[k] = state->energy_of_atom[found[k]];

@@ -134,6 +134,19 @@ static hs_status build_chunk(hs_list_chunk *chunk, hs_force_buffer *buffer, cons
     return hs_block_list_set(&chunk->blocks, buffer->touched, n_blocks, err);
 }
 
+/** Chunks that this thread comes to. */
+static void build_chunks(hs_cluster_list *list, hs_force_space *space, const hs_packed *packed, const hs_force_job *job)
+{
+    hs_force_buffer *buffer = &space->buffer[hs_thread_number()];
+    hs_cluster_search_begin(&buffer->search, job->clusters, job->cells, job->cutoff_max);
+#pragma omp for schedule(dynamic, 1) nowait
+    for (int k = 0; k < list->n_chunks; ++k) {
+        hs_list_chunk *chunk = &list->chunk[k];
+        hs_error_clear(&chunk->error);
+        (void)(build_chunk(chunk, buffer, packed, job, &chunk->error) == HS_OK);
+    }
+}
+
 hs_status hs_cluster_list_build(hs_cluster_list *list, hs_force_space *space, const hs_force_job *job, hs_error *err)
 {
     HS_TRY(set_chunks(list, job->clusters->local.n, err));
@@ -141,17 +154,7 @@ hs_status hs_cluster_list_build(hs_cluster_list *list, hs_force_space *space, co
     list->is_packed = job->precision == HS_PRECISION_MIXED;
     const hs_packed *packed = list->is_packed ? &space->packed : NULL;
     if (list->is_packed) HS_TRY(hs_packed_begin(&space->packed, job->clusters, job->atoms, job->cutoff_max, err));
-#pragma omp parallel num_threads(space->n_threads)
-    {
-        hs_force_buffer *buffer = &space->buffer[hs_thread_number()];
-        hs_cluster_search_begin(&buffer->search, job->clusters, job->cells, job->cutoff_max);
-#pragma omp for schedule(dynamic, 1)
-        for (int k = 0; k < list->n_chunks; ++k) {
-            hs_list_chunk *chunk = &list->chunk[k];
-            hs_error_clear(&chunk->error);
-            (void)(build_chunk(chunk, buffer, packed, job, &chunk->error) == HS_OK);
-        }
-    }
+    HS_ON_THREADS(build_chunks(list, space, packed, job));
     for (int k = 0; k < list->n_chunks; ++k)
         if (list->chunk[k].error.status != HS_OK) {
             *err = list->chunk[k].error;

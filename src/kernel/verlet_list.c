@@ -190,21 +190,24 @@ static hs_status build_chunk(hs_verlet_chunk *chunk, hs_force_buffer *buffer, co
     return note_blocks(chunk, buffer->touched, (n_atoms + HS_FORCE_BLOCK - 1) >> HS_FORCE_BLOCK_BITS, err);
 }
 
+/** Chunks that this thread comes to. */
+static void build_chunks(hs_verlet_list *list, hs_force_space *space, const hs_force_job *job)
+{
+    hs_force_buffer *buffer = &space->buffer[hs_thread_number()];
+    hs_cluster_search_begin(&buffer->search, job->clusters, job->cells, job->cutoff_max);
+#pragma omp for schedule(dynamic, 1) nowait
+    for (int k = 0; k < list->n_chunks; ++k) {
+        hs_verlet_chunk *chunk = &list->chunk[k];
+        hs_error_clear(&chunk->error);
+        (void)(build_chunk(chunk, buffer, job, &chunk->error) == HS_OK);
+    }
+}
+
 hs_status hs_verlet_list_build(hs_verlet_list *list, hs_force_space *space, const hs_force_job *job, hs_error *err)
 {
     HS_TRY(set_chunks(list, &job->clusters->local, err));
     HS_TRY(hs_force_space_reserve(space, job->atoms, err));
-#pragma omp parallel num_threads(space->n_threads)
-    {
-        hs_force_buffer *buffer = &space->buffer[hs_thread_number()];
-        hs_cluster_search_begin(&buffer->search, job->clusters, job->cells, job->cutoff_max);
-#pragma omp for schedule(dynamic, 1)
-        for (int k = 0; k < list->n_chunks; ++k) {
-            hs_verlet_chunk *chunk = &list->chunk[k];
-            hs_error_clear(&chunk->error);
-            (void)(build_chunk(chunk, buffer, job, &chunk->error) == HS_OK);
-        }
-    }
+    HS_ON_THREADS(build_chunks(list, space, job));
     for (int k = 0; k < list->n_chunks; ++k)
         if (list->chunk[k].error.status != HS_OK) {
             *err = list->chunk[k].error;

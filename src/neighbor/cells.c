@@ -196,6 +196,23 @@ static void order_cell(const sort_input *in, int32_t *order, int n)
     }
 }
 
+/** A thread's part of the sort. */
+static void sort_share(hs_cells *cells, const sort_input *in, int64_t n_cells, int64_t *share_sum)
+{
+    int64_t begin, end;
+    const int thread = hs_thread_number(), n_threads = hs_thread_count();
+    int32_t *histogram = cells->histogram + (int64_t)thread * n_cells;
+    memset(histogram, 0, (size_t)n_cells * sizeof *histogram);
+    hs_thread_range(in->n, 1, thread, n_threads, &begin, &end);
+    count_keys(cells, in, begin, end, histogram);
+#pragma omp barrier
+    hs_counting_sort_prefix(cells->histogram, in->start, n_cells, thread, n_threads, share_sum);
+    for (int64_t i = begin; i < end; ++i) cells->order[histogram[cells->key[i]]++] = (int32_t)i;
+#pragma omp barrier
+    hs_thread_range(n_cells, 16, thread, n_threads, &begin, &end);
+    for (int64_t c = begin; c < end; ++c) order_cell(in, cells->order + in->start[c], in->start[c + 1] - in->start[c]);
+}
+
 static hs_status sort(hs_cells *cells, const sort_input *in, hs_error *err)
 {
     const int n_threads = hs_threads_get();
@@ -203,22 +220,7 @@ static hs_status sort(hs_cells *cells, const sort_input *in, hs_error *err)
     HS_TRY(reserve_scratch(cells, in->n, n_cells * n_threads, err));
     int64_t *share_sum;
     HS_TRY(HS_ALLOC(share_sum, (size_t)n_threads, err));
-#pragma omp parallel num_threads(n_threads)
-    {
-        int64_t begin, end;
-        const int thread = hs_thread_number();
-        int32_t *histogram = cells->histogram + (int64_t)thread * n_cells;
-        memset(histogram, 0, (size_t)n_cells * sizeof *histogram);
-        hs_thread_range(in->n, 1, thread, n_threads, &begin, &end);
-        count_keys(cells, in, begin, end, histogram);
-#pragma omp barrier
-        hs_counting_sort_prefix(cells->histogram, in->start, n_cells, thread, n_threads, share_sum);
-        for (int64_t i = begin; i < end; ++i) cells->order[histogram[cells->key[i]]++] = (int32_t)i;
-#pragma omp barrier
-        hs_thread_range(n_cells, 16, thread, n_threads, &begin, &end);
-        for (int64_t c = begin; c < end; ++c)
-            order_cell(in, cells->order + in->start[c], in->start[c + 1] - in->start[c]);
-    }
+    HS_ON_THREADS(sort_share(cells, in, n_cells, share_sum));
     HS_FREE(share_sum);
     return HS_OK;
 }
@@ -232,17 +234,28 @@ hs_status hs_cells_sort_local(hs_cells *cells, const hs_atoms *atoms, hs_error *
     return sort(cells, &in, err);
 }
 
+/** How deep atoms of a thread's share are below the upper faces. */
+static void find_deepest(const sort_input *in, const double hi[3], double *deepest)
+{
+    double most = 0.0;
+#pragma omp for schedule(static) nowait
+    for (int i = 0; i < in->n; ++i) {
+        const double depth[3] = {hi[0] - in->x[0][i], hi[1] - in->x[1][i], hi[2] - in->x[2][i]};
+        double least = depth[0] < depth[1] ? depth[0] : depth[1];
+        least = least < depth[2] ? least : depth[2];
+        most = least > most ? least : most;
+    }
+#pragma omp critical(hs_cells_deepest)
+    *deepest = fmax(*deepest, most);
+}
+
 /** Halo atoms lie beyond an upper face of the brick when the halo is new, but may come into the brick while it is kept:
  *  lower the faces as far as they have come. */
 static void lower_faces(hs_cells *cells, const sort_input *in)
 {
     double deepest = 0.0, hi[3];
     for (int a = 0; a < 3; ++a) hi[a] = cells->lo[a] + cells->brick_hi[a];
-#pragma omp parallel for schedule(static) reduction(max : deepest)
-    for (int i = 0; i < in->n; ++i) {
-        const double depth = fmin(fmin(hi[0] - in->x[0][i], hi[1] - in->x[1][i]), hi[2] - in->x[2][i]);
-        deepest = fmax(deepest, depth);
-    }
+    HS_ON_THREADS(find_deepest(in, hi, &deepest));
     for (int a = 0; a < 3; ++a) cells->brick_hi[a] -= deepest;
 }
 

@@ -48,6 +48,22 @@ static void bound_cluster(hs_cluster_part *part, const hs_cells *cells, const hs
     }
 }
 
+/** Clusters of a thread's share of the columns. */
+static void fill_columns(hs_cluster_part *part, const hs_cells *cells, const hs_atoms *atoms, const int32_t *start)
+{
+    const int n_columns = cells->n_columns, n2 = cells->n[2], first_atom = part->first_atom;
+#pragma omp for schedule(static) nowait
+    for (int column = 0; column < n_columns; ++column) {
+        const int end = start[(column + 1) * n2];
+        int atom = start[column * n2];
+        for (int c = part->column_begin[column]; c < part->column_begin[column + 1]; ++c, atom += HS_CLUSTER) {
+            part->size[c] = (unsigned char)(end - atom < HS_CLUSTER ? end - atom : HS_CLUSTER);
+            part->entry[c] = (hs_cluster_entry){first_atom + atom, hs_cluster_lanes(part->size[c])};
+            bound_cluster(part, cells, atoms, c);
+        }
+    }
+}
+
 static hs_status build_part(hs_cluster_part *part, const hs_cells *cells, const hs_atoms *atoms, const int32_t *start,
                             int first_atom, hs_error *err)
 {
@@ -62,16 +78,7 @@ static hs_status build_part(hs_cluster_part *part, const hs_cells *cells, const 
     part->n = n;
     part->first_atom = first_atom;
     HS_TRY(reserve(part, n, n_columns, err));
-#pragma omp parallel for schedule(static)
-    for (int column = 0; column < n_columns; ++column) {
-        const int end = start[(column + 1) * n2];
-        int atom = start[column * n2];
-        for (int c = part->column_begin[column]; c < part->column_begin[column + 1]; ++c, atom += HS_CLUSTER) {
-            part->size[c] = (unsigned char)(end - atom < HS_CLUSTER ? end - atom : HS_CLUSTER);
-            part->entry[c] = (hs_cluster_entry){first_atom + atom, hs_cluster_lanes(part->size[c])};
-            bound_cluster(part, cells, atoms, c);
-        }
-    }
+    HS_ON_THREADS(fill_columns(part, cells, atoms, start));
     return HS_OK;
 }
 

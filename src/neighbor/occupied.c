@@ -4,18 +4,30 @@
 #include <string.h>
 
 #include "base/memory.h"
+#include "parallel/parallel.h"
+
+/** Lower *least and raise *most to the numbers of a thread's share of x[n]. */
+static void find_extremes(const double *x, int n, double *least, double *most)
+{
+    double lo = INFINITY, hi = -INFINITY;
+#pragma omp for schedule(static) nowait
+    for (int i = 0; i < n; ++i) {
+        lo = x[i] < lo ? x[i] : lo;
+        hi = x[i] > hi ? x[i] : hi;
+    }
+#pragma omp critical(hs_occupied)
+    {
+        *least = fmin(*least, lo);
+        *most = fmax(*most, hi);
+    }
+}
 
 /** Bounds of the local atoms along an axis, within the brick, and all of the brick where they come within `edge` of its face:
  *  a liquid that fills its brick has the same grid at every list build. */
 static void bound(hs_occupied *o, const hs_atoms *atoms, int axis, double lo, double hi, double edge)
 {
-    const double *x = atoms->x[axis];
     double least = hi, most = lo;
-#pragma omp parallel for schedule(static) reduction(min : least) reduction(max : most)
-    for (int i = 0; i < atoms->n_local; ++i) {
-        least = fmin(least, x[i]);
-        most = fmax(most, x[i]);
-    }
+    HS_ON_THREADS(find_extremes(atoms->x[axis], atoms->n_local, &least, &most));
     o->lo[axis] = least - edge <= lo || !(least <= most) ? lo : least;
     o->hi[axis] = most + edge >= hi || !(least <= most) ? hi : most;
 }
@@ -45,6 +57,18 @@ static inline int64_t box_of(const hs_occupied *o, const double scale[3], const 
     return box;
 }
 
+/** Mark the boxes of a thread's share of the atoms. */
+static void mark_boxes(const hs_occupied *o, const double scale[3], const int n[3], const hs_atoms *atoms,
+                       unsigned char *is_occupied)
+{
+#pragma omp for schedule(static) nowait
+    for (int i = 0; i < atoms->n_local; ++i) {
+        unsigned char *flag = &is_occupied[box_of(o, scale, n, atoms, i)];
+#pragma omp atomic write
+        *flag = 1;
+    }
+}
+
 hs_status hs_occupied_find(hs_occupied *o, const double lo[3], const double hi[3], int dimension, double edge,
                            const hs_atoms *atoms, hs_error *err)
 {
@@ -60,12 +84,7 @@ hs_status hs_occupied_find(hs_occupied *o, const double lo[3], const double hi[3
         box_volume *= side;
     }
     HS_TRY(HS_ALLOC(is_occupied, n_boxes, err));
-#pragma omp parallel for schedule(static)
-    for (int i = 0; i < atoms->n_local; ++i) {
-        unsigned char *flag = &is_occupied[box_of(o, scale, n, atoms, i)];
-#pragma omp atomic write
-        *flag = 1;
-    }
+    HS_ON_THREADS(mark_boxes(o, scale, n, atoms, is_occupied));
     int64_t count = 0;
     for (size_t k = 0; k < n_boxes; ++k) count += is_occupied[k];
     HS_FREE(is_occupied);

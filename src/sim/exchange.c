@@ -37,20 +37,28 @@ static inline bool wrap_axis(const hs_box *box, hs_atoms *atoms, double *listed,
     return true;
 }
 
-/** Bring atoms back into the box along periodic axes; false when one is too far away. */
-static bool wrap(hs_sim *sim)
+static void wrap_share(hs_sim *sim, bool *is_wrapped)
 {
     hs_atoms *atoms = &sim->atoms;
     const double farthest = sim->is_initialized ? farthest_moved : farthest_placed;
-    bool is_wrapped = true;
-#pragma omp parallel reduction(&& : is_wrapped)
+    bool is_share_wrapped = true;
     for (int axis = 0; axis < 3; ++axis) {
         if (!sim->box.periodic[axis]) continue;
         double *listed = sim->neighbor.x_listed[axis];
 #pragma omp for schedule(static) nowait
         for (int i = 0; i < atoms->n_local; ++i)
-            is_wrapped = wrap_axis(&sim->box, atoms, listed, axis, i, farthest) && is_wrapped;
+            is_share_wrapped = wrap_axis(&sim->box, atoms, listed, axis, i, farthest) && is_share_wrapped;
     }
+    if (is_share_wrapped) return;
+#pragma omp atomic write
+    *is_wrapped = false;
+}
+
+/** Bring atoms back into the box along periodic axes; false when one is too far away. */
+static bool wrap(hs_sim *sim)
+{
+    bool is_wrapped = true;
+    HS_ON_THREADS(wrap_share(sim, &is_wrapped));
     return is_wrapped;
 }
 
