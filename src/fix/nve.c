@@ -2,6 +2,7 @@
  *   v += (dt/2) f/m,  x += dt v   |  forces  |   v += (dt/2) f/m
  * Source: W. C. Swope et al., J. Chem. Phys. 76, 637 (1982), doi:10.1063/1.442716. */
 #include "base/memory.h"
+#include "base/wide.h"
 #include "style/fix.h"
 
 typedef struct nve_state {
@@ -32,29 +33,32 @@ typedef struct step_sizes {
     uint32_t mask;
 } step_sizes;
 
-/** One axis of one atom: v += (dt/2) f/m, and with @p drift x += dt v. The bools are constants where it is called, so that the usual
- *  case, one type and group all, is a loop without look-ups. */
+/** Where the mass of an atom is: one type and group all is the usual case, a loop without look-ups. */
+typedef enum { MASS_OF_ALL, MASS_OF_TYPE, MASS_OF_ATOM } mass_kind;
+
+/** One axis of the atoms: v += (dt/2) f/m, and with @p drift x += dt v. Both are constants where it is called. */
 static inline __attribute__((always_inline)) void move_atoms(const hs_atoms *atoms, int axis, const step_sizes *sizes,
-                                                             const bool drift, const bool is_plain)
+                                                             const bool drift, const mass_kind kind)
 {
     double *restrict x = atoms->x[axis], *restrict v = atoms->v[axis];
     const double *restrict f = atoms->f[axis], *restrict rmass = atoms->rmass;
     const int32_t *restrict type = atoms->type;
-    const uint32_t *restrict group = atoms->mask;
-    const double dt = sizes->dt, magic = sizes->magic, only_kick = sizes->half_kick[1];
+    const uint32_t *restrict group = atoms->mask, mask = sizes->mask;
+    const double *restrict half_kick = sizes->half_kick;
+    const double dt = sizes->dt, magic = sizes->magic, half_dt = sizes->half_dt, only_kick = half_kick[1];
 #pragma omp for schedule(static) nowait
     for (int i = 0; i < atoms->n_local; ++i) {
-        const bool is_moved = is_plain || (group[i] & sizes->mask) != 0;
-        const double kick = is_plain        ? only_kick
-                            : rmass != NULL ? sizes->half_dt / rmass[i]
-                                            : sizes->half_kick[type[i]];
+        const bool is_moved = kind == MASS_OF_ALL || (group[i] & mask) != 0;
+        const double kick = kind == MASS_OF_ALL    ? only_kick
+                            : kind == MASS_OF_ATOM ? half_dt / rmass[i]
+                                                   : half_kick[type[i]];
         const double v_new = v[i] + kick * f[i];
         v[i] = is_moved ? v_new : v[i];
         if (drift) x[i] = is_moved ? hs_moved(x[i], dt * v_new, magic) : x[i];
     }
 }
 
-static void move(const hs_fix *fix, const bool drift)
+HS_WIDE static void move(const hs_fix *fix, const bool drift)
 {
     const nve_state *nve = fix->state;
     const hs_atoms *atoms = fix->env->atoms;
@@ -64,14 +68,19 @@ static void move(const hs_fix *fix, const bool drift)
                               .half_kick = nve->half_kick,
                               .mask = fix->mask};
     const bool is_plain = atoms->n_types == 1 && atoms->rmass == NULL && fix->group == 0;
-    for (int axis = 0; axis < 3; ++axis) {
-        if (is_plain && drift)
-            move_atoms(atoms, axis, &sizes, true, true);
-        else if (is_plain)
-            move_atoms(atoms, axis, &sizes, false, true);
-        else
-            move_atoms(atoms, axis, &sizes, drift, false);
-    }
+#define MOVE(drift, kind)                                                                                              \
+    for (int axis = 0; axis < 3; ++axis) move_atoms(atoms, axis, &sizes, drift, kind)
+    if (is_plain && drift)
+        MOVE(true, MASS_OF_ALL);
+    else if (is_plain)
+        MOVE(false, MASS_OF_ALL);
+    else if (atoms->rmass != NULL)
+        MOVE(drift, MASS_OF_ATOM);
+    else if (drift)
+        MOVE(true, MASS_OF_TYPE);
+    else
+        MOVE(false, MASS_OF_TYPE);
+#undef MOVE
 }
 
 static hs_status initial_integrate(hs_fix *fix, hs_error *err)
