@@ -96,21 +96,19 @@ static hs_status list_cluster(hs_list_chunk *chunk, hs_force_buffer *buffer, con
     const int n_found = found->n;
     if (n_found == 0) return HS_OK;
     HS_TRY(hs_entry_list_pad(found, 0, group, first, err));
-    HS_TRY(hs_entry_list_reserve(found, n_found, err));
-    found->n = hs_isa_refine(job->isa)(&job->input, first, found->entry, n_found, group, found->entry + found->n,
-                                       &chunk->n_pairs);
-    if (found->n == 0) return HS_OK;
+    HS_TRY(hs_entry_list_reserve(kept, found->n, err));
+    hs_cluster_entry *entry = kept->entry + kept->n;
+    const int n = hs_isa_refine(job->isa)(&job->input, first, found->entry, n_found, group, entry, &chunk->n_pairs);
+    if (n == 0) return HS_OK;
     bool is_outer = false;
-    for (int e = 0; e < found->n && !is_outer; ++e) is_outer = is_remote(job, &found->entry[e]);
+    for (int e = 0; e < n && !is_outer; ++e) is_outer = is_remote(job, &entry[e]);
     if (is_outer) HS_TRY(add_outer(chunk, ci, err));
     if (packed != NULL) {
-        hs_packed_rename(packed, found->entry, found->n);
-        mark_packed(buffer->touched, packed->place_of[first], found->entry, found->n);
+        hs_packed_rename(packed, entry, n);
+        mark_packed(buffer->touched, packed->place_of[first], entry, n);
     } else
-        mark_atoms(buffer->touched, first, found->entry, found->n);
-    HS_TRY(hs_entry_list_reserve(kept, found->n, err));
-    memcpy(kept->entry + kept->n, found->entry, (size_t)found->n * sizeof *found->entry);
-    kept->n += found->n;
+        mark_atoms(buffer->touched, first, entry, n);
+    kept->n += n;
     return HS_OK;
 }
 

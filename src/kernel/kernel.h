@@ -103,12 +103,12 @@ typedef void (*hs_verlet_kernel)(const hs_kernel_input *in, hs_kernel_output *ou
 typedef void (*hs_pairs_kernel)(const hs_kernel_input *in, hs_kernel_output *out, int64_t n, const int32_t *i,
                                 const int32_t *j);
 
-/** Keep, of n candidate entries of the i-cluster at `first`, the pairs within their listed distance at in->x; drop
- *  entries without any, order the rest so that consecutive ones use the same rows, and pad to a multiple of the kernel's group. Room for a
- *  multiple of the group is needed in entry (padded with valid entries) and for n in scratch. Returns the number left, and adds
- *  the number of their pairs to *n_pairs. */
+/** Of n candidate entries of the i-cluster at `first`, write to @p to the pairs within their listed distance at in->x: without entries
+ *  that have none, the rest ordered so that consecutive ones use the same rows, and padded to a multiple of the kernel's
+ *  group. @p entry is scratch afterwards and must be readable up to such a multiple (padded with valid entries); @p to has
+ *  room for as many. Returns the number written, and adds the number of their pairs to *n_pairs. */
 typedef int (*hs_list_refine)(const hs_kernel_input *in, int first, hs_cluster_entry *entry, int n, int group,
-                              hs_cluster_entry *scratch, int64_t *n_pairs);
+                              hs_cluster_entry *to, int64_t *n_pairs);
 extern const hs_list_refine hs_list_refine_portable, hs_list_refine_sse2, hs_list_refine_avx2, hs_list_refine_avx512;
 hs_list_refine hs_isa_refine(hs_isa isa);
 

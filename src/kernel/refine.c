@@ -41,48 +41,45 @@ static inline uint32_t rows_of(uint32_t mask)
     return (any | any >> 3 | any >> 6 | any >> 9) & 0xfu;
 }
 
-/** Drop entries without pairs and order the rest by their rows, so that neighbors in the list skip the same rows. */
-static int order_by_rows(hs_cluster_entry *entry, int n, hs_cluster_entry *scratch)
-{
-    /* rows in an order in which few change from one to the next (a Gray code), full ones first */
-    static const unsigned char place[16] = {15, 6, 8, 7, 12, 11, 9, 10, 5, 4, 2, 3, 13, 14, 1, 0};
-    int count[17] = {0};
-    for (int e = 0; e < n; ++e) {
-        scratch[e] = entry[e];
-        if (entry[e].mask != 0) ++count[place[rows_of(entry[e].mask)] + 1];
-    }
-    for (int k = 0; k < 16; ++k) count[k + 1] += count[k];
-    for (int e = 0; e < n; ++e)
-        if (scratch[e].mask != 0) entry[count[place[rows_of(scratch[e].mask)]]++] = scratch[e];
-    return count[14];
-}
+/** Of every set of rows its place in the list: an order in which few rows change from one to the next (a Gray code), full
+ *  ones first, so that neighbors in the list skip the same rows; no rows at all last. */
+static const unsigned char place[16] = {15, 6, 8, 7, 12, 11, 9, 10, 5, 4, 2, 3, 13, 14, 1, 0};
 
-static int64_t count_pairs(const hs_cluster_entry *entry, int n)
+/** Write entries whose rows are noted to @p to in that order, count[k] of them at place k; returns how many have any. */
+static int order_by_rows(const hs_cluster_entry *entry, int n, const int count[16], hs_cluster_entry *to)
 {
-    int64_t n_pairs = 0;
-    for (int e = 0; e < n; ++e) n_pairs += __builtin_popcount(entry[e].mask & 0xffffu);
-    return n_pairs;
+    int next[16] = {0};
+    for (int k = 1; k < 16; ++k) next[k] = next[k - 1] + count[k - 1];
+    const int n_kept = next[15];
+    for (int e = 0; e < n; ++e) to[next[place[entry[e].mask >> HS_ENTRY_ROWS_SHIFT]]++] = entry[e];
+    return n_kept;
 }
 
 /** Note in the first entry of each vector which rows it needs; `entry` is filled up with empty entries. */
 static int note_rows(hs_cluster_entry *entry, int n, int group)
 {
     for (; n % group != 0; ++n) entry[n] = (hs_cluster_entry){entry[0].first, 0};
-    for (int e = 0; e < n; e += group) {
-        uint32_t pairs = 0;
-        for (int k = 0; k < group; ++k) pairs |= entry[e + k].mask;
-        entry[e].mask |= rows_of(pairs) << HS_ENTRY_ROWS_SHIFT;
-    }
+    for (int e = 0; e < n; e += group)
+        for (int k = 1; k < group; ++k) entry[e].mask |= entry[e + k].mask & 0xfu << HS_ENTRY_ROWS_SHIFT;
     return n;
 }
 
-static int refine(const hs_kernel_input *in, int first, hs_cluster_entry *entry, int n, int group,
-                  hs_cluster_entry *scratch, int64_t *n_pairs)
+static int refine(const hs_kernel_input *in, int first, hs_cluster_entry *entry, int n, int group, hs_cluster_entry *to,
+                  int64_t *n_pairs)
 {
-    for (int e = 0; e < n; e += HS_GROUP) refine_vector(in, first, entry + e);
-    n = order_by_rows(entry, n, scratch);
-    *n_pairs += count_pairs(entry, n);
-    return note_rows(entry, n, group);
+    int count[16] = {0};
+    int n_near = 0;
+    for (int e = 0; e < n; e += HS_GROUP) {
+        refine_vector(in, first, entry + e);
+        for (int k = e; k < e + HS_GROUP && k < n; ++k) {
+            const uint32_t rows = rows_of(entry[k].mask);
+            n_near += __builtin_popcount(entry[k].mask);
+            ++count[place[rows]];
+            entry[k].mask |= rows << HS_ENTRY_ROWS_SHIFT;
+        }
+    }
+    *n_pairs += n_near;
+    return note_rows(to, order_by_rows(entry, n, count, to), group);
 }
 
 #define PASTE_(a, b) a##b

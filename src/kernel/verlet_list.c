@@ -126,17 +126,18 @@ static hs_status list_cluster(hs_verlet_chunk *chunk, hs_force_buffer *buffer, c
     found->n = 0;
     HS_TRY(hs_isa_find(job->isa)(&buffer->search, ci, column, found, err));
     const int n_found = found->n;
+    hs_entry_list kept = {0}; /* in the room behind the candidates */
     if (n_found > 0) {
         HS_TRY(hs_entry_list_pad(found, 0, set->group, first, err));
-        HS_TRY(hs_entry_list_reserve(found, n_found, err));
+        HS_TRY(hs_entry_list_reserve(found, found->n, err));
         int64_t n_pairs = 0; /* counted by the lists, below */
-        found->n = hs_isa_refine(job->isa)(&job->input, first, found->entry, n_found, set->group,
-                                           found->entry + found->n, &n_pairs);
+        kept.entry = found->entry + found->n;
+        kept.n = hs_isa_refine(job->isa)(&job->input, first, found->entry, n_found, set->group, kept.entry, &n_pairs);
     }
     for (int row = 0; row < local->size[ci]; ++row) {
         const int64_t begin = chunk->n;
         chunk->start[first + row - chunk->first] = begin;
-        HS_TRY(append_row(chunk, found, row, err));
+        HS_TRY(append_row(chunk, &kept, row, err));
         HS_TRY(take_rest(chunk, begin, first + row, set->lanes, err));
     }
     return HS_OK;
