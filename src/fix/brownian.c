@@ -4,14 +4,13 @@
  * doi:10.1007/978-3-662-12616-5, section 10.2. */
 #include "fix/brownian_motion.h"
 
-static hs_status initial_integrate(hs_fix *fix, hs_error *err)
+static void move(const hs_fix *fix)
 {
     const brownian_state *state = fix->state;
     const hs_env *env = fix->env;
     const hs_noise_set *functions = hs_isa_noise(env->isa);
     const int n_blocks = (env->atoms->n_local + HS_NOISE_BLOCK - 1) / HS_NOISE_BLOCK;
-    (void)err;
-#pragma omp parallel for schedule(static)
+#pragma omp for schedule(static) nowait
     for (int b = 0; b < n_blocks; ++b) {
         const int begin = b * HS_NOISE_BLOCK, left = env->atoms->n_local - begin;
         const int n = left < HS_NOISE_BLOCK ? left : HS_NOISE_BLOCK;
@@ -22,6 +21,12 @@ static hs_status initial_integrate(hs_fix *fix, hs_error *err)
             memset(&noise, 0, sizeof noise);
         brownian_translate(fix, begin, n, &noise);
     }
+}
+
+static hs_status initial_integrate(hs_fix *fix, hs_error *err)
+{
+    (void)err;
+    HS_ON_THREADS(move(fix));
     return HS_OK;
 }
 

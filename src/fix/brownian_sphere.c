@@ -79,16 +79,21 @@ static void move_block(const hs_fix *fix, const hs_noise_set *functions, int beg
     rotate_3d(fix, functions, begin, n, &noise);
 }
 
-static hs_status initial_integrate(hs_fix *fix, hs_error *err)
+static void move(const hs_fix *fix)
 {
     const int n_local = fix->env->atoms->n_local, n_blocks = (n_local + HS_NOISE_BLOCK - 1) / HS_NOISE_BLOCK;
     const hs_noise_set *functions = hs_isa_noise(fix->env->isa);
-    (void)err;
-#pragma omp parallel for schedule(static)
+#pragma omp for schedule(static) nowait
     for (int b = 0; b < n_blocks; ++b) {
         const int begin = b * HS_NOISE_BLOCK, left = n_local - begin;
         move_block(fix, functions, begin, left < HS_NOISE_BLOCK ? left : HS_NOISE_BLOCK);
     }
+}
+
+static hs_status initial_integrate(hs_fix *fix, hs_error *err)
+{
+    (void)err;
+    HS_ON_THREADS(move(fix));
     return HS_OK;
 }
 

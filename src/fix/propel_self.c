@@ -56,7 +56,6 @@ static void propel_along_dipoles(const hs_fix *fix)
     const unsigned char *is_propelled = state->is_propelled;
     const int32_t *restrict type = atoms->type;
     const uint32_t mask = fix->mask, *restrict group = atoms->mask;
-#pragma omp parallel
     for (int axis = 0; axis < fix->env->box->dimension; ++axis) {
         double *restrict f = atoms->f[axis];
         const double *restrict mu = atoms->mu[axis], force = state->force;
@@ -91,7 +90,7 @@ static bool force_of(const hs_fix *fix, int i, double f[3])
 static void propel_along_velocities(const hs_fix *fix)
 {
     const hs_atoms *atoms = fix->env->atoms;
-#pragma omp parallel for schedule(static)
+#pragma omp for schedule(static) nowait
     for (int i = 0; i < atoms->n_local; ++i) {
         double f[3] = {0.0};
         if (!(atoms->mask[i] & fix->mask) || !force_of(fix, i, f)) continue;
@@ -110,9 +109,9 @@ static hs_status post_force(hs_fix *fix, hs_error *err)
 {
     (void)err;
     if (((propel_state *)fix->state)->mode == MODE_DIPOLE)
-        propel_along_dipoles(fix);
+        HS_ON_THREADS(propel_along_dipoles(fix));
     else
-        propel_along_velocities(fix);
+        HS_ON_THREADS(propel_along_velocities(fix));
     if (hs_fix_needs_virial(fix)) hs_fix_sum_virial(fix, virial_of);
     return HS_OK;
 }

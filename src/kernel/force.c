@@ -87,9 +87,12 @@ hs_status hs_force_pack(hs_force_space *space, hs_force_job *job, bool is_new, h
     return hs_packed_use(packed, &job->input, err);
 }
 
-/** @p is_ready: the forces in the buffer are to be added to. */
-static void begin_thread(hs_force_buffer *buffer, int64_t n_blocks_used, bool is_ready)
+static void begin_thread(hs_force_space *space, const hs_force_job *job, int thread)
 {
+    hs_force_buffer *buffer = &space->buffer[thread];
+    const int64_t n_blocks_used = n_blocks_of(space, job);
+    const bool is_ready = job->is_added && thread == 0 && !hs_force_is_packed(job); /* to be added to */
+    buffer->n_axes = thread > 0 && job->input.is_flat ? 2 : 3;
     memset(buffer->touched, is_ready, (size_t)n_blocks_used + 1);
     memset(&buffer->error, 0, sizeof buffer->error);
     buffer->entries.n = 0;
@@ -107,27 +110,39 @@ static void add_forces(double *restrict f, const double *restrict added, int64_t
         for (int64_t i = begin; i < end; ++i) f[i] += added[i];
 }
 
-/** Add what the other threads wrote in one block to thread 0's (the atoms') forces. */
+/** One axis of one block [begin, end): what all threads wrote to it, in thread 0's (the atoms') forces. */
+static void reduce_axis(hs_force_space *space, int axis, int64_t block, int64_t begin, int64_t end, bool is_fixed)
+{
+    double *f = space->buffer[0].f[axis];
+    bool is_begun = space->buffer[0].touched[block];
+    for (int t = 1; t < space->n_threads; ++t) {
+        const hs_force_buffer *buffer = &space->buffer[t];
+        if (!buffer->touched[block] || axis >= buffer->n_axes) continue;
+        if (is_begun)
+            add_forces(f, buffer->f[axis], begin, end, is_fixed);
+        else
+            memcpy(f + begin, buffer->f[axis] + begin, (size_t)(end - begin) * sizeof(double));
+        is_begun = true;
+    }
+    if (!is_begun) memset(f + begin, 0, (size_t)(end - begin) * sizeof(double));
+}
+
 static void reduce_block(hs_force_space *space, int64_t block, int64_t n_room, bool is_fixed)
 {
     const int64_t begin = block << HS_FORCE_BLOCK_BITS;
     const int64_t end = begin + HS_FORCE_BLOCK < n_room ? begin + HS_FORCE_BLOCK : n_room;
-    for (int axis = 0; axis < 3; ++axis) {
-        double *f = space->buffer[0].f[axis];
-        if (!space->buffer[0].touched[block]) memset(f + begin, 0, (size_t)(end - begin) * sizeof(double));
-        for (int t = 1; t < space->n_threads; ++t) {
-            if (space->buffer[t].touched[block]) add_forces(f, space->buffer[t].f[axis], begin, end, is_fixed);
-        }
-    }
+    for (int axis = 0; axis < 3; ++axis) reduce_axis(space, axis, block, begin, end, is_fixed);
 }
 
 /** Take the positions of a block that other threads have read back from their caches, for they will be written soon. */
-static void take_back_positions(const hs_force_space *space, const hs_atoms *atoms, int64_t block, int thread)
+static void take_back_positions(const hs_force_space *space, const hs_force_job *job, int64_t block, int thread)
 {
+    const hs_atoms *atoms = job->atoms;
     const int64_t begin = block << HS_FORCE_BLOCK_BITS, left = atoms->n_local - begin;
+    const int n_axes = job->input.is_flat ? 2 : 3;
     bool is_shared = false;
     for (int t = 0; t < space->n_threads && left > 0; ++t) is_shared |= t != thread && space->buffer[t].touched[block];
-    for (int axis = 0; axis < 3 && is_shared; ++axis)
+    for (int axis = 0; axis < n_axes && is_shared; ++axis)
         hs_cache_take(atoms->x[axis] + begin, sizeof(double) * (size_t)(left < HS_FORCE_BLOCK ? left : HS_FORCE_BLOCK));
 }
 
@@ -179,7 +194,7 @@ static void reduce(hs_force_space *space, const hs_force_job *job, const float *
         unpack_block(space, job, part, block);
     } else {
         reduce_block(space, block, n_room, job->precision == HS_PRECISION_FIXED);
-        take_back_positions(space, job->atoms, block, hs_thread_number());
+        take_back_positions(space, job, block, hs_thread_number());
         for (int t = 0; t < space->n_threads; ++t) space->buffer[t].touched[block] = t == 0;
     }
 }
@@ -204,8 +219,7 @@ static void run_stage_on_thread(const stage_work *w)
     const float *part[space->n_threads];
     const int64_t first_halo = first_halo_block(job),
                   middle = first_halo < w->begin ? w->begin : (first_halo < w->end ? first_halo : w->end);
-    if (w->stage == HS_STAGE_ALL || w->stage == HS_STAGE_BEFORE)
-        begin_thread(buffer, n_blocks_of(space, job), job->is_added && thread == 0 && !hs_force_is_packed(job));
+    if (w->stage == HS_STAGE_ALL || w->stage == HS_STAGE_BEFORE) begin_thread(space, job, thread);
     if (buffer->error.status == HS_OK) (void)w->work(space, job, w->stage, thread);
 #pragma omp barrier
 #pragma omp for schedule(static) nowait

@@ -32,8 +32,9 @@ typedef enum { HS_STAGE_ALL, HS_STAGE_BEFORE, HS_STAGE_MAIN, HS_STAGE_AFTER, HS_
 
 /** Buffers of one thread. Thread 0 adds to the atoms' own force arrays. */
 typedef struct hs_force_buffer {
-    double *f[3];           /**< owned (borrowed from atoms for thread 0): [n_local + n_halo + pad] */
-    float *packed_f;        /**< owned: forces of packed clusters; only where there are such */
+    double *f[3];    /**< owned (borrowed from atoms for thread 0): [n_local + n_halo + pad] */
+    int n_axes;      /**< of f that count: threads beyond the first leave those along z alone while they are all 0 */
+    float *packed_f; /**< owned: forces of packed clusters; only where there are such */
     unsigned char *touched; /**< owned: block b of HS_FORCE_BLOCK atoms was written to (and cleared before), or of
                                  HS_PACKED_BLOCK packed numbers */
     hs_entry_list entries;  /**< owned: list of the i-cluster at hand (method cell), or all of the thread's (cluster) */
@@ -122,7 +123,8 @@ static inline void hs_force_touch(hs_force_buffer *buffer, int64_t i, int64_t n_
     buffer->touched[block] = 1;
     const int64_t begin = block << HS_FORCE_BLOCK_BITS;
     const int64_t end = begin + HS_FORCE_BLOCK < n_room ? begin + HS_FORCE_BLOCK : n_room;
-    for (int axis = 0; axis < 3; ++axis) memset(buffer->f[axis] + begin, 0, (size_t)(end - begin) * sizeof(double));
+    for (int axis = 0; axis < buffer->n_axes; ++axis)
+        memset(buffer->f[axis] + begin, 0, (size_t)(end - begin) * sizeof(double));
 }
 
 /** Make a block of packed forces ready to be added to. */

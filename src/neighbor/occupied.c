@@ -63,7 +63,10 @@ static void mark_boxes(const hs_occupied *o, const double scale[3], const int n[
 {
 #pragma omp for schedule(static) nowait
     for (int i = 0; i < atoms->n_local; ++i) {
-        unsigned char *flag = &is_occupied[box_of(o, scale, n, atoms, i)];
+        unsigned char *flag = &is_occupied[box_of(o, scale, n, atoms, i)], is_set;
+#pragma omp atomic read
+        is_set = *flag;
+        if (is_set) continue; /* a store would take the line from the caches of other threads */
 #pragma omp atomic write
         *flag = 1;
     }
