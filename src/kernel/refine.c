@@ -67,17 +67,11 @@ static int note_rows(hs_cluster_entry *entry, int n, int group)
 static int refine(const hs_kernel_input *in, int first, hs_cluster_entry *entry, int n, int group, hs_cluster_entry *to,
                   int64_t *n_pairs)
 {
-    int count[16] = {0};
-    int n_near = 0;
-    for (int e = 0; e < n; e += HS_GROUP) {
-        refine_vector(in, first, entry + e);
-        for (int k = e; k < e + HS_GROUP && k < n; ++k) {
-            const uint32_t rows = rows_of(entry[k].mask);
-            n_near += __builtin_popcount(entry[k].mask);
-            ++count[place[rows]];
-            entry[k].mask |= rows << HS_ENTRY_ROWS_SHIFT;
-        }
-    }
+    int count[16] = {0}, n_near = 0;
+    for (int e = 0; e < n; e += HS_GROUP) refine_vector(in, first, entry + e);
+    for (int e = 0; e < n; ++e) n_near += __builtin_popcount(entry[e].mask);
+    for (int e = 0; e < n; ++e) entry[e].mask |= rows_of(entry[e].mask) << HS_ENTRY_ROWS_SHIFT; /* vector code */
+    for (int e = 0; e < n; ++e) ++count[place[entry[e].mask >> HS_ENTRY_ROWS_SHIFT]];
     *n_pairs += n_near;
     return note_rows(to, order_by_rows(entry, n, count, to), group);
 }

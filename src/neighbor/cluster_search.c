@@ -118,6 +118,12 @@ static void test_run(const hs_cluster_part *part, const probe *p, int begin, int
     entries->n = n;
 }
 
+static inline float clamped(float a, float last)
+{
+    const float positive = a > 0.0f ? a : 0.0f;
+    return positive < last ? positive : last;
+}
+
 /** Cells of every listed column that the probe can reach; cell_hi < cell_lo where the column is too far. A plain loop that
  *  compilers turn into vector code. */
 static void reach_cells(const hs_cells *cells, const probe *p, hs_column_list *list)
@@ -125,15 +131,16 @@ static void reach_cells(const hs_cells *cells, const probe *p, hs_column_list *l
     const float inv = (float)cells->inv_pitch[2], last = (float)(cells->n[2] - 1);
     const float *lo0 = list->bound[0], *hi0 = list->bound[1], *lo1 = list->bound[2], *hi1 = list->bound[3];
     int32_t *restrict cell_lo = list->cell_lo, *restrict cell_hi = list->cell_hi;
-    for (int k = 0; k < list->n; ++k) {
+    const int n = list->n; /* read once: compilers must know that the stores leave it alone */
+    for (int k = 0; k < n; ++k) {
         const float d0 = gap(p->lo[0], p->hi[0], lo0[k], hi0[k]), d1 = gap(p->lo[1], p->hi[1], lo1[k], hi1[k]);
         const float rest2 = p->reach2 - d0 * d0 - d1 * d1;
-        const float dz = sqrtf(rest2 > 0.0f ? rest2 : 0.0f);
+        const float dz = sqrtf(fabsf(rest2));
         /* a thousandth of a cell more on each side than the float arithmetic says, against its rounding */
         const float first = (p->lo[2] - dz) * inv - 1e-3f, final = (p->hi[2] + dz) * inv + 1e-3f;
-        cell_lo[k] = (int32_t)(first < 0.0f ? 0.0f : first > last ? last : first);
-        const int32_t hi = (int32_t)(final < 0.0f ? 0.0f : final > last ? last : final);
-        cell_hi[k] = rest2 >= 0.0f ? hi : -1;
+        cell_lo[k] = (int32_t)clamped(first, last);
+        const int32_t hi = (int32_t)clamped(final, last);
+        cell_hi[k] = rest2 < 0.0f ? -1 : hi;
     }
 }
 
