@@ -26,61 +26,77 @@ static hs_status init(hs_fix *fix, hs_error *err)
 
 static void destroy(hs_fix *fix) { HS_FREE(((nve_state *)fix->state)->half_kick); }
 
-/** What moves the atoms of one type alike. */
+/** What moves atoms alike. */
 typedef struct step_sizes {
-    double dt, magic, half_dt;
-    const double *half_kick; /**< [n_types + 1] */
-    uint32_t mask;
+    double dt, magic;
 } step_sizes;
 
-/** Where the mass of an atom is: one type and group all is the usual case, a loop without look-ups. */
-typedef enum { MASS_OF_ALL, MASS_OF_TYPE, MASS_OF_ATOM } mass_kind;
-
-/** One axis of the atoms: v += (dt/2) f/m, and with @p drift x += dt v. Both are constants where it is called. */
-static inline __attribute__((always_inline)) void move_atoms(const hs_atoms *atoms, int axis, const step_sizes *sizes,
-                                                             const bool drift, const mass_kind kind)
+/** Atoms [0, n) along one axis: v += (dt/2) f/m, and with @p drift x += dt v. kick[]: dt/2/m, of all atoms in kick[0] when
+ *  @p is_uniform; moves[]: whether the atom moves, NULL: all do. The bools are constants where it is called. */
+static inline __attribute__((always_inline)) void move_axis(double *restrict x, double *restrict v,
+                                                            const double *restrict f, const double *restrict kick,
+                                                            const uint64_t *restrict moves, int n, step_sizes sizes,
+                                                            const bool drift, const bool is_uniform)
 {
-    double *restrict x = atoms->x[axis], *restrict v = atoms->v[axis];
-    const double *restrict f = atoms->f[axis], *restrict rmass = atoms->rmass;
-    const int32_t *restrict type = atoms->type;
-    const uint32_t *restrict group = atoms->mask, mask = sizes->mask;
-    const double *restrict half_kick = sizes->half_kick;
-    const double dt = sizes->dt, magic = sizes->magic, half_dt = sizes->half_dt, only_kick = half_kick[1];
-#pragma omp for schedule(static) nowait
-    for (int i = 0; i < atoms->n_local; ++i) {
-        const bool is_moved = kind == MASS_OF_ALL || (group[i] & mask) != 0;
-        const double kick = kind == MASS_OF_ALL    ? only_kick
-                            : kind == MASS_OF_ATOM ? half_dt / rmass[i]
-                                                   : half_kick[type[i]];
-        const double v_new = v[i] + kick * f[i];
-        v[i] = is_moved ? v_new : v[i];
-        if (drift) x[i] = is_moved ? hs_moved(x[i], dt * v_new, magic) : x[i];
+    const double dt = sizes.dt, magic = sizes.magic, only_kick = kick[0];
+    for (int i = 0; i < n; ++i) {
+        const double v_old = v[i], v_new = v_old + (is_uniform ? only_kick : kick[i]) * f[i];
+        v[i] = is_uniform || moves[i] != 0 ? v_new : v_old;
+        if (!drift) continue;
+        const double x_old = x[i], x_new = hs_moved(x_old, dt * v_new, magic);
+        x[i] = is_uniform || moves[i] != 0 ? x_new : x_old;
     }
 }
 
-HS_WIDE static void move(const hs_fix *fix, const bool drift)
+#define MOVE(is_uniform)                                                                                               \
+    do {                                                                                                               \
+        if (drift)                                                                                                     \
+            move_axis(x, v, f, kick, moves, n, sizes, true, is_uniform);                                               \
+        else                                                                                                           \
+            move_axis(x, v, f, kick, moves, n, sizes, false, is_uniform);                                              \
+    } while (0)
+HS_WIDE static void move_all(double *x, double *v, const double *f, const double *kick, int n, step_sizes sizes,
+                             bool drift)
+{
+    const uint64_t *moves = NULL;
+    MOVE(true);
+}
+
+HS_WIDE static void move_some(double *x, double *v, const double *f, const double *kick, const uint64_t *moves, int n,
+                              step_sizes sizes, bool drift)
+{
+    MOVE(false);
+}
+#undef MOVE
+
+enum { BLOCK = 256 }; /* atoms whose masses are looked up at a time */
+
+/** The atoms of a thread. One type and group all is the usual case, without look-ups. */
+static void move(const hs_fix *fix, bool drift)
 {
     const nve_state *nve = fix->state;
     const hs_atoms *atoms = fix->env->atoms;
-    const step_sizes sizes = {.dt = fix->env->dt,
-                              .magic = fix->env->position_magic,
-                              .half_dt = nve->half_dt,
-                              .half_kick = nve->half_kick,
-                              .mask = fix->mask};
-    const bool is_plain = atoms->n_types == 1 && atoms->rmass == NULL && fix->group == 0;
-#define MOVE(drift, kind)                                                                                              \
-    for (int axis = 0; axis < 3; ++axis) move_atoms(atoms, axis, &sizes, drift, kind)
-    if (is_plain && drift)
-        MOVE(true, MASS_OF_ALL);
-    else if (is_plain)
-        MOVE(false, MASS_OF_ALL);
-    else if (atoms->rmass != NULL)
-        MOVE(drift, MASS_OF_ATOM);
-    else if (drift)
-        MOVE(true, MASS_OF_TYPE);
-    else
-        MOVE(false, MASS_OF_TYPE);
-#undef MOVE
+    const step_sizes sizes = {.dt = fix->env->dt, .magic = fix->env->position_magic};
+    double *const *x = atoms->x, *const *v = atoms->v, *const *f = atoms->f;
+    double kick[BLOCK];
+    uint64_t moves[BLOCK];
+    int64_t begin, end;
+    hs_thread_range(atoms->n_local, 1, hs_thread_number(), hs_thread_count(), &begin, &end);
+    if (atoms->n_types == 1 && atoms->rmass == NULL && fix->group == 0) {
+        for (int axis = 0; axis < 3; ++axis)
+            move_all(x[axis] + begin, v[axis] + begin, f[axis] + begin, &nve->half_kick[1], (int)(end - begin), sizes,
+                     drift);
+        return;
+    }
+    for (int64_t at = begin; at < end; at += BLOCK) {
+        const int n = end - at < BLOCK ? (int)(end - at) : BLOCK;
+        for (int k = 0; k < n; ++k) {
+            moves[k] = atoms->mask[at + k] & fix->mask;
+            kick[k] = atoms->rmass != NULL ? nve->half_dt / atoms->rmass[at + k] : nve->half_kick[atoms->type[at + k]];
+        }
+        for (int axis = 0; axis < 3; ++axis)
+            move_some(x[axis] + at, v[axis] + at, f[axis] + at, kick, moves, n, sizes, drift);
+    }
 }
 
 static hs_status initial_integrate(hs_fix *fix, hs_error *err)

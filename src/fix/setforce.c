@@ -14,9 +14,11 @@ static void set_forces(const hs_atoms *atoms, const void *context, int begin, in
     int32_t found[HS_EXACT_ARRAY_MAX];
     const int n = hs_applied_force_find(force, fix, begin, end, found);
     hs_replaced_force_add(atoms, found, n, sums);
-    for (int axis = 0; axis < 3; ++axis)
-        for (int k = 0; !force->is_free[axis] && k < n; ++k)
-            atoms->f[axis][found[k]] = hs_applied_force_of(force, axis, found[k]);
+    for (int axis = 0; axis < 3; ++axis) {
+        const double *of_atom = force->of_atom[axis], value = force->value[axis];
+        double *f = atoms->f[axis];
+        for (int k = 0; !force->is_free[axis] && k < n; ++k) f[found[k]] = of_atom != NULL ? of_atom[found[k]] : value;
+    }
 }
 
 static hs_status post_force(hs_fix *fix, hs_error *err)

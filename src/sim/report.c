@@ -34,6 +34,9 @@ static hs_status describe_neighbors(const hs_sim *sim, hs_text *text, hs_error *
     HS_TRY(
         hs_text_printf(text, err, "  master list distance cutoff = %.8g\n  ghost atom cutoff = %.8g\n", reach, reach));
     if (cutoff > 0.0) HS_TRY(hs_sim_describe_cells(sim, text, err));
+    if (hs_threads_get() < sim->n_threads)
+        HS_TRY(hs_text_printf(text, err, "  1 thread, not %d, for few atoms: '-threads %d' insists\n", sim->n_threads,
+                              sim->n_threads));
     return hs_text_printf(
         text, err, "  neighbor method %s: %s\n  pair kernels: %s, %s precision%s\n  pairs: %s\n",
         hs_neighbor_methods[settings->method], hs_sim_method(sim)->help, hs_isa_names[sim->isa],

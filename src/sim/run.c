@@ -22,6 +22,16 @@ static hs_status check_system(hs_sim *sim, hs_error *err)
     return HS_OK;
 }
 
+/** Threads for the next run. Those of the environment are for all that is run there: where a rank has few atoms, threads would wait
+ *  for each other longer than they work. What the options say is meant for this run. */
+static void choose_threads(const hs_sim *sim)
+{
+    enum { FEW_ATOMS = 1000 };
+    const int64_t n_ranks = sim->parallel.n_ranks > 1 ? sim->parallel.n_ranks : 1;
+    const bool are_few = sim->atoms.n_all < FEW_ATOMS * n_ranks;
+    hs_threads_set(sim->options.n_threads <= 0 && are_few ? 1 : sim->n_threads);
+}
+
 static hs_status init_styles(hs_sim *sim, hs_error *err)
 {
     int n_integrators = 0;
@@ -44,6 +54,7 @@ static hs_status init_styles(hs_sim *sim, hs_error *err)
 hs_status hs_sim_init_resumed(hs_sim *sim, hs_error *err)
 {
     HS_TRY(check_system(sim, err));
+    choose_threads(sim);
     HS_TRY(hs_sim_setup_pair(sim, err));
     HS_TRY(hs_sim_setup_reproducible(sim, err));
     hs_tuner_start(sim);
@@ -56,6 +67,7 @@ hs_status hs_sim_setup(hs_sim *sim, hs_error *err)
     sim->is_initialized =
         false; /* until the end of this: the exchange below may find atoms that were placed far away */
     hs_timer_reset(&sim->timer);
+    choose_threads(sim);
     HS_TRY(hs_sim_setup_pair(sim, err));
     HS_TRY(hs_sim_setup_reproducible(sim, err));
     hs_tuner_start(sim);

@@ -34,6 +34,7 @@ static hs_status create(hs_sim *sim, const hs_options *options, hs_sink *out, hs
 {
     sim->options = *options;
     hs_threads_set(options->n_threads);
+    sim->n_threads = hs_threads_get();
     hs_box_init(&sim->box);
     hs_lattice_init(&sim->lattice);
     HS_TRY(hs_isa_get(options->isa, &sim->isa, err));

@@ -67,6 +67,7 @@ typedef struct hs_sim {
     hs_verlet_list verlet; /**< method verlet: the same */
     hs_tuner tuner;        /**< method auto */
     hs_isa isa;
+    int n_threads;          /**< as asked for, by the options or the environment */
     hs_precision precision; /**< as asked for: double or mixed */
     hs_reproducible reproducible;
     hs_precision kernel_precision; /**< of the present run's kernels: fixed point when reproducible */

@@ -104,11 +104,11 @@ void hs_replaced_force_destroy(hs_fix *fix) { hs_applied_force_fini(&((hs_replac
 
 int hs_applied_force_find(const hs_applied_force *force, const hs_fix *fix, int begin, int end, int32_t *found)
 {
-    const uint32_t *group = fix->env->atoms->mask;
+    const uint32_t *group = fix->env->atoms->mask, mask = fix->mask;
     int n = 0;
     for (int i = begin; i < end; ++i) { /* without branches: groups may be anywhere */
         found[n] = i;
-        n += (group[i] & fix->mask) != 0;
+        n += (group[i] & mask) != 0;
     }
     if (force->region == NULL) return n;
     const int n_in_group = n;
