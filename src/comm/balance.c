@@ -27,6 +27,14 @@ hs_status hs_balance_read_axes(hs_balance *balance, const char *word, int dimens
     return hs_fail(err, HS_ERROR_INPUT, "%s: the axes whose planes are to be moved are missing", command);
 }
 
+void hs_balance_take_rcb(hs_balance *balance, int dimension)
+{
+    balance->n_axes = dimension;
+    for (int axis = 0; axis < dimension; ++axis) balance->axis[axis] = axis;
+    balance->n_iterations = 10;
+    balance->stop_factor = 1.05;
+}
+
 void hs_balance_measure(const hs_parallel *parallel, double load, double *largest, double *factor)
 {
     double mean = load;
@@ -52,7 +60,9 @@ static int owner_of(const hs_domain *domain, int axis, double fraction)
     return k;
 }
 
-hs_status hs_balance_predict(const hs_domain *domain, const hs_box *box, const hs_atoms *atoms, double weight,
+static double weight_of(const double *weight, int i) { return weight != NULL ? weight[i] : 1.0; }
+
+hs_status hs_balance_predict(const hs_domain *domain, const hs_box *box, const hs_atoms *atoms, const double *weight,
                              const hs_parallel *parallel, double *load, hs_error *err)
 {
     double *loads = NULL;
@@ -62,7 +72,7 @@ hs_status hs_balance_predict(const hs_domain *domain, const hs_box *box, const h
         int at[3];
         for (int axis = 0; axis < 3; ++axis)
             at[axis] = owner_of(domain, axis, fraction_of(box, axis, atoms->x[axis][i]));
-        loads[hs_domain_rank(domain, at)] += weight;
+        loads[hs_domain_rank(domain, at)] += weight_of(weight, i);
     }
     hs_parallel_sum_double(parallel, loads, domain->n_ranks);
     *load = loads[domain->rank];
@@ -70,10 +80,16 @@ hs_status hs_balance_predict(const hs_domain *domain, const hs_box *box, const h
     return HS_OK;
 }
 
-/** Numbers from 0 to 1, sorted into so many drawers of equal width, in any order within. */
+/** An atom's place, from 0 to 1, and its cost. */
+typedef struct placed {
+    double place, weight;
+} placed;
+
+/** Atoms sorted by their places into so many drawers of equal width, in any order within. */
 typedef struct drawers {
-    double *value;  /**< owned [n] */
-    int64_t *start; /**< owned [n_drawers + 1]: first value of each */
+    placed *item;   /**< owned [n] */
+    int64_t *start; /**< owned [n_drawers + 1]: first item of each */
+    double *below;  /**< owned [n_drawers + 1]: weight in the drawers before each */
     int64_t n, n_drawers;
 } drawers;
 
@@ -85,35 +101,42 @@ static int64_t drawer_of(const drawers *d, double value)
 
 static void fini_drawers(drawers *d)
 {
-    HS_FREE(d->value);
+    HS_FREE(d->item);
     HS_FREE(d->start);
+    HS_FREE(d->below);
 }
 
-/** Places of the local atoms along an axis as fractions of the box. */
-static hs_status fill_drawers(drawers *d, const hs_box *box, const hs_atoms *atoms, int axis, hs_error *err)
+/** The local atoms by their places along an axis, as fractions of the box. */
+static hs_status fill_drawers(drawers *d, const hs_box *box, const hs_atoms *atoms, const double *weight, int axis,
+                              hs_error *err)
 {
     enum { VALUES_A_DRAWER = 16 };
     d->n = atoms->n_local;
     d->n_drawers = d->n / VALUES_A_DRAWER + 1;
-    HS_TRY(HS_ALLOC(d->value, (size_t)d->n, err));
+    HS_TRY(HS_ALLOC(d->item, (size_t)d->n, err));
+    HS_TRY(HS_ALLOC(d->below, (size_t)d->n_drawers + 1, err));
     HS_TRY(HS_ALLOC(d->start, (size_t)d->n_drawers + 2, err)); /* zeroed; one place on while they are filled */
     int64_t *next = d->start + 1;
     for (int i = 0; i < d->n; ++i) ++next[drawer_of(d, fraction_of(box, axis, atoms->x[axis][i])) + 1];
     for (int64_t k = 0; k < d->n_drawers; ++k) next[k + 1] += next[k];
     for (int i = 0; i < d->n; ++i) {
-        const double value = fraction_of(box, axis, atoms->x[axis][i]);
-        d->value[next[drawer_of(d, value)]++] = value;
+        const double place = fraction_of(box, axis, atoms->x[axis][i]);
+        const int64_t drawer = drawer_of(d, place);
+        d->item[next[drawer]++] = (placed){.place = place, .weight = weight_of(weight, i)};
+        d->below[drawer + 1] += weight_of(weight, i);
     }
+    for (int64_t k = 0; k < d->n_drawers; ++k) d->below[k + 1] += d->below[k];
     return HS_OK;
 }
 
-/** Numbers below a place. */
-static int64_t count_below(const drawers *d, double place)
+/** Weight below a place. */
+static double weight_below(const drawers *d, double place)
 {
     const int64_t drawer = drawer_of(d, place);
-    int64_t n = d->start[drawer];
-    for (int64_t k = d->start[drawer]; k < d->start[drawer + 1]; ++k) n += d->value[k] < place;
-    return n;
+    double weight = d->below[drawer];
+    for (int64_t k = d->start[drawer]; k < d->start[drawer + 1]; ++k)
+        if (d->item[k].place < place) weight += d->item[k].weight;
+    return weight;
 }
 
 /** One plane on its way: it is between lo and hi, with so much work below them. */
@@ -124,7 +147,7 @@ typedef struct bracket {
 /** The planes of one axis on their way. */
 typedef struct search {
     drawers place; /**< of the local atoms */
-    double weight, total;
+    double total;
     bracket *plane; /**< owned [n_planes]: those within the box */
     double *work;   /**< owned [n_planes * N_TRIES] */
     int n_planes;
@@ -137,7 +160,7 @@ static void narrow(search *s, const hs_parallel *parallel)
         for (int t = 0; t < N_TRIES; ++t) {
             const bracket *b = &s->plane[k];
             const double place = b->lo + (b->hi - b->lo) * (t + 1) / (N_TRIES + 1);
-            s->work[k * N_TRIES + t] = s->weight * (double)count_below(&s->place, place);
+            s->work[k * N_TRIES + t] = weight_below(&s->place, place);
         }
     hs_parallel_sum_double(parallel, s->work, s->n_planes * N_TRIES);
     for (int k = 0; k < s->n_planes; ++k) {
@@ -174,20 +197,22 @@ static void place_planes(const search *s, double *cut, double least)
     for (int k = n - 1; k > 0; --k) cut[k] = fmin(cut[k], cut[k + 1] - least);
 }
 
-static hs_status begin_search(search *s, const hs_box *box, const hs_atoms *atoms, int axis, hs_error *err)
+static hs_status begin_search(search *s, const hs_box *box, const hs_atoms *atoms, const double *weight, int axis,
+                              hs_error *err)
 {
-    HS_TRY(fill_drawers(&s->place, box, atoms, axis, err));
+    HS_TRY(fill_drawers(&s->place, box, atoms, weight, axis, err));
     HS_TRY(HS_ALLOC(s->plane, (size_t)s->n_planes, err));
     return HS_ALLOC(s->work, (size_t)s->n_planes * N_TRIES, err);
 }
 
 static hs_status shift_axis(const hs_balance *balance, hs_domain *domain, const hs_box *box, const hs_atoms *atoms,
-                            int axis, double weight, const hs_parallel *parallel, int *n_iterations, hs_error *err)
+                            int axis, const double *weight, const hs_parallel *parallel, int *n_iterations,
+                            hs_error *err)
 {
-    search s = {.weight = weight, .n_planes = domain->n[axis] - 1};
-    HS_UNLESS_FAILED(err, begin_search(&s, box, atoms, axis, err));
+    search s = {.n_planes = domain->n[axis] - 1};
+    HS_UNLESS_FAILED(err, begin_search(&s, box, atoms, weight, axis, err));
     if (hs_parallel_agree(parallel, err) == HS_OK) {
-        s.total = weight * (double)s.place.n;
+        s.total = s.place.below[s.place.n_drawers];
         hs_parallel_sum_double(parallel, &s.total, 1);
         for (int k = 0; k < s.n_planes; ++k) s.plane[k] = (bracket){.hi = 1.0, .work_hi = s.total};
         for (int iteration = 0; iteration < balance->n_iterations; ++iteration) {
@@ -204,7 +229,7 @@ static hs_status shift_axis(const hs_balance *balance, hs_domain *domain, const 
 }
 
 hs_status hs_balance_shift(const hs_balance *balance, hs_domain *domain, const hs_box *box, const hs_atoms *atoms,
-                           double weight, const hs_parallel *parallel, int *n_iterations, hs_error *err)
+                           const double *weight, const hs_parallel *parallel, int *n_iterations, hs_error *err)
 {
     *n_iterations = 0;
     for (int k = 0; k < balance->n_axes; ++k) {

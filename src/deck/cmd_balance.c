@@ -1,10 +1,12 @@
 /* The command balance: where the planes between the ranks' bricks are. */
 #include <string.h>
 
+#include "base/memory.h"
 #include "base/text.h"
 #include "base/timer.h"
 #include "comm/balance.h"
 #include "deck/command.h"
+#include "style/balance_weight.h"
 
 /** One balance command. */
 typedef struct request {
@@ -12,7 +14,7 @@ typedef struct request {
     hs_balance plan;    /**< n_axes = 0: no shift */
     int at[3];          /**< first word after x, y, z; 0: not given */
     int n_fractions[3]; /**< numbers there; 0: uniform */
-    bool by_time;
+    hs_balance_weight weight;
 } request;
 
 static bool is_keyword(const char *word)
@@ -54,34 +56,25 @@ static hs_status read_shift(const hs_args *args, int *i, int dimension, request 
     return HS_OK;
 }
 
-static hs_status read_weight(const hs_args *args, int *i, request *r, hs_error *err)
-{
-    static const char *const weights[] = {"time", NULL};
-    double power;
-    HS_TRY(hs_arg_need(args, *i + 2, "time and a factor after 'weight'", err));
-    if (strcmp(args->word[*i + 1], "time") != 0)
-        return hs_arg_refuse(args, *i + 1, "a supported weight (time)", weights, err);
-    HS_TRY(hs_arg_positive(args, *i + 2, &power, err));
-    if (power != 1.0) return hs_arg_refuse(args, *i + 2, "1: time is taken as measured", NULL, err);
-    r->by_time = true;
-    *i += 2;
-    return HS_OK;
-}
-
+/** The words. The request is to be freed with hs_balance_weight_fini(&r->weight), after an error, too. */
 static hs_status read_request(const hs_args *args, int dimension, request *r, hs_error *err)
 {
-    static const char *const words[] = {"x", "y", "z", "shift", "weight", NULL};
+    static const char *const words[] = {"x", "y", "z", "shift", "rcb", "weight", NULL};
     *r = (request){.threshold = 1.0};
     HS_TRY(hs_arg_double(args, 0, &r->threshold, err));
     for (int i = 1; i < args->n; ++i) {
         int which;
-        if (strcmp(args->word[i], "rcb") == 0 || strcmp(args->word[i], "out") == 0)
-            return hs_fail(err, HS_ERROR_INPUT, "balance: '%s' is not supported; 'shift' and the planes x, y, z are",
-                           args->word[i]);
+        if (strcmp(args->word[i], "out") == 0)
+            return hs_fail(err, HS_ERROR_INPUT,
+                           "balance: 'out' is not supported; dump custom with the attribute proc shows who owns which "
+                           "atoms");
         HS_TRY(hs_arg_choice(args, i, words, &which, err));
         if (which < 3) HS_TRY(read_planes(args, &i, r, err));
         if (which == 3) HS_TRY(read_shift(args, &i, dimension, r, err));
-        if (which == 4) HS_TRY(read_weight(args, &i, r, err));
+        if (which == 4) hs_balance_take_rcb(&r->plan, dimension);
+        if (which != 5) continue;
+        ++i;
+        HS_TRY(hs_balance_weight_read(&r->weight, args, &i, err));
     }
     const bool has_planes = r->at[0] + r->at[1] + r->at[2] > 0;
     if (has_planes != (r->plan.n_axes > 0)) return HS_OK;
@@ -91,9 +84,11 @@ static hs_status read_request(const hs_args *args, int dimension, request *r, hs
 
 static hs_status check_balance(const hs_args *args, bool has_variables, hs_error *err)
 {
-    request r;
+    request r = {0};
     if (has_variables) return HS_OK;
-    return read_request(args, 3, &r, err);
+    const hs_status status = read_request(args, 3, &r, err);
+    hs_balance_weight_fini(&r.weight);
+    return status;
 }
 
 /** Planes given in the deck. */
@@ -119,14 +114,6 @@ static hs_status set_planes(hs_domain *domain, const hs_args *args, const reques
     return HS_OK;
 }
 
-/** What one of this rank's atoms costs. */
-static double weigh(const hs_sim *sim, const request *r)
-{
-    double spent_s = sim->timer.phase_s[HS_PHASE_PAIR], most_s = spent_s;
-    hs_parallel_max_double(&sim->parallel, &most_s, 1);
-    return r->by_time && most_s > 0.0 && sim->atoms.n_local > 0 ? spent_s / sim->atoms.n_local : 1.0;
-}
-
 static void tell_planes(const hs_sim *sim)
 {
     for (int axis = 0; axis < 3; ++axis) {
@@ -136,31 +123,27 @@ static void tell_planes(const hs_sim *sim)
     }
 }
 
-static hs_status run_balance(hs_deck *deck, const hs_args *args, hs_error *err)
+/** Place the planes, and tell what came of it. */
+static hs_status place(hs_sim *sim, const hs_args *args, request *r, const double *costs, hs_error *err)
 {
-    hs_sim *sim = deck->sim;
+    hs_sink *const out = sim->env.out;
     const double start_s = hs_time_now_s();
-    request r;
     double load, largest[2], factor[2];
     int n_iterations = 0;
-    HS_TRY(hs_sim_need_box(sim, "balance", err));
-    HS_TRY(read_request(args, sim->box.dimension, &r, err));
-    if (sim->atoms.n_all == 0) return hs_fail(err, HS_ERROR_INPUT, "balance: there are no atoms yet");
-    const double weight = weigh(sim, &r);
-    HS_TRY(hs_balance_predict(&sim->domain, &sim->box, &sim->atoms, weight, &sim->parallel, &load, err));
+    HS_TRY(hs_balance_predict(&sim->domain, &sim->box, &sim->atoms, costs, &sim->parallel, &load, err));
     hs_balance_measure(&sim->parallel, load, &largest[0], &factor[0]);
-    hs_say(deck->out, "Balancing ...\n");
-    if (r.plan.n_axes == 0) {
-        HS_TRY(set_planes(&sim->domain, args, &r, err));
-    } else if (factor[0] > r.threshold) {
-        r.plan.least_width = 0.5 * sim->env.reach;
-        HS_TRY(hs_balance_shift(&r.plan, &sim->domain, &sim->box, &sim->atoms, weight, &sim->parallel, &n_iterations,
+    hs_say(out, "Balancing ...\n");
+    if (r->plan.n_axes == 0) {
+        HS_TRY(set_planes(&sim->domain, args, r, err));
+    } else if (factor[0] > r->threshold) {
+        r->plan.least_width = 0.5 * sim->env.reach;
+        HS_TRY(hs_balance_shift(&r->plan, &sim->domain, &sim->box, &sim->atoms, costs, &sim->parallel, &n_iterations,
                                 err));
     }
-    HS_TRY(hs_balance_predict(&sim->domain, &sim->box, &sim->atoms, weight, &sim->parallel, &load, err));
+    HS_TRY(hs_balance_predict(&sim->domain, &sim->box, &sim->atoms, costs, &sim->parallel, &load, err));
     hs_balance_measure(&sim->parallel, load, &largest[1], &factor[1]);
     hs_sim_atoms_changed(sim); /* the next run brings them to their ranks */
-    hs_say(deck->out,
+    hs_say(out,
            "  rebalancing time: %.3f seconds\n  iteration count = %d\n  initial/final maximal load/proc = %.8g %.8g\n"
            "  initial/final imbalance factor  = %.8g %.8g\n",
            hs_time_now_s() - start_s, n_iterations, largest[0], largest[1], factor[0], factor[1]);
@@ -168,11 +151,29 @@ static hs_status run_balance(hs_deck *deck, const hs_args *args, hs_error *err)
     return HS_OK;
 }
 
+static hs_status run_balance(hs_deck *deck, const hs_args *args, hs_error *err)
+{
+    hs_sim *sim = deck->sim;
+    request r = {0};
+    double *costs = NULL;
+    HS_TRY(hs_sim_need_box(sim, "balance", err));
+    hs_status status = read_request(args, sim->box.dimension, &r, err);
+    if (status == HS_OK && sim->atoms.n_all == 0)
+        status = hs_fail(err, HS_ERROR_INPUT, "balance: there are no atoms yet");
+    if (status == HS_OK)
+        status =
+            hs_balance_weight_eval(&r.weight, &sim->env, sim->timer.phase_s[HS_PHASE_PAIR], "balance", &costs, err);
+    if (status == HS_OK) status = place(sim, args, &r, costs, err);
+    HS_FREE(costs);
+    hs_balance_weight_fini(&r.weight);
+    return status;
+}
+
 const hs_command hs_commands_balance[] = {
     {.about =
          {.name = "balance",
-          .syntax = {.usage = "<threshold> x|y|z uniform|<fractions> ... | shift <axes> <iterations> <stop factor> "
-                              "[weight time 1]",
+          .syntax = {.usage = "<threshold> x|y|z uniform|<fractions> ... | shift <axes> <iterations> <stop factor> | "
+                              "rcb " HS_BALANCE_WEIGHTS,
                      .n_min = 1,
                      .n_max = -1},
           .summary = "place the planes between the ranks' parts of the box",
@@ -184,11 +185,11 @@ const hs_command hs_commands_balance[] = {
               "more "
               "than the threshold (1.1: ten per cent); each iteration finds the places 16 times more exactly, and an "
               "axis "
-              "is done when its slabs are within the stop factor. The load of a rank is its number of atoms, or with "
-              "`weight time 1` the time that its pair forces took in the last run. `fix balance` does the same during "
-              "a "
-              "run. Results do not depend on where the planes are. LAMMPS's style `rcb`, its other weights and `out` "
-              "are refused.",
+              "is done when its slabs are within the stop factor. `rcb`, which in LAMMPS cuts the box into parts that "
+              "are not in rows, moves the planes along all axes here. The load of a rank is the sum of its atoms' "
+              "costs.\n\n" HS_BALANCE_WEIGHT_DETAILS
+              " (In the last run.)\n\n`fix balance` does the same during a run. Results do not depend on where the "
+              "planes are. `out` is refused.",
           .example = "balance 1.1 shift xy 10 1.02\nbalance 1.0 x uniform z 0.4 0.5 0.6"},
      .run = run_balance,
      .check = check_balance},

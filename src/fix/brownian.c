@@ -48,6 +48,7 @@ const hs_fix_style hs_fix_style_brownian = {
     .state_size = sizeof(brownian_state),
     .create = brownian_create,
     .init = brownian_init,
+    .dt_changed = brownian_init,
     .initial_integrate = initial_integrate,
     .is_integrator = true,
 };

@@ -123,6 +123,7 @@ const hs_fix_style hs_fix_style_brownian_sphere = {
     .state_size = sizeof(brownian_state),
     .create = create,
     .init = brownian_init,
+    .dt_changed = brownian_init,
     .initial_integrate = initial_integrate,
     .is_integrator = true,
 };

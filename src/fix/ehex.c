@@ -1,13 +1,10 @@
 /* Adds heat to a group of atoms, or takes it, at constant momentum, as fix heat does, and corrects the places of the atoms so that
  * the energy of long runs does not drift by the error of the splitting.
  * Source: P. Wirnsberger, D. Frenkel, C. Dellago, J. Chem. Phys. 143, 124104 (2015), doi:10.1063/1.4931597, method eHEX/a. */
-#include <math.h>
 #include <string.h>
 
 #include "base/memory.h"
-#include "core/atom_style.h"
-#include "style/atom_sum.h"
-#include "style/fix.h"
+#include "fix/thermal_motion.h"
 #include "style/region.h"
 
 typedef struct ehex_state {
@@ -66,19 +63,6 @@ static bool acts(const hs_fix *fix, int i)
     int32_t image[3] = {0};
     hs_box_wrap(fix->env->box, x, image);
     return (atoms->mask[i] & fix->mask) != 0 && (state->region == NULL || hs_region_contains(state->region, x));
-}
-
-enum { MASS, MOMENTUM, MV2 = MOMENTUM + 3, N_SUMS };
-
-static void add_terms(const hs_atoms *atoms, const void *context, int begin, int end, hs_exact_sum *sums)
-{
-    for (int i = begin; i < end; ++i) {
-        if (!acts(context, i)) continue;
-        const double m = hs_atom_mass(atoms, i), v[3] = {atoms->v[0][i], atoms->v[1][i], atoms->v[2][i]};
-        hs_exact_add(&sums[MASS], m);
-        for (int axis = 0; axis < 3; ++axis) hs_exact_add(&sums[MOMENTUM + axis], m * v[axis]);
-        hs_exact_add(&sums[MV2], m * (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]));
-    }
 }
 
 enum { FORCE, POWER = FORCE + 3, N_FORCE_SUMS };
@@ -149,26 +133,16 @@ static hs_status end_of_step(hs_fix *fix, hs_error *err)
 {
     ehex_state *state = fix->state;
     hs_env *env = fix->env;
-    const hs_atoms *atoms = env->atoms;
-    double sums[N_SUMS], drift = 0.0;
+    const double rate = state->rate / env->units->mvv2e;
+    thermal_motion motion;
     unsigned char *is_in = NULL;
     if (env->step % state->every != 0) return HS_OK;
-    hs_atom_sum(atoms, env->parallel, add_terms, fix, N_SUMS, sums);
-    if (!(sums[MASS] > 0.0)) return HS_OK;
-    for (int axis = 0; axis < 3; ++axis) {
-        state->v[axis] = sums[MOMENTUM + axis] / sums[MASS];
-        drift += 0.5 * sums[MASS] * state->v[axis] * state->v[axis];
-    }
-    const double ke = 0.5 * sums[MV2] - drift, rate = state->rate / env->units->mvv2e;
-    const double heat = rate * (double)state->every * env->dt;
-    if (!(ke + heat >= 0.0) || !(ke > 0.0))
-        return hs_fail(err, HS_ERROR_RUN,
-                       "fix '%s' (ehex): at step %lld the atoms have the energy %g in their thermal motion, which is "
-                       "not enough to take %g from it",
-                       fix->id, (long long)env->step, ke * env->units->mvv2e, -heat * env->units->mvv2e);
-    state->scale = sqrt((ke + heat) / ke);
+    HS_TRY(thermal_find(fix, acts, rate * (double)state->every * env->dt, &motion, err));
+    if (!(motion.mass > 0.0)) return HS_OK;
+    memcpy(state->v, motion.v, sizeof state->v);
+    state->scale = motion.scale;
     const hs_status status = mark_atoms(fix, &is_in, err);
-    if (status == HS_OK && !state->is_plain) correct_places(fix, is_in, sums[MASS], ke, rate);
+    if (status == HS_OK && !state->is_plain) correct_places(fix, is_in, motion.mass, motion.ke, rate);
     if (status == HS_OK) scale_velocities(fix, is_in);
     HS_FREE(is_in);
     hs_env_changed(env);

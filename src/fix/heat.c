@@ -1,13 +1,10 @@
 /* Adds heat to a group of atoms, or takes it, at constant momentum: velocities relative to the center of mass are scaled so that the
  * kinetic energy grows by the heat.
  * Source: T. Ikeshoji, B. Hafskjold, Mol. Phys. 81, 251 (1994), doi:10.1080/00268979400100171. */
-#include <math.h>
 #include <string.h>
 
 #include "base/memory.h"
-#include "core/atom_style.h"
-#include "style/atom_sum.h"
-#include "style/fix.h"
+#include "fix/thermal_motion.h"
 #include "style/region.h"
 
 typedef struct heat_state {
@@ -77,46 +74,23 @@ static bool acts(const hs_fix *fix, int i)
     return (atoms->mask[i] & fix->mask) != 0 && (state->region == NULL || hs_region_contains(state->region, x));
 }
 
-enum { MASS, MOMENTUM, MV2 = MOMENTUM + 3, N_SUMS };
-
-static void add_terms(const hs_atoms *atoms, const void *context, int begin, int end, hs_exact_sum *sums)
-{
-    for (int i = begin; i < end; ++i) {
-        if (!acts(context, i)) continue;
-        const double m = hs_atom_mass(atoms, i), v[3] = {atoms->v[0][i], atoms->v[1][i], atoms->v[2][i]};
-        hs_exact_add(&sums[MASS], m);
-        for (int axis = 0; axis < 3; ++axis) hs_exact_add(&sums[MOMENTUM + axis], m * v[axis]);
-        hs_exact_add(&sums[MV2], m * (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]));
-    }
-}
-
 static hs_status end_of_step(hs_fix *fix, hs_error *err)
 {
     heat_state *state = fix->state;
     hs_env *env = fix->env;
     const hs_atoms *atoms = env->atoms;
-    double sums[N_SUMS], v[3], drift = 0.0;
+    thermal_motion motion;
     if (env->step % state->every != 0) return HS_OK;
     if (state->variable != NULL) HS_TRY(env->variable_value(env->deck, state->variable, &state->rate, err));
-    hs_atom_sum(atoms, env->parallel, add_terms, fix, N_SUMS, sums);
-    if (!(sums[MASS] > 0.0)) return HS_OK;
-    for (int axis = 0; axis < 3; ++axis) {
-        v[axis] = sums[MOMENTUM + axis] / sums[MASS];
-        drift += 0.5 * sums[MASS] * v[axis] * v[axis];
-    }
-    const double ke = 0.5 * sums[MV2] - drift, heat = state->rate * (double)state->every * env->dt / env->units->mvv2e;
-    if (!(ke + heat >= 0.0) || !(ke > 0.0))
-        return hs_fail(
-            err, HS_ERROR_RUN,
-            "fix '%s' (heat): at step %lld the atoms have the energy %g in their thermal motion, which is not "
-            "enough to take %g from it",
-            fix->id, (long long)env->step, ke * env->units->mvv2e, -heat * env->units->mvv2e);
-    state->scale = sqrt((ke + heat) / ke);
+    const double heat = state->rate * (double)state->every * env->dt / env->units->mvv2e;
+    HS_TRY(thermal_find(fix, acts, heat, &motion, err));
+    if (!(motion.mass > 0.0)) return HS_OK;
+    state->scale = motion.scale;
 #pragma omp parallel for schedule(static)
     for (int i = 0; i < atoms->n_local; ++i) {
         if (!acts(fix, i)) continue;
         for (int axis = 0; axis < 3; ++axis)
-            atoms->v[axis][i] = state->scale * atoms->v[axis][i] - (state->scale - 1.0) * v[axis];
+            atoms->v[axis][i] = state->scale * atoms->v[axis][i] - (state->scale - 1.0) * motion.v[axis];
     }
     hs_env_changed(env);
     return HS_OK;

@@ -324,6 +324,7 @@ const hs_fix_style hs_fix_style_langevin = {
     .create = create,
     .destroy = destroy,
     .init = init,
+    .dt_changed = init,
     .post_force = post_force,
     .end_of_step = end_of_step,
     .set_temperature = set_temperature,

@@ -124,6 +124,7 @@ const hs_fix_style hs_fix_style_nve = {
     .state_size = sizeof(nve_state),
     .destroy = destroy,
     .init = init,
+    .dt_changed = init,
     .initial_integrate = initial_integrate,
     .final_integrate = final_integrate,
     .is_integrator = true,

@@ -162,20 +162,25 @@ static void collide(const hs_fix *fix, int wall, int i)
     if (face->end == 0 ? x < face->place : x > face->place) atoms->x[axis][i] = face->place;
 }
 
+static void send_back(const hs_fix *fix, int wall)
+{
+    const wall_face *face = &((const stochastic_state *)fix->state)->wall.face[wall];
+    const hs_atoms *atoms = fix->env->atoms;
+    const double *x = atoms->x[face->axis], place = face->place;
+    const bool is_lower = face->end == 0;
+#pragma omp for schedule(static) nowait
+    for (int i = 0; i < atoms->n_local; ++i) {
+        if ((is_lower ? x[i] >= place : x[i] <= place) || !(atoms->mask[i] & fix->mask)) continue;
+        collide(fix, wall, i);
+    }
+}
+
 static hs_status post_integrate(hs_fix *fix, hs_error *err)
 {
     stochastic_state *state = fix->state;
-    const hs_atoms *atoms = fix->env->atoms;
     for (int k = 0; k < state->wall.n; ++k) {
-        wall_face *face = &state->wall.face[k];
-        HS_TRY(wall_place(fix, face, 1.0, err));
-        const double *x = atoms->x[face->axis], place = face->place;
-        const bool is_lower = face->end == 0;
-#pragma omp parallel for schedule(static)
-        for (int i = 0; i < atoms->n_local; ++i) {
-            if (!(atoms->mask[i] & fix->mask) || (is_lower ? x[i] >= place : x[i] <= place)) continue;
-            collide(fix, k, i);
-        }
+        HS_TRY(wall_place(fix, &state->wall.face[k], 1.0, err));
+        HS_ON_THREADS(send_back(fix, k));
     }
     return HS_OK;
 }

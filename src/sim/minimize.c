@@ -247,6 +247,8 @@ static hs_status set_up(hs_sim *sim, const hs_min_plan *plan, const char *style,
     }
     sim->env.first_step = sim->env.ramp_start = sim->env.step;
     sim->env.last_step = sim->env.ramp_stop = sim->env.step + *plan->iterations_left;
+    for (int axis = 0; axis < 3 && sim->minimize.style->is_from_rest; ++axis)
+        memset(sim->atoms.v[axis], 0, (size_t)sim->atoms.n_local * sizeof(double));
     HS_TRY(hs_sim_setup(sim, err));
     sim->tuner.is_trying = false;
     hs_say(sim->env.out, "Setting up %s style minimization ...\n  Unit style    : %s\n  Current step  : %lld\n", style,

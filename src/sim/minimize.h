@@ -52,6 +52,7 @@ typedef enum {
 /** A way to the minimum. One is one entry of hs_min_styles. */
 typedef struct hs_min_style {
     const char *name, *summary;
+    bool is_from_rest;  /**< velocities are part of the way: they are zero before the first forces */
     bool has_direction; /**< the search direction and the forces before are kept for each atom */
     /** Begin, or begin again, from the present forces. */
     void (*begin)(struct hs_minimizer *min);

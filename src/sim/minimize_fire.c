@@ -150,6 +150,7 @@ static hs_status iterate(hs_minimizer *min, hs_min_reason *reason, hs_error *err
 
 const hs_min_style hs_min_style_fire = {.name = "fire",
                                         .summary = "damped dynamics (FIRE 2.0); takes the timestep of `timestep`",
+                                        .is_from_rest = true,
                                         .begin = begin,
                                         .iterate = iterate};
 
@@ -175,5 +176,6 @@ static void begin_old(hs_minimizer *min)
 const hs_min_style hs_min_style_fire_old = {.name = "fire/old",
                                             .summary =
                                                 "damped dynamics as first published; only dmax of min_modify matters",
+                                            .is_from_rest = true,
                                             .begin = begin_old,
                                             .iterate = iterate};

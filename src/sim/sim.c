@@ -12,6 +12,7 @@
 #include "style/pair_scan.h"
 
 static void view_pairs(hs_env *env, hs_pair_view *view);
+static hs_status set_timestep(hs_env *env, double dt, hs_error *err);
 static hs_status pairs_changed(hs_env *env, bool *needs_lists, hs_error *err);
 static hs_pair *pair_of(hs_env *env);
 static hs_compute *find_compute(hs_env *env, const char *id);
@@ -62,6 +63,7 @@ static hs_status create(hs_sim *sim, const hs_options *options, hs_sink *out, hs
                         .energy_step = -1,
                         .revision = 1,
                         .view_pairs = view_pairs,
+                        .set_timestep = set_timestep,
                         .pairs_changed = pairs_changed,
                         .pair = pair_of,
                         .find_compute = find_compute,
@@ -144,6 +146,15 @@ static void view_pairs(hs_env *env, hs_pair_view *view)
     view->clusters = &sim->neighbor.clusters;
     if (hs_sim_method_in_use(sim) == HS_METHOD_CLUSTER && sim->list.generation == sim->atoms.generation)
         view->list = &sim->list;
+}
+
+static hs_status set_timestep(hs_env *env, double dt, hs_error *err)
+{
+    hs_sim *sim = sim_of(env);
+    hs_sim_set_clock(sim, env->step, dt);
+    for (int k = 0; k < sim->n_fixes; ++k)
+        if (sim->fix[k]->style->dt_changed != NULL) HS_TRY(sim->fix[k]->style->dt_changed(sim->fix[k], err));
+    return HS_OK;
 }
 
 static hs_status pairs_changed(hs_env *env, bool *needs_lists, hs_error *err)

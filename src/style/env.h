@@ -66,6 +66,8 @@ typedef struct hs_env {
     double tail_energy;    /**< long-range corrections of pair_modify tail: energy, to be divided by nothing */
     double tail_pressure;  /**< and pressure (already in pressure units); both 0 without tail */
 
+    /** Another length of steps from the next one on: all fixes hear of it. */
+    hs_status (*set_timestep)(struct hs_env *env, double dt, hs_error *err);
     /** How pairs of atoms interact now: see style/pair_scan.h. */
     void (*view_pairs)(struct hs_env *env, struct hs_pair_view *view);
     /** Coefficients of the pair style, or radii, were changed: make the tables of pair parameters anew (collective).

@@ -35,6 +35,8 @@ typedef struct hs_fix_style {
     HS_MUST_USE hs_status (*final_integrate)(struct hs_fix *fix, hs_error *err); /**< half kick */
     HS_MUST_USE hs_status (*end_of_step)(struct hs_fix *fix, hs_error *err);
     HS_MUST_USE hs_status (*end_of_run)(struct hs_fix *fix, hs_error *err); /**< after the last step and its output */
+    /** The timestep has changed within a run: compute anew what depends on env->dt. NULL: nothing is remembered of it. */
+    HS_MUST_USE hs_status (*dt_changed)(struct hs_fix *fix, hs_error *err);
     /** Global values that decide the future, moved into a checkpoint or back (collective). Reading comes after create and
      *  init; setup is not called then, for the run goes on in its midst. NULL: the words of the fix say everything. */
     HS_MUST_USE hs_status (*keep_state)(struct hs_fix *fix, hs_state *state, hs_error *err);

@@ -101,22 +101,29 @@ static void set_reference(hs_nose_hoover *nh, const hs_box *box)
     for (int axis = 0; axis < 3; ++axis) nh->inv_reference[axis] = 1.0 / hs_box_length(box, axis);
 }
 
+hs_status hs_nose_hoover_take_dt(hs_fix *fix, hs_error *err)
+{
+    hs_nose_hoover *nh = fix->state;
+    double p_rate = 0.0;
+    (void)err;
+    nh->dt = fix->env->dt;
+    for (int axis = 0; axis < 3; ++axis) p_rate = fmax(p_rate, nh->p_rate[axis]);
+    nh->chain.drag = 1.0 - nh->dt * nh->t_rate * nh->drag / nh->chain.n_loops;
+    nh->barostat_chain.drag = 1.0 - nh->dt * p_rate * nh->drag / nh->barostat_chain.n_loops;
+    return HS_OK;
+}
+
 hs_status hs_nose_hoover_init(hs_fix *fix, hs_error *err)
 {
     hs_nose_hoover *nh = fix->state;
     const hs_env *env = fix->env;
     hs_compute *compute;
-    nh->dt = env->dt;
     HS_TRY(find_compute(fix, OWN_TEMPERATURE, &compute, err));
     if (nh->has_barostat) HS_TRY(find_compute(fix, OWN_PRESSURE, &compute, err));
     for (int k = 0; k < HS_FIX_OWN_MAX; ++k)
         if (fix->own[k] != NULL && fix->own[k]->style->init != NULL) HS_TRY(fix->own[k]->style->init(fix->own[k], err));
-    double p_rate = 0.0;
-    for (int axis = 0; axis < 3; ++axis) p_rate = fmax(p_rate, nh->p_rate[axis]);
-    nh->chain.drag = 1.0 - env->dt * nh->t_rate * nh->drag / nh->chain.n_loops;
-    nh->barostat_chain.drag = 1.0 - env->dt * p_rate * nh->drag / nh->barostat_chain.n_loops;
     if (nh->v_reference == 0.0) set_reference(nh, env->box);
-    return HS_OK;
+    return hs_nose_hoover_take_dt(fix, err);
 }
 
 /* Targets and measurements */

@@ -59,6 +59,8 @@ HS_MUST_USE hs_status hs_nose_hoover_create(hs_fix *fix, const hs_args *args, bo
                                             hs_error *err);
 void hs_nose_hoover_destroy(hs_fix *fix);
 HS_MUST_USE hs_status hs_nose_hoover_init(hs_fix *fix, hs_error *err);
+/** ->dt_changed */
+HS_MUST_USE hs_status hs_nose_hoover_take_dt(hs_fix *fix, hs_error *err);
 HS_MUST_USE hs_status hs_nose_hoover_setup(hs_fix *fix, hs_error *err);
 HS_MUST_USE hs_status hs_nose_hoover_initial_integrate(hs_fix *fix, hs_error *err);
 HS_MUST_USE hs_status hs_nose_hoover_final_integrate(hs_fix *fix, hs_error *err);
@@ -72,9 +74,9 @@ bool hs_nose_hoover_needs_energy(const hs_fix *fix, int64_t step);
 /** The hooks that all three descriptors have, and their reference. */
 #define HS_NOSE_HOOVER_HOOKS                                                                                           \
     .state_size = sizeof(hs_nose_hoover), .create = create, .destroy = hs_nose_hoover_destroy,                         \
-    .init = hs_nose_hoover_init, .setup = hs_nose_hoover_setup, .initial_integrate = hs_nose_hoover_initial_integrate, \
-    .final_integrate = hs_nose_hoover_final_integrate, .keep_state = hs_nose_hoover_keep_state,                        \
-    .scalar = hs_nose_hoover_scalar, .vector = hs_nose_hoover_vector,                                                  \
+    .init = hs_nose_hoover_init, .dt_changed = hs_nose_hoover_take_dt, .setup = hs_nose_hoover_setup,                  \
+    .initial_integrate = hs_nose_hoover_initial_integrate, .final_integrate = hs_nose_hoover_final_integrate,          \
+    .keep_state = hs_nose_hoover_keep_state, .scalar = hs_nose_hoover_scalar, .vector = hs_nose_hoover_vector,         \
     .set_temperature = hs_nose_hoover_set_temperature, .is_extensive = true, .is_integrator = true,                    \
     .is_coupling = true
 /** And those of the ones with a barostat. */

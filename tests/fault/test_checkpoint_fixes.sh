@@ -151,3 +151,11 @@ fix 1 all nve
 variable d equal 1+0.004*step
 fix a all adapt 4 atom diameter v_d scale yes reset yes
 D
+
+check damped <<'D'
+fix 1 all nve
+fix 2 all temp/berendsen 1.0 2.0 0.2
+fix 3 all dt/reset 7 NULL 0.01 0.02
+fix 4 all viscous 0.2
+fix p all print 10 "$(f_2:%.17g) $(f_3) $(time:%.17g) $(dt:%.17g)" file p.txt screen no
+D

@@ -58,21 +58,7 @@ static void run_case(const char *start, const char *name, char *text)
 
 START_TEST(test_against_lammps)
 {
-    char *file = hs_test_read_file(TEST_SOURCE_DIR "/golden/minimize.txt"), *start = NULL;
-    int n_cases = 0;
-    ck_assert_ptr_nonnull(file);
-    for (char *item = strstr(file, "\n== "); item != NULL;) {
-        char *name = item + 4, *text = strchr(name, '\n') + 1, *next = strstr(text, "\n== ");
-        text[-1] = '\0';
-        if (next != NULL) *next = '\0';
-        if (start == NULL)
-            start = text;
-        else
-            run_case(start, name, text), ++n_cases;
-        item = next;
-    }
-    ck_assert_int_eq(n_cases, 14);
-    free(file);
+    ck_assert_int_eq(hs_test_each_case(TEST_SOURCE_DIR "/golden/minimize.txt", run_case), 14);
 }
 END_TEST
 

@@ -88,10 +88,27 @@ fix_modify 1 temp t
 fix l all langevin v_wanted 1.0 1.0 4711
 fix c all controller 2 2.0 1.0 0.5 0.1 c_e[2][2] 1.3 wanted
 D
+    system damped 20 'dt f_d f_t' <<D
+lattice fcc 0.8
+region box block 0 5 0 4 0 4
+create_box 2 box
+create_atoms 1 box
+set type 1 type/fraction 2 0.4 4711
+mass * 1.0
+velocity all create 3.0 12345
+$liquid
+group two type 2
+variable w atom 1+x/5
+fix 1 all nve
+fix t two temp/berendsen 1.0 2.0 0.1
+fix f all viscous 0.3 scale 2 2.0
+fix d all dt/reset 3 NULL 0.01 0.02
+fix b all balance 4 1.0 rcb weight group 1 two 3.0 weight var w weight time 0.7
+D
 } >in.adapt
 
 bits adapt 0 1
 [ "$(wc -l <adapt/thermo)" -ge 15 ] || fail "$(wc -l <adapt/thermo) rows"
 bits adapt 0 3 -neigh cell
 bits adapt 2 2 -neigh verlet
-bits adapt 4 1
+bits adapt 3 1

@@ -79,6 +79,43 @@ START_TEST(test_ideal_gas)
 }
 END_TEST
 
+/** A hot gas between walls that throw atoms back at random comes to their temperature and velocity, whatever the accommodation;
+ *  its density stays even. */
+START_TEST(test_stochastic_walls)
+{
+    enum { N = 3000 };
+    static const char *const walls[] = {"diffusive 4711 zlo EDGE 0.5 0.4 0 0 zhi EDGE 0.5 0.4 0 0",
+                                        "maxwell 4711 zlo EDGE 0.5 0.4 0 0 0.5 zhi EDGE 0.5 0.4 0 0 0.7",
+                                        "ccl 4711 zlo EDGE 0.5 0.4 0 0 0.5 0.4 0.6 zhi EDGE 0.5 0.4 0 0 0.7 1 0.3"};
+    const double temperature = 0.5, drift = 0.4, mass = 2.0;
+    for (size_t k = 0; k < sizeof walls / sizeof walls[0]; ++k) {
+        static double component[3][N], height[N];
+        double *x, *v, ks[4];
+        experiment e;
+        open_experiment(&e, 2);
+        deck(&e,
+             "units lj\nboundary p p f\nregion box block 0 7 0 5 0 1 units box\ncreate_box 1 box\n"
+             "create_atoms 1 random %d 5512 NULL\nmass 1 %g\nvelocity all create 2.0 87287 dist gaussian\n"
+             "pair_style none\nfix 1 all nve\nfix w all wall/reflect/stochastic %s\ntimestep 0.01\nrun 6000\n",
+             N, mass, walls[k]);
+        get_state(&e, &x, &v);
+        for (int i = 0; i < N; ++i) {
+            for (int axis = 0; axis < 3; ++axis)
+                component[axis][i] = (v[3 * i + axis] - (axis == 0 ? drift : 0.0)) * sqrt(mass / temperature);
+            height[i] = (x[3 * i + 2] - 0.5) * sqrt(12.0);
+            ck_assert(x[3 * i + 2] >= 0.0 && x[3 * i + 2] <= 1.0);
+        }
+        for (int axis = 0; axis < 3; ++axis) ks[axis] = kolmogorov_smirnov(component[axis], N, normal_cdf);
+        ks[3] = kolmogorov_smirnov(height, N, even_cdf);
+        printf("  walls %.9s sqrt(n) D: velocities %.2f %.2f %.2f, heights %.2f (limit %.2f)\n", walls[k], ks[0], ks[1],
+               ks[2], ks[3], ks_limit);
+        for (int test = 0; test < 4; ++test) ck_assert_double_lt(ks[test], ks_limit);
+        free(x), free(v);
+        close_experiment(&e);
+    }
+}
+END_TEST
+
 /** What `velocity create` draws: shapes of the distributions, the same temperature for light and heavy, no momentum. */
 START_TEST(test_velocity_distributions)
 {
@@ -336,5 +373,5 @@ START_TEST(test_long_timestep)
 }
 END_TEST
 
-HS_TEST_MAIN("ideal gas and boundaries", test_ideal_gas, test_velocity_distributions, test_equipartition,
-             test_shrink_wrapped_box, test_lost_atom, test_overlap, test_long_timestep)
+HS_TEST_MAIN("ideal gas and boundaries", test_ideal_gas, test_stochastic_walls, test_velocity_distributions,
+             test_equipartition, test_shrink_wrapped_box, test_lost_atom, test_overlap, test_long_timestep)

@@ -4,6 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "support/harness.h"
+
 char *hs_test_run_deck(const char *deck_text, hs_error *err)
 {
     const hs_options options = {.n_threads = 1};
@@ -48,4 +50,23 @@ void hs_test_write_file(const char *path, const char *text)
         perror(path);
         abort();
     }
+}
+
+int hs_test_each_case(const char *path, void (*run)(const char *start, const char *name, char *text))
+{
+    char *file = hs_test_read_file(path), *start = NULL;
+    int n_cases = 0;
+    ck_assert_ptr_nonnull(file);
+    for (char *item = strstr(file, "\n== "); item != NULL;) {
+        char *name = item + 4, *text = strchr(name, '\n') + 1, *next = strstr(text, "\n== ");
+        text[-1] = '\0';
+        if (next != NULL) *next = '\0';
+        if (start == NULL)
+            start = text;
+        else
+            run(start, name, text), ++n_cases;
+        item = next;
+    }
+    free(file);
+    return n_cases;
 }

@@ -15,4 +15,8 @@ char *hs_test_run_deck_with(const char *deck, const hs_options *options, void (*
 char *hs_test_read_file(const char *path);
 void hs_test_write_file(const char *path, const char *text);
 
+/** Cases of a file, each a line "== name" and lines after it; the first one's lines (@p start) are what all begin with. Calls @p run for
+ *  each of the others, which may change the text, and returns how many there are. */
+int hs_test_each_case(const char *path, void (*run)(const char *start, const char *name, char *text));
+
 #endif

@@ -1,0 +1,133 @@
+/** What fixes share that scale a group's velocities towards a temperature: which one is wanted, which compute measures it, and the
+ *  energy that the scaling has taken. */
+#ifndef HS_FIX_VELOCITY_SCALING_H
+#define HS_FIX_VELOCITY_SCALING_H
+
+#include <math.h>
+#include <string.h>
+
+#include "base/memory.h"
+#include "style/compute.h"
+#include "style/fix.h"
+
+/** State of such a fix, or its first member. */
+typedef struct velocity_scaling {
+    double t_start, t_stop;
+    char *t_variable;     /**< owned; equal-style variable that gives the temperature; NULL: the ramp */
+    char *temperature_id; /**< owned; compute of fix_modify temp; NULL: the fix's own */
+    double energy;        /**< taken from the atoms so far; energy */
+} velocity_scaling;
+
+/** Words i (Tstart or v_name) and i + 1 (Tstop); the compute ID_temp. */
+static inline hs_status scaling_create(hs_fix *fix, const hs_args *args, int i, hs_error *err)
+{
+    velocity_scaling *state = fix->state;
+    const hs_args none = {.command = args->command};
+    if (strncmp(args->word[i], "v_", 2) == 0)
+        HS_TRY(hs_memory_strdup(&state->t_variable, args->word[i] + 2, err));
+    else
+        HS_TRY(hs_arg_not_negative(args, i, &state->t_start, err));
+    HS_TRY(hs_arg_not_negative(args, i + 1, &state->t_stop, err));
+    return hs_fix_own_compute(fix, 0, "temp", "temp", fix->group, &none, err);
+}
+
+static inline void scaling_destroy(hs_fix *fix)
+{
+    velocity_scaling *state = fix->state;
+    HS_FREE(state->t_variable);
+    HS_FREE(state->temperature_id);
+}
+
+static inline hs_status scaling_set_temperature(hs_fix *fix, const char *id, hs_error *err)
+{
+    velocity_scaling *state = fix->state;
+    HS_FREE(state->temperature_id);
+    return hs_memory_strdup(&state->temperature_id, id, err);
+}
+
+static inline hs_status scaling_find_temperature(const hs_fix *fix, hs_compute **temperature, hs_error *err)
+{
+    const velocity_scaling *state = fix->state;
+    *temperature =
+        state->temperature_id != NULL ? fix->env->find_compute(fix->env, state->temperature_id) : fix->own[0];
+    if (*temperature != NULL) return HS_OK;
+    return hs_fail(err, HS_ERROR_INPUT, "fix '%s' (%s): there is no compute '%s' any more", fix->id,
+                   fix->style->about.name, state->temperature_id);
+}
+
+static inline hs_status scaling_init(hs_fix *fix, hs_error *err)
+{
+    const velocity_scaling *state = fix->state;
+    const hs_env *env = fix->env;
+    hs_compute *temperature;
+    if (state->t_variable != NULL &&
+        (env->variable_kind == NULL || env->variable_kind(env->deck, state->t_variable) != 1))
+        return hs_fail(err, HS_ERROR_INPUT, "fix '%s' (%s): there is no equal-style variable '%s'", fix->id,
+                       fix->style->about.name, state->t_variable);
+    HS_TRY(scaling_find_temperature(fix, &temperature, err));
+    return fix->own[0]->style->init(fix->own[0], err);
+}
+
+/** The wanted temperature of this step, and the measured one, which is above zero (collective). */
+static inline hs_status scaling_measure(const hs_fix *fix, hs_compute **temperature, double *wanted, double *measured,
+                                        hs_error *err)
+{
+    const velocity_scaling *state = fix->state;
+    const hs_env *env = fix->env;
+    HS_TRY(scaling_find_temperature(fix, temperature, err));
+    HS_TRY(hs_compute_scalar(*temperature, measured, err));
+    *wanted = state->t_start + hs_env_ramp(env) * (state->t_stop - state->t_start);
+    if (state->t_variable != NULL) HS_TRY(env->variable_value(env->deck, state->t_variable, wanted, err));
+    if (!(*wanted >= 0.0))
+        return hs_fail(err, HS_ERROR_RUN, "fix '%s' (%s): the temperature %g is below 0", fix->id,
+                       fix->style->about.name, *wanted);
+    if (*measured > 0.0) return HS_OK;
+    return hs_fail(err, HS_ERROR_RUN, "fix '%s' (%s): the temperature is 0 and cannot be scaled to %g", fix->id,
+                   fix->style->about.name, *wanted);
+}
+
+/** The thermal part of each velocity times a factor, which takes the temperature from one value to another. */
+static inline void scaling_apply(hs_fix *fix, const hs_compute *temperature, double from, double to)
+{
+    velocity_scaling *state = fix->state;
+    const hs_atoms *atoms = fix->env->atoms;
+    const double factor = sqrt(to / from);
+    state->energy += 0.5 * fix->env->units->boltz * temperature->n_dof * (from - to);
+#pragma omp parallel for schedule(static)
+    for (int i = 0; i < atoms->n_local; ++i) {
+        double bias[3] = {0.0};
+        if (!(atoms->mask[i] & fix->mask)) continue;
+        if (temperature->style->bias != NULL) temperature->style->bias(temperature, i, bias);
+        for (int axis = 0; axis < 3; ++axis) atoms->v[axis][i] = bias[axis] + factor * (atoms->v[axis][i] - bias[axis]);
+    }
+    hs_env_changed(fix->env);
+}
+
+static inline hs_status scaling_scalar(hs_fix *fix, double *value, hs_error *err)
+{
+    (void)err;
+    *value = ((velocity_scaling *)fix->state)->energy;
+    return HS_OK;
+}
+
+static inline hs_status scaling_keep_state(hs_fix *fix, hs_state *kept, hs_error *err)
+{
+    return hs_state_double(kept, "energy", &((velocity_scaling *)fix->state)->energy, 1, err);
+}
+
+/** Hooks that are the same in all. */
+#define SCALING_HOOKS                                                                                                  \
+    .destroy = scaling_destroy, .init = scaling_init, .keep_state = scaling_keep_state,                                \
+    .set_temperature = scaling_set_temperature, .scalar = scaling_scalar, .is_extensive = true, .has_energy = true,    \
+    .is_coupling = true
+
+#define SCALING_DETAILS                                                                                                \
+    "The wanted temperature goes from Tstart to Tstop over the run (or from `run start` to "                           \
+    "`run stop`); Tstart may be an equal-style variable `v_name`, which then is the temperature at every "             \
+    "step. The fix moves nothing: use it with `fix nve` or another integrator. It does not give the "                  \
+    "canonical ensemble; it serves to bring a system to a temperature.\n\nThe temperature is that of the "             \
+    "group, the compute `ID_temp` that the fix makes, or that of `fix_modify temp`; of a temperature that "            \
+    "leaves out a part of the velocities only the thermal part is scaled. The scalar `f_ID` is the "                   \
+    "energy taken from the atoms so far; `fix_modify energy yes` adds it to the potential energy."
+
+#endif
