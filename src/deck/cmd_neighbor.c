@@ -241,10 +241,11 @@ static hs_status run_comm_modify(hs_deck *deck, const hs_args *args, hs_error *e
 
 static hs_status run_comm_style(hs_deck *deck, const hs_args *args, hs_error *err)
 {
-    static const char *const styles[] = {"brick", NULL};
+    static const char *const styles[] = {"brick", "tiled", NULL};
     int style;
-    (void)deck;
-    return hs_arg_choice(args, 0, styles, &style, err);
+    HS_TRY(hs_arg_choice(args, 0, styles, &style, err));
+    if (style == 1) hs_say(deck->out, "comm_style: parts of the box are bricks in rows, which 'balance' moves, too\n");
+    return HS_OK;
 }
 
 const hs_command hs_commands_neighbor[] = {
@@ -328,9 +329,10 @@ const hs_command hs_commands_neighbor[] = {
                .example = "comm_modify vel yes"},
      .run = run_comm_modify},
     {.about = {.name = "comm_style",
-               .syntax = {.usage = "brick", .n_min = 1, .n_max = 1},
+               .syntax = {.usage = "brick|tiled", .n_min = 1, .n_max = 1},
                .summary = "shape of the ranks' parts of the box",
-               .details = "Only `brick`: parts are bricks.",
+               .details = "Parts are bricks in rows. `tiled`, which LAMMPS needs for `balance ... rcb`, makes no "
+                          "difference here: both are for speed and change no result.",
                .example = "comm_style brick"},
      .run = run_comm_style},
     {.run = NULL},

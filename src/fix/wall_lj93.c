@@ -18,7 +18,7 @@ static void potential(const wall_face *face, double r, double *energy, double *f
 static hs_status create(hs_fix *fix, const hs_args *args, hs_error *err)
 {
     ((wall_state *)fix->state)->potential = potential;
-    return wall_potential_read(fix, args, err);
+    return wall_potential_read(fix, args, true, err);
 }
 
 const hs_fix_style hs_fix_style_wall_lj93 = {

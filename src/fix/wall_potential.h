@@ -9,8 +9,9 @@ typedef struct wall_potential_state {
     double unit[WALL_MAX];
 } wall_potential_state;
 
-/** face place epsilon sigma cutoff, once or more; units, fld, pbc. */
-static inline hs_status wall_potential_read(hs_fix *fix, const hs_args *args, hs_error *err)
+/** face place epsilon sigma cutoff, once or more; units, fld, pbc. @p has_sigma: the potential depends on sigma, which is a number
+ *  at least in any case. */
+static inline hs_status wall_potential_read(hs_fix *fix, const hs_args *args, bool has_sigma, hs_error *err)
 {
     wall_potential_state *state = fix->state;
     bool is_lattice = true;
@@ -21,7 +22,8 @@ static inline hs_status wall_potential_read(hs_fix *fix, const hs_args *args, hs
         wall_face *face = &state->wall.face[state->wall.n - 1];
         HS_TRY(hs_arg_need(args, i + 4, "one of the wall's epsilon, sigma and cutoff", err));
         HS_TRY(hs_arg_not_negative(args, i + 2, &face->epsilon, err));
-        HS_TRY(hs_arg_positive(args, i + 3, &face->sigma, err));
+        HS_TRY(has_sigma ? hs_arg_positive(args, i + 3, &face->sigma, err)
+                         : hs_arg_double(args, i + 3, &face->sigma, err));
         HS_TRY(hs_arg_positive(args, i + 4, &face->cutoff, err));
         i += 5;
     }
