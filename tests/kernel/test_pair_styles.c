@@ -19,6 +19,7 @@ static const struct usage {
     {"gauss", "2.5", {"-30 2", "10 1.5 2.2", "0.3 1.0 1.8"}, 0, true},
     {"lj/expand", "2.0", {"1 0.7 0.3", "0.7 0.6 0.2 1.8", "1.3 0.7 -0.1 2.5"}, 0, true},
     {"lj/smooth", "1.2 2.5", {"1 1", "0.7 0.9 1.3 2.2", "1.3 0.95 1.1 2.7"}, 1, true},
+    {"lj/cubic", "", {"1 1", "0.7 0.9", "1.3 0.95"}, 2, false},
     {"lj/smooth/linear", "2.5", {"1 1", "0.7 0.9 2.2", "1.3 0.95 2.7"}, 2, false},
     {"lj/sf", "2.5", {"1 1", "0.7 0.9 2.2", "1.3 0.95 2.7"}, 2, false},
     {"buck", "2.5", {"200 0.3 1", "150 0.32 0.7 2.2", "100 0.31 0.2"}, 0, true},
@@ -221,6 +222,8 @@ START_TEST(exact_values)
     check_value("gauss", 0.0, 30.0, 0.0);
     check_value("lj/expand", 1.0, 0.0, 24.0 / 0.7);
     check_value("lj/smooth", 1.0, 0.0, 24.0);
+    check_value("lj/cubic", 1.0, 0.0, 24.0);
+    check_value("lj/cubic", 67.0 / 48.0 * pow(26.0 / 7.0, 1.0 / 6.0), 0.0, 0.0);
     check_value("lj/smooth/linear", 2.5, 0.0, 0.0);
     check_value("buck", 1.0, 200.0 * exp(-1.0 / 0.3) - 1.0, 200.0 / 0.3 * exp(-1.0 / 0.3) - 6.0);
     check_value("born", 1.0, 3.0 - 1.0 + 0.4, 10.0 - 6.0 + 3.2);
