@@ -23,6 +23,7 @@ typedef struct rdf_state {
     int n_pairs;
     bool has_types;  /**< pairs of types were given */
     int64_t *counts; /**< owned [n_pairs][n_bins]: ordered pairs of atoms by distance, on this rank, then on all */
+    hs_pair_counter counter; /**< where the list of the forces can be used */
 } rdf_state;
 
 static const hs_keyword keywords[] = {
@@ -67,6 +68,7 @@ static void destroy(hs_compute *compute)
     rdf_state *state = compute->state;
     HS_FREE(state->pair);
     HS_FREE(state->counts);
+    hs_pair_counter_fini(&state->counter);
     HS_FREE(compute->array);
 }
 
@@ -76,6 +78,8 @@ static hs_status init(hs_compute *compute, hs_error *err)
     hs_pair_view view;
     compute->env->view_pairs(compute->env, &view);
     state->r_max = state->cutoff > 0.0 ? state->cutoff : view.cutoff_max;
+    state->counter.r_max = state->r_max;
+    state->counter.n_bins = state->n_bins;
     if (state->r_max > 0.0) return HS_OK;
     return hs_fail(
         err, HS_ERROR_INPUT,
@@ -117,17 +121,27 @@ typedef struct count_context {
     int64_t *counts; /**< [threads][n_pairs][n_bins] */
 } count_context;
 
+/** r^2 of a pair, rounded as in kernel/tally.h, so that no bin depends on how the pairs were found. */
+static inline double distance2(const hs_pair_batch *batch, int p, bool is_fused)
+{
+    const double dx = batch->dx[0][p], dy = batch->dx[1][p], dz = batch->dx[2][p];
+    return is_fused ? fma(dz, dz, fma(dy, dy, dx * dx)) : batch->r2[p];
+}
+
 static void count_batch(void *context, int thread, const hs_pair_batch *batch)
 {
     const count_context *c = context;
     const rdf_state *state = c->compute->state;
-    const double inv_width = 1.0 / (state->r_max / state->n_bins);
+    const double inv_width = state->n_bins / state->r_max, scale = inv_width * inv_width;
+    const double n_fine = (double)state->n_bins * (double)state->n_bins;
+    const bool is_fused = c->compute->env->isa >= HS_ISA_AVX2;
     int64_t *counts = c->counts + (size_t)thread * (size_t)state->n_pairs * (size_t)state->n_bins;
     for (int p = 0; p < batch->n; ++p) {
         const int i = batch->i[p], j = batch->j[p];
         if (!(c->scan->mask[i] & c->scan->mask[j] & c->compute->mask)) continue;
-        const int bin = (int)(sqrt(batch->r2[p]) * inv_width);
-        if (bin >= state->n_bins) continue;
+        const double fine = distance2(batch, p, is_fused) * scale;
+        if (!(fine < n_fine)) continue;
+        const int bin = (int)sqrt(floor(fine));
         const int type_i = hs_pair_scan_type(c->scan, i), type_j = hs_pair_scan_type(c->scan, j);
         for (int k = 0; k < state->n_pairs; ++k) {
             const rdf_pair *pair = &state->pair[k];
@@ -156,28 +170,48 @@ static hs_status count_by_scan(hs_compute *compute, hs_error *err)
     return status;
 }
 
-/** Whether the list of the forces holds every pair up to r_max, and nothing but distances matters. */
-static bool can_use_list(const hs_compute *compute, const hs_pair_view *view)
+/** Whether the forces' own pairs are all those up to r_max, and nothing but distances matters. */
+static bool can_use_forces(const hs_compute *compute, const hs_pair_view *view)
 {
     const rdf_state *state = compute->state;
-    return view->list != NULL && !state->has_types && compute->group == 0 && view->is_uniform &&
-           state->r_max <= view->cutoff_max && state->n_bins <= HS_HISTOGRAM_BINS_MAX;
+    return !state->has_types && compute->group == 0 && view->is_uniform && state->r_max <= view->cutoff_max &&
+           state->n_bins <= HS_HISTOGRAM_BINS_MAX;
+}
+
+/** One compute can have its pairs counted with the forces; others of the same step pass over the list. */
+static void announce(hs_compute *compute)
+{
+    rdf_state *state = compute->state;
+    hs_pair_view view;
+    compute->env->view_pairs(compute->env, &view);
+    if (compute->env->pair_counter == NULL && can_use_forces(compute, &view))
+        compute->env->pair_counter = &state->counter;
+}
+
+/** Counts of this rank that were, or can be, made from the forces' own pairs; *is_done tells. */
+static hs_status count_listed(hs_compute *compute, bool *is_done, hs_error *err)
+{
+    rdf_state *state = compute->state;
+    const hs_env *env = compute->env;
+    hs_pair_view view;
+    env->view_pairs(compute->env, &view);
+    const bool is_counted = state->counter.held == env->revision;
+    *is_done = is_counted || (view.list != NULL && can_use_forces(compute, &view));
+    if (!*is_done) return HS_OK;
+    if (!is_counted)
+        HS_TRY(hs_pair_counter_list(&state->counter, view.list, view.clusters, env->atoms->x, env->isa, err));
+    hs_pair_counter_get(&state->counter, state->counts);
+    for (int bin = 0; bin < state->n_bins; ++bin) state->counts[bin] *= 2;
+    return HS_OK;
 }
 
 static hs_status count_pairs(hs_compute *compute, hs_error *err)
 {
     rdf_state *state = compute->state;
-    hs_env *env = compute->env;
-    hs_pair_view view;
-    env->view_pairs(env, &view);
-    if (can_use_list(compute, &view)) {
-        HS_TRY(hs_pair_histogram(view.list, view.clusters, env->atoms->x, env->isa, state->r_max, state->n_bins,
-                                 state->counts, err));
-        for (int bin = 0; bin < state->n_bins; ++bin) state->counts[bin] *= 2;
-    } else {
-        HS_TRY(count_by_scan(compute, err));
-    }
-    hs_parallel_sum_int64(env->parallel, state->counts, state->n_pairs * state->n_bins);
+    bool is_done;
+    HS_TRY(count_listed(compute, &is_done, err));
+    if (!is_done) HS_TRY(count_by_scan(compute, err));
+    hs_parallel_sum_int64(compute->env->parallel, state->counts, state->n_pairs * state->n_bins);
     return HS_OK;
 }
 
@@ -228,11 +262,13 @@ const hs_compute_style hs_compute_style_rdf = {
              "The array `c_ID` has Nbin rows: the middle of the bin (distance), g(r), and the mean number of neighbors "
              "up to the bin's end; with several pairs of types, two more columns for each. Types are single ones or "
              "ranges as in pair_coeff; without any, all atoms count. Only atoms of the group count.\n\n"
-             "Up to the pair style's cutoff, with one kind of pairs, method `cluster`, and at most 256 bins, the pairs "
-             "of "
-             "the force's own list are counted, at a fraction of a timestep's cost. In all other cases, as for a "
-             "`cutoff` "
-             "of any length, beyond half the box too, the pairs are found anew, which takes some timesteps' time. "
+             "Up to the pair style's cutoff, with one kind of pairs, method `cluster`, and at most 256 bins, the force "
+             "kernel "
+             "counts the pairs on its way where `fix ave/time` asks for them (double precision, steps without "
+             "energies), "
+             "else the pairs of its list are counted, at a fraction of a timestep's cost. In all other cases, as for a "
+             "`cutoff` of any length, beyond half the box too, the pairs are found anew, which takes some timesteps' "
+             "time. "
              "`fix ave/time ... c_ID[*] mode vector` averages and writes it.",
          .reference = "M. P. Allen, D. J. Tildesley, Computer Simulation of Liquids, 2nd ed. (2017), section 8.2",
          .example = "compute myRDF all rdf 50\nfix 2 all ave/time 100 10 1000 c_myRDF[*] file tmp.rdf mode vector"},
@@ -240,5 +276,6 @@ const hs_compute_style hs_compute_style_rdf = {
     .create = create,
     .destroy = destroy,
     .init = init,
+    .announce = announce,
     .array = array,
 };

@@ -183,6 +183,13 @@ static hs_status fit_length(hs_fix *fix, hs_error *err)
     return find_length(fix, command, err);
 }
 
+static void announce(const hs_fix *fix, int64_t step)
+{
+    const ave_state *state = fix->state;
+    if (!hs_schedule_is_due(&state->schedule, step)) return;
+    for (int k = 0; k < state->n_values; ++k) hs_value_announce(fix->env, &state->values[k]);
+}
+
 static hs_status take_sample(hs_fix *fix, hs_error *err)
 {
     ave_state *state = fix->state;
@@ -351,6 +358,7 @@ const hs_fix_style hs_fix_style_ave_time = {
     .vector = vector,
     .array = array,
     .needs_energy = needs_energy,
+    .announce = announce,
     .keep_state = keep_state,
     .is_time_dependent = true,
 };

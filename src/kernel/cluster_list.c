@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "base/memory.h"
+#include "kernel/pair_histogram.h"
 #include "parallel/parallel.h"
 
 enum { CLUSTERS_PER_CHUNK_MAX = 2048 };
@@ -209,17 +210,27 @@ static void work_all(const chunk_work *w)
     for (int ci = w->chunk->begin; ci < w->chunk->end; ++ci) apply_kernel(w, ci);
 }
 
+bool hs_force_can_count(const hs_force_job *job, double r_max)
+{
+    const hs_pair_table *table = job->input.table;
+    const double *row = table->values + (size_t)(table->n_types + 1) * (size_t)table->stride; /* of types 1 and 1 */
+    return !job->with_energy && table->is_uniform && row[HS_TABLE_CUT_R2] == r_max * r_max &&
+           !job->evaluator->has_radii && job->evaluator->set[job->isa][job->precision]->counting != NULL;
+}
+
+static hs_cluster_kernel choose_kernel(const hs_force_job *job)
+{
+    const hs_kernel_set *set = job->evaluator->set[job->isa][job->precision];
+    return job->counter != NULL ? set->counting : set->cluster[job->with_energy][!job->input.table->is_uniform][0];
+}
+
 static hs_status work_cluster(hs_force_space *space, const hs_force_job *job, hs_force_stage stage, int thread)
 {
     hs_force_buffer *buffer = &space->buffer[thread];
     const hs_cluster_list *list = job->list;
-    chunk_work w = {
-        .space = space,
-        .job = job,
-        .out = &buffer->out,
-        .kernel =
-            job->evaluator->set[job->isa][job->precision]->cluster[job->with_energy][!job->input.table->is_uniform][0]};
+    chunk_work w = {.space = space, .job = job, .out = &buffer->out, .kernel = choose_kernel(job)};
     bool is_cut;
+    if (job->counter != NULL) buffer->out.histogram = &job->counter->thread[thread];
     for (int k; (k = hs_list_take(space, job, stage, thread, &is_cut)) >= 0;) {
         w.chunk = &list->chunk[k];
         hs_block_list_touch(&w.chunk->blocks, buffer, job);
@@ -240,6 +251,7 @@ hs_status hs_force_cluster(hs_force_space *space, const hs_cluster_list *list, c
     listed.list = list;
     HS_TRY(hs_force_pack(space, &listed, false, err));
     HS_TRY(hs_force_space_reserve(space, job->atoms, err));
+    if (job->counter != NULL) HS_TRY(hs_pair_counter_begin(job->counter, err));
     hs_list_share(space, list, weight, list->n_chunks);
     return hs_force_run_threads(space, &listed, work_cluster, true, result, err);
 }

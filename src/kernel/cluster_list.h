@@ -33,6 +33,9 @@ HS_MUST_USE hs_status hs_cluster_list_build(hs_cluster_list *list, hs_force_spac
 int64_t hs_cluster_list_n_pairs(const hs_cluster_list *list);
 void hs_cluster_list_fini(hs_cluster_list *list);
 
+/** Whether hs_force_cluster can count the distances of the job's pairs on the way: in double, without energies, where all pairs
+ *  have forces up to r_max and none farther. */
+bool hs_force_can_count(const hs_force_job *job, double r_max);
 /** Method `cluster`: forces of the listed pairs. Overwrites forces of local and halo atoms; needs hs_halo_reverse after. */
 HS_MUST_USE hs_status hs_force_cluster(hs_force_space *space, const hs_cluster_list *list, const hs_force_job *job,
                                        hs_force_result *result, hs_error *err);

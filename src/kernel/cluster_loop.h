@@ -5,6 +5,7 @@
 
 #include "kernel/accumulate.h"
 #include "kernel/cluster_memory.h"
+#include "kernel/tally.h"
 
 /** Rows one by one, with constant numbers: compilers keep in registers what they index by constants when they first read it,
  *  but not what loops index that are unrolled later. */
@@ -75,9 +76,10 @@ HS_INLINE hs_vec row_reach(const hs_kernel_input *in, const cluster_constants *c
     return hs_load_clusters(in->radius, 0.0, v->entry, v->sub) + hs_set1(constants->radius[row]);
 }
 
-/** First half of a row: which of its pairs count. */
+/** First half of a row: which of its pairs count. Their distances go to the tally, if there is one. */
 HS_INLINE void measure_row(const hs_kernel_input *in, const cluster_constants *constants, const vector_state *v,
-                           int row, hs_masks masks, measured_rows *measured, bool by_type, bool listed_only)
+                           int row, hs_masks masks, measured_rows *measured, bool by_type, bool listed_only,
+                           hs_tally *tally)
 {
     const hs_vec dx = v->x[0] - hs_set1(constants->x[0][row]), dy = v->x[1] - hs_set1(constants->x[1][row]),
                  dz = v->x[2] - hs_set1(constants->x[2][row]);
@@ -99,6 +101,7 @@ HS_INLINE void measure_row(const hs_kernel_input *in, const cluster_constants *c
             mask = hs_mask_and(mask, hs_less(listed_r2, listed_reach * listed_reach));
         }
     }
+    if (tally != NULL) hs_tally_add(tally, r2, mask);
     measured->r2[row] = r2;
     measured->near[row] = mask;
 }
@@ -179,7 +182,7 @@ static const uint64_t one_each[16] = {
 /** Measure vector `next` and add the pairs of vector `old`, which was measured before; either may be NULL. */
 HS_INLINE void advance(const hs_kernel_input *in, hs_kernel_output *out, const cluster_constants *constants,
                        const vector_state *old, vector_state *next, measured_rows *measured, cluster_sums *sums,
-                       const bool with_energy, const bool by_type, const bool listed_only)
+                       const bool with_energy, const bool by_type, const bool listed_only, hs_tally *tally)
 {
     hs_masks masks = {0};
     hs_acc reaction[3] = {hs_acc_zero(), hs_acc_zero(), hs_acc_zero()};
@@ -194,7 +197,7 @@ HS_INLINE void advance(const hs_kernel_input *in, hs_kernel_output *out, const c
         if (old != NULL && (old->rows >> row & 1u) != 0)                                                               \
             add_row(in, constants, old, row, measured, sums, reaction, with_energy, by_type);                          \
         if (next != NULL && (next->rows >> row & 1u) != 0)                                                             \
-            measure_row(in, constants, next, row, masks, measured, by_type, listed_only);                              \
+            measure_row(in, constants, next, row, masks, measured, by_type, listed_only, tally);                       \
     } while (0)
     EACH_ROW(ROW);
 #undef ROW
@@ -264,7 +267,8 @@ HS_INLINE void end_axis(hs_kernel_output *out, const cluster_constants *constant
 }
 
 HS_INLINE void cluster_loop(const hs_kernel_input *in, hs_kernel_output *out, int first, const hs_cluster_entry *entry,
-                            int n_entries, const bool with_energy, const bool by_type, const bool listed_only)
+                            int n_entries, const bool with_energy, const bool by_type, const bool listed_only,
+                            const bool counting)
 {
     const cluster_constants constants = make_constants(in, first, by_type, listed_only);
     cluster_sums sums;
@@ -273,21 +277,24 @@ HS_INLINE void cluster_loop(const hs_kernel_input *in, hs_kernel_output *out, in
 #define ROW(row) measured.r2[row] = hs_set1(1.0), measured.near[row] = hs_less(measured.r2[row], measured.r2[row])
     EACH_ROW(ROW);
 #undef ROW
+    hs_tally counts, *const tally = counting ? &counts : NULL;
+    if (counting) counts = hs_tally_begin(out->histogram);
     int64_t n_terms[HS_CLUSTER] = {0}; /* vectors that each i-atom met */
     for (int begin = 0, end; begin < n_entries; begin = end) {
         uint64_t count = 0; /* the same since begin, 16 bits for each i-atom: one addition counts for all four */
         int64_t n_new = 0;
         end = n_entries - begin > CHUNK_MAX * HS_GROUP ? begin + CHUNK_MAX * HS_GROUP : n_entries;
         vector_state old = vector_at(entry + begin, 0), next;
-        advance(in, out, &constants, NULL, &old, &measured, &sums, with_energy, by_type, listed_only);
+        advance(in, out, &constants, NULL, &old, &measured, &sums, with_energy, by_type, listed_only, tally);
         count += one_each[old.rows & 0xfu];
         for (int v = begin / HS_GROUP * HS_SUBS + 1; v < end / HS_GROUP * HS_SUBS; ++v) {
             next = vector_at(entry + v / HS_SUBS * HS_GROUP, v % HS_SUBS);
-            advance(in, out, &constants, &old, &next, &measured, &sums, with_energy, by_type, listed_only);
+            advance(in, out, &constants, &old, &next, &measured, &sums, with_energy, by_type, listed_only, tally);
+            if (counting) hs_tally_settle(&counts, out->histogram);
             if (next.sub == 0) count += one_each[next.rows & 0xfu];
             old = next;
         }
-        advance(in, out, &constants, &old, NULL, &measured, &sums, with_energy, by_type, listed_only);
+        advance(in, out, &constants, &old, NULL, &measured, &sums, with_energy, by_type, listed_only, tally);
         for (int row = 0; row < HS_CLUSTER; ++row) {
             const int64_t n = (int64_t)(count >> 16 * row & 0xffff) * HS_SUBS;
             n_terms[row] += n;
@@ -295,6 +302,7 @@ HS_INLINE void cluster_loop(const hs_kernel_input *in, hs_kernel_output *out, in
         }
         if (with_energy) report_energy(out, &constants, &sums, n_new);
     }
+    if (counting) hs_tally_end(&counts, out->histogram);
     end_axis(out, &constants, &sums, 0, first, n_terms);
     end_axis(out, &constants, &sums, 1, first, n_terms);
     end_axis(out, &constants, &sums, 2, first, n_terms);

@@ -60,6 +60,7 @@ typedef struct hs_force_space {
 struct hs_cluster_list;
 struct hs_verlet_list;
 struct hs_force_job;
+struct hs_pair_counter;
 
 /** Exchange with other ranks during an evaluation. Called outside of parallel regions. */
 typedef struct hs_force_halo {
@@ -88,6 +89,8 @@ typedef struct hs_force_job {
     bool is_added;                  /**< add to the forces that the atoms have, not overwrite them */
     const hs_force_halo *halo;      /**< borrowed; NULL: the halo is there, and the caller sends its forces */
     const unsigned char *is_remote; /**< borrowed [n_halo]: halo atoms of other ranks; NULL: there are none */
+    struct hs_pair_counter
+        *counter; /**< borrowed: counts the distances of the pairs; see hs_force_can_count. NULL: no */
 } hs_force_job;
 
 /** Energy and virial of this rank's pairs. In fixed point they, and the atoms' forces, are integers: multiples of the grid

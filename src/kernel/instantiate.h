@@ -17,20 +17,25 @@ enum { HS_HAS_RADII = 0 };
 #include "kernel/cluster_loop.h"
 #include "kernel/verlet_loop.h"
 
-#define HS_CLUSTER_KERNEL(name, with_energy, by_type, listed_only)                                                     \
+#define HS_CLUSTER_KERNEL(name, with_energy, by_type, listed_only, counting)                                           \
     static void name(const hs_kernel_input *in, hs_kernel_output *out, int first, const hs_cluster_entry *entry,       \
                      int n_entries)                                                                                    \
     {                                                                                                                  \
-        cluster_loop(in, out, first, entry, n_entries, with_energy, by_type, listed_only);                             \
+        cluster_loop(in, out, first, entry, n_entries, with_energy, by_type, listed_only, counting);                   \
     }
-HS_CLUSTER_KERNEL(force, false, false, false)
-HS_CLUSTER_KERNEL(force_listed, false, false, true)
-HS_CLUSTER_KERNEL(force_by_type, false, true, false)
-HS_CLUSTER_KERNEL(force_by_type_listed, false, true, true)
-HS_CLUSTER_KERNEL(energy_, true, false, false)
-HS_CLUSTER_KERNEL(energy_listed, true, false, true)
-HS_CLUSTER_KERNEL(energy_by_type, true, true, false)
-HS_CLUSTER_KERNEL(energy_by_type_listed, true, true, true)
+HS_CLUSTER_KERNEL(force, false, false, false, false)
+HS_CLUSTER_KERNEL(force_listed, false, false, true, false)
+HS_CLUSTER_KERNEL(force_by_type, false, true, false, false)
+HS_CLUSTER_KERNEL(force_by_type_listed, false, true, true, false)
+HS_CLUSTER_KERNEL(energy_, true, false, false, false)
+HS_CLUSTER_KERNEL(energy_listed, true, false, true, false)
+HS_CLUSTER_KERNEL(energy_by_type, true, true, false, false)
+HS_CLUSTER_KERNEL(energy_by_type_listed, true, true, true, false)
+#ifdef HS_MIXED
+#define force_counting NULL
+#else
+HS_CLUSTER_KERNEL(force_counting, false, false, false, true)
+#endif
 
 #define HS_VERLET_KERNEL(name, with_energy, by_type)                                                                   \
     static void name(const hs_kernel_input *in, hs_kernel_output *out, int begin, int end, const int64_t *start,       \
@@ -59,6 +64,7 @@ const hs_kernel_set HS_PASTE3(hs_kernels_, HS_EVALUATOR, HS_KERNEL_ISA) = {
     .lanes = HS_LANES,
     .cluster = {{{force, force_listed}, {force_by_type, force_by_type_listed}},
                 {{energy_, energy_listed}, {energy_by_type, energy_by_type_listed}}},
+    .counting = force_counting,
     .verlet = {{verlet_force, verlet_force_by_type}, {verlet_energy, verlet_energy_by_type}},
     .pairs = {{pairs_force, pairs_force_by_type}, {pairs_energy, pairs_energy_by_type}},
 };

@@ -75,6 +75,7 @@ static inline double hs_listed_by_radius_r2(const hs_kernel_input *in, int i, in
 }
 
 /** What a kernel adds to; private to one thread. */
+struct hs_histogram;
 typedef struct hs_kernel_output {
     double *f[3]; /**< forces on local and halo atoms; in fixed point the doubles hold 64-bit integers */
     float
@@ -84,6 +85,7 @@ typedef struct hs_kernel_output {
     /* fixed point only: the same as multiples of the grid, and the largest force/r and energy of a pair */
     __int128 energy_fixed, virial_fixed[6];
     double peak_force, peak_energy;
+    struct hs_histogram *histogram; /**< borrowed: of the thread; read by the kernel that counts distances only */
 } hs_kernel_output;
 
 /** Forces (and energy and virial) between the atoms of one i-cluster and the entries of its list. */
@@ -124,6 +126,8 @@ typedef struct hs_kernel_set {
     int group;
     int lanes; /**< pairs of one vector */
     hs_cluster_kernel cluster[2][2][2];
+    hs_cluster_kernel
+        counting; /**< forces of one type pair, and its distances (kernel/tally.h); NULL in mixed precision */
     hs_verlet_kernel verlet[2][2]; /**< lists hold the listed pairs only: no third index */
     hs_pairs_kernel pairs[2][2];
 } hs_kernel_set;

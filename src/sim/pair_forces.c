@@ -2,6 +2,7 @@
 #include <string.h>
 
 #include "core/exact_sum.h"
+#include "kernel/pair_histogram.h"
 #include "sim/methods.h"
 
 /** Index of the first part of the pair style that exerts forces; there is one. Its table has the distances of the lists. */
@@ -99,6 +100,13 @@ static int last_part(const hs_pair *pair)
     return k;
 }
 
+/** Whether the distances of the job's pairs are wanted and can be counted with its forces. */
+static bool counts_distances(const hs_sim *sim, const hs_force_job *job)
+{
+    return sim->env.pair_counter != NULL && hs_sim_method_in_use(sim) == HS_METHOD_CLUSTER &&
+           hs_force_can_count(job, sim->env.pair_counter->r_max);
+}
+
 /** One evaluation for each part of the pair style, each added to the forces of those before. The first waits for the halo's
  *  positions, the last sends the forces on it. */
 static hs_status add_parts(hs_sim *sim, bool with_energy, hs_force_result *sum, hs_error *err)
@@ -115,7 +123,9 @@ static hs_status add_parts(hs_sim *sim, bool with_energy, hs_force_result *sum, 
         job.input.table = &sim->pair_table[k];
         if (job.evaluator == NULL) continue;
         if (k == last) halo.send = send_halo;
+        job.counter = !job.is_added && counts_distances(sim, &job) ? sim->env.pair_counter : NULL;
         HS_TRY(hs_sim_method(sim)->forces(sim, &job, &result, err));
+        if (job.counter != NULL) job.counter->is_filled = true;
         job.is_added = true;
         hs_force_result_add(sum, &result);
     }

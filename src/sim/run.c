@@ -135,6 +135,14 @@ static bool is_energy_due(const hs_sim *sim, int64_t step)
     return false;
 }
 
+/** Let computes know that fixes will ask for them at the end of a step. */
+static void announce_samples(hs_sim *sim, int64_t step)
+{
+    sim->env.pair_counter = NULL;
+    for (int k = 0; k < sim->n_fixes; ++k)
+        if (sim->fix[k]->style->announce != NULL) sim->fix[k]->style->announce(sim->fix[k], step);
+}
+
 hs_status hs_sim_begin_output(hs_sim *sim, hs_error *err)
 {
     hs_thermo_header(sim->thermo);
@@ -217,6 +225,7 @@ static hs_status run_steps(hs_sim *sim, const hs_run_plan *plan, hs_error *err)
     while (sim->env.step < sim->env.last_step) {
         const int64_t next = sim->env.step + 1;
         const bool is_due = next == sim->env.last_step || is_output_due(sim, next);
+        announce_samples(sim, next);
         HS_TRY(hs_sim_step(sim, is_due || is_energy_due(sim, next), err));
         if (is_due) HS_TRY(write_output(sim, err));
         hs_report_progress(sim);

@@ -1,4 +1,5 @@
 /* The timestep. */
+#include "kernel/pair_histogram.h"
 #include "sim/methods.h"
 
 /** One hook of all fixes, in the deck's order. */
@@ -79,6 +80,8 @@ hs_status hs_sim_step(hs_sim *sim, bool with_energy, hs_error *err)
     /* what a fix computes in one of these hooks is void in the next; a fix that changes atoms in end_of_step says so */
     HS_TRY(hs_sim_post_force(sim, err));
     CALL_FIXES(sim, final_integrate, err);
+    /* positions are still those of the forces, until a fix says otherwise */
+    if (sim->env.pair_counter != NULL) hs_pair_counter_hold(sim->env.pair_counter, sim->env.revision + 1);
     CALL_FIXES(sim, end_of_step, err);
     hs_timer_add(&sim->timer, HS_PHASE_MODIFY);
     return HS_OK;

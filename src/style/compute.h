@@ -24,6 +24,9 @@ typedef struct hs_compute_style {
     /** Fill compute->atoms for the local atoms: column k of atom i is atoms[k * n_local + i]; room for n_atom_columns (at
      *  least one) columns is made before the call. Atoms outside the group get 0. NULL: has no values per atom. */
     HS_MUST_USE hs_status (*per_atom)(struct hs_compute *compute, hs_error *err);
+    /** Before the forces of a step at whose end it will be asked for (hs_value_announce): leave word in the env for what can be
+     *  measured on the way. Nothing may depend on it: whatever was not done is done when asked for. NULL: nothing can. */
+    void (*announce)(struct hs_compute *compute);
     /** A keyword of compute_modify and what follows it; *n_used = words taken, 0 when it is not the style's. */
     HS_MUST_USE hs_status (*modify)(struct hs_compute *compute, const hs_args *args, int *n_used, hs_error *err);
     /** Take the temperature from another compute (thermo_modify temp, fix_modify temp); NULL: uses none. */

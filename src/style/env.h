@@ -14,6 +14,7 @@
 
 struct hs_compute;
 struct hs_pair;
+struct hs_pair_counter;
 struct hs_pair_view;
 struct hs_fix;
 struct hs_region;
@@ -68,6 +69,10 @@ typedef struct hs_env {
 
     /** Another length of steps from the next one on: all fixes hear of it. */
     hs_status (*set_timestep)(struct hs_env *env, double dt, hs_error *err);
+    /** Borrowed from the compute that announced it: the distances of this step's pairs are wanted, and may be counted while their
+     *  forces are computed. NULL: not wanted. */
+    struct hs_pair_counter *pair_counter;
+
     /** How pairs of atoms interact now: see style/pair_scan.h. */
     void (*view_pairs)(struct hs_env *env, struct hs_pair_view *view);
     /** Coefficients of the pair style, or radii, were changed: make the tables of pair parameters anew (collective).

@@ -53,6 +53,8 @@ typedef struct hs_fix_style {
     bool is_extensive, is_vector_extensive; /**< as for computes; copied to the fix */
     /** Whether end_of_step of that step will ask for a pair energy or virial; NULL: never. */
     bool (*needs_energy)(const struct hs_fix *fix, int64_t step);
+    /** Announce the values that end_of_step of that step will ask for (hs_value_announce); NULL: the computes do without. */
+    void (*announce)(const struct hs_fix *fix, int64_t step);
     /** fix_modify temp, press: take the temperature or pressure from this compute, which there is and which computes one.
      *  NULL: the style uses none. */
     HS_MUST_USE hs_status (*set_temperature)(struct hs_fix *fix, const char *id, hs_error *err);

@@ -284,6 +284,12 @@ bool hs_value_needs_energy(hs_env *env, const hs_value *value)
     return value->kind != 'c' || compute == NULL || compute->style->needs_energy || compute->may_need_energy;
 }
 
+void hs_value_announce(hs_env *env, const hs_value *value)
+{
+    hs_compute *compute = compute_of(env, value);
+    if (compute != NULL && compute->style->announce != NULL) compute->style->announce(compute);
+}
+
 bool hs_value_is_extensive(hs_env *env, const hs_value *value)
 {
     const hs_compute *compute = compute_of(env, value);

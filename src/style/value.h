@@ -77,6 +77,8 @@ HS_MUST_USE hs_status hs_value_all(hs_env *env, const hs_value *value, const hs_
 
 /** Whether the value may ask for the pair energy or virial. What a variable asks for is not known before it does: yes. */
 bool hs_value_needs_energy(hs_env *env, const hs_value *value);
+/** Tell the compute that it will be asked for at the end of the coming step: hs_compute_style.announce. */
+void hs_value_announce(hs_env *env, const hs_value *value);
 /** Whether the number grows with the number of atoms. */
 bool hs_value_is_extensive(hs_env *env, const hs_value *value);
 
