@@ -74,12 +74,11 @@ static inline double hs_listed_by_radius_r2(const hs_kernel_input *in, int i, in
     return reach * reach;
 }
 
-/** What a kernel adds to; private to one thread. */
 struct hs_histogram;
+/** What a kernel adds to; private to one thread. */
 typedef struct hs_kernel_output {
-    double *f[3]; /**< forces on local and halo atoms; in fixed point the doubles hold 64-bit integers */
-    float
-        *packed_f; /**< mixed precision, methods with clusters: forces of packed clusters */
+    double *f[3];    /**< forces on local and halo atoms; in fixed point the doubles hold 64-bit integers */
+    float *packed_f; /**< mixed precision, methods with clusters: forces of packed clusters */
     double energy;
     double virial[6]; /**< sum of r_a F_b over pairs: xx yy zz xy xz yz */
     /* fixed point only: the same as multiples of the grid, and the largest force/r and energy of a pair */
