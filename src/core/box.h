@@ -1,4 +1,7 @@
-/** The simulation box: extent, boundary conditions, periodic images. */
+/** The simulation box: extent, boundary conditions, periodic images.
+ *
+ *  A box is spanned by the edges a = (lx, 0, 0), b = (xy, ly, 0), c = (xz, yz, lz) from its corner `lo`; all tilts are 0 in an
+ *  orthogonal box. `hi` is lo + (lx, ly, lz), as in LAMMPS: the far corner before tilting. */
 #ifndef HS_CORE_BOX_H
 #define HS_CORE_BOX_H
 
@@ -17,6 +20,8 @@ typedef struct hs_box {
     int dimension;              /**< 2 or 3; in 2D z is periodic and atoms stay at z = 0 unless a fix moves them */
     bool exists;                /**< create_box or read_data has been */
     double lo[3], hi[3];        /**< distance units */
+    bool is_tilted;             /**< triclinic: it may have tilts, though all may be 0 at the moment */
+    double tilt[3];             /**< xy, xz, yz: distance; 0 unless is_tilted */
     hs_boundary boundary[3][2]; /**< [axis][lo, hi] */
     bool periodic[3];
     double shrink_margin[3];   /**< gap between a shrink-wrapped face and its outermost atom; from the first box */
@@ -26,6 +31,16 @@ typedef struct hs_box {
 /** 3D, periodic, nothing created. */
 void hs_box_init(hs_box *box);
 static inline double hs_box_length(const hs_box *box, int axis) { return box->hi[axis] - box->lo[axis]; }
+/** The vector `n` edges long: n[0] a + n[1] b + n[2] c. Exact where lengths and tilts are multiples of a common power of two. */
+void hs_box_shift(const hs_box *box, const int32_t n[3], double shift[3]);
+/** Coordinates of x along the edges: 0 at the lower faces, 1 at the upper ones. */
+void hs_box_fractions(const hs_box *box, const double x[3], double fraction[3]);
+/** The place that has these coordinates along the edges. */
+void hs_box_place(const hs_box *box, const double fraction[3], double x[3]);
+/** Distance between the two faces that axis's edge joins: hs_box_length in an orthogonal box. */
+double hs_box_thickness(const hs_box *box, int axis);
+/** The smallest orthogonal box around it (what dumps of tilted boxes give). */
+void hs_box_bounds(const hs_box *box, double lo[3], double hi[3]);
 /** Volume, or area in 2D (LAMMPS counts the z extent out of 2D volumes). */
 double hs_box_volume(const hs_box *box);
 /** Finish a box that was just given its bounds: shrink-wrapped faces start a ten-thousandth of the box outside, as in
