@@ -57,6 +57,10 @@ HS_WIDE static void add_terms(const hs_atoms *atoms, const void *context, int be
     const int n = end - begin;
     double d2[HS_EXACT_ARRAY_MAX];
     for (int axis = 0; axis < 3; ++axis) {
+        const int next = (axis + 1) % 3, from = axis < 2 ? begin : end;
+        HS_FETCH(atoms->x[next] + from, n);
+        HS_FETCH(atoms->image[next] + from, n);
+        HS_FETCH(state->origin.of[next] + from, n);
         const double *x = atoms->x[axis] + begin, *origin = state->origin.of[axis] + begin;
         const int32_t *image = atoms->image[axis] + begin;
         const double length = hs_box_length(compute->env->box, axis), center = state->center[axis];

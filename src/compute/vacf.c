@@ -37,6 +37,9 @@ HS_WIDE static void add_terms(const hs_atoms *atoms, const void *context, int be
     const int n = end - begin;
     double product[HS_EXACT_ARRAY_MAX];
     for (int axis = 0; axis < 3; ++axis) {
+        const int next = (axis + 1) % 3, from = axis < 2 ? begin : end;
+        HS_FETCH(atoms->v[next] + from, n);
+        HS_FETCH(state->origin.of[next] + from, n);
         const double *v = atoms->v[axis] + begin, *origin = state->origin.of[axis] + begin;
         for (int i = 0; i < n; ++i) product[i] = mask[i] & group ? v[i] * origin[i] : 0.0;
         hs_exact_add_array(&sums[axis], product, n);

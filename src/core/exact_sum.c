@@ -53,34 +53,53 @@ typedef int64_t stream_bits __attribute__((vector_size(STREAMS * sizeof(double))
 /** Sizes: the signs go. No function, for such a value is returned in one way with AVX-512 and in another without. */
 #define SIZES(x) ((streams)((stream_bits)(x)&INT64_MAX))
 
-/** Terms cut at two places: a multiple of 2^-84 of the largest or coarser in *high and *low, exactly, when every remainder is 0. */
-HS_WIDE static bool add_cut(const double *x, int n, double first, double second, double *high, double *low)
+/** Up to HS_EXACT_ARRAY_MAX terms below 2^(place + 51), cut at 2^place and at 2^(place - 51): whole numbers of both, and what is
+ *  left. */
+typedef struct cut_sums {
+    int64_t high, low;
+    bool is_within; /**< all terms were that small: else nothing holds */
+    bool is_all;    /**< nothing is left */
+} cut_sums;
+
+/** The number that, added to a smaller one, makes a double of which the last bit stands for 2^place. The bits of such doubles, as
+ *  integers, can be added: of the upper cut, 2^10 of them stay below 2^61 after the multiples of this number are taken off. */
+static double cutter(int place) { return ldexp(1.5, place + 52); }
+
+HS_WIDE static cut_sums cut(const double *x, int n, int place)
 {
-    streams h = {0.0}, l = {0.0}, rest = {0.0};
+    const double first = cutter(place), second = cutter(place - 51);
+    stream_bits high = {0}, low = {0}, beyond = {0}, rest = {0};
+    int64_t first_bits, second_bits, rest_bits = 0, beyond_bits = 0;
+    memcpy(&first_bits, &first, sizeof first);
+    memcpy(&second_bits, &second, sizeof second);
     for (int i = 0; i < n; i += STREAMS) {
         streams term = {0.0};
         if (i + STREAMS <= n)
             memcpy(&term, x + i, sizeof term);
         else
             memcpy(&term, x + i, (size_t)(n - i) * sizeof *x);
-        const streams a = (term + first) - first, b = term - a, c = (b + second) - second;
-        h += a;
-        l += c;
-        rest += SIZES(b - c);
+        const streams a = term + first, b = term - (a - first), c = b + second;
+        high += (stream_bits)a - first_bits;
+        low += (stream_bits)c - second_bits;
+        beyond |= (stream_bits)a ^ first_bits;
+        rest |= (stream_bits)(b - (c - second));
     }
-    *high = *low = 0.0;
-    double left = 0.0;
+    cut_sums sums = {0};
     for (int k = 0; k < STREAMS; ++k) {
-        *high += h[k];
-        *low += l[k];
-        left += rest[k];
+        sums.high += high[k];
+        sums.low += low[k];
+        beyond_bits |= beyond[k];
+        rest_bits |= rest[k];
     }
-    return left == 0.0;
+    sums.is_within = beyond_bits >> 52 == 0;    /* no exponent is another one */
+    sums.is_all = (rest_bits & INT64_MAX) == 0; /* +0 or -0 */
+    return sums;
 }
 
 /** What lies beyond the second cut. */
-static void add_rest(hs_exact_sum *sum, const double *x, int n, double first, double second)
+static void add_rest(hs_exact_sum *sum, const double *x, int n, int place)
 {
+    const double first = cutter(place), second = cutter(place - 51);
     for (int i = 0; i < n; ++i) {
         const double a = (x[i] + first) - first, b = x[i] - a, c = (b + second) - second;
         if (b - c != 0.0) hs_exact_add_now(sum, b - c);
@@ -111,28 +130,33 @@ HS_WIDE static double find_bound(const double *x, int n, double *none)
     return bound;
 }
 
+/** Where to cut terms of which the largest is `bound`: a factor of 8 above it is left, for the place serves the next array, too. */
+static int place_of(double bound) { return ilogb(bound) + 4 - 51; }
+
 void hs_exact_add_array(hs_exact_sum *sum, const double *x, int n)
 {
     enum { FEW = 8 }; /* not worth the trouble */
-    double none;
     for (int i = 0; i < n && n <= FEW; ++i) hs_exact_add_now(sum, x[i]);
     if (n <= FEW) return;
-    const double bound = find_bound(x, n, &none);
-    const bool is_plain = n <= HS_EXACT_ARRAY_MAX && none == 0.0;
-    if (bound == 0.0 && is_plain) return;
-    if (!is_plain || bound < 0x1p-800 || bound > 0x1p800) {
-        for (int i = 0; i < n; ++i) hs_exact_add_now(sum, x[i]);
-        return;
+    cut_sums sums = {0};
+    if (n <= HS_EXACT_ARRAY_MAX) sums = cut(x, n, sum->place);
+    if (!sums.is_within || !sums.is_all) {
+        double none;
+        const double bound = find_bound(x, n, &none);
+        const bool is_plain = n <= HS_EXACT_ARRAY_MAX && none == 0.0;
+        if (bound == 0.0 && is_plain) return;
+        if (!is_plain || bound < 0x1p-800 || bound > 0x1p800) {
+            for (int i = 0; i < n; ++i) hs_exact_add_now(sum, x[i]);
+            return;
+        }
+        if (sum->place != place_of(bound)) {
+            sum->place = place_of(bound);
+            sums = cut(x, n, sum->place);
+        }
     }
-    /* |x| < 2^e. Up to 2^10 multiples of 2^(e - 42) below that size add up without rounding, and so do their remainders, below
-     * 2^(e - 42), as multiples of 2^(e - 83). */
-    const int e = ilogb(bound) + 1;
-    const double first = ldexp(1.5, e + 10), second = ldexp(1.5, e - 31);
-    double high, low;
-    const bool is_all = add_cut(x, n, first, second, &high, &low);
-    hs_exact_add_now(sum, high);
-    hs_exact_add_now(sum, low);
-    if (!is_all) add_rest(sum, x, n, first, second);
+    hs_exact_add_scaled(sum, sums.high, sum->place);
+    hs_exact_add_scaled(sum, sums.low, sum->place - 51);
+    if (!sums.is_all) add_rest(sum, x, n, sum->place);
 }
 
 void hs_exact_merge(hs_exact_sum *sum, const hs_exact_sum *other)

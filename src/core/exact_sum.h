@@ -26,6 +26,7 @@ typedef struct hs_exact_sum {
     int64_t n_added;   /**< since carries were last passed on */
     double not_finite; /**< sum of the terms that are infinite or not numbers; 0 without any */
     int n_waiting;
+    int place;                        /**< where the last array was cut (exact_sum.c): most likely right for the next */
     double waiting[HS_EXACT_WAITING]; /**< terms not added yet; last, for there is no need to clear them */
 } hs_exact_sum;
 
@@ -68,8 +69,8 @@ static inline void hs_exact_add_now(hs_exact_sum *sum, double x)
 
 enum { HS_EXACT_ARRAY_MAX = 1024 };
 /** sum += x[0] + ... + x[n - 1], exactly; up to HS_EXACT_ARRAY_MAX terms at a fraction of the cost of adding each. Terms are cut
- *  at common places into parts that floating-point sums add without rounding: J. Demmel, H. D. Nguyen, IEEE Trans. Comput. 64,
- *  2060 (2015), doi:10.1109/TC.2014.2345391. */
+ *  at common places (as in J. Demmel, H. D. Nguyen, IEEE Trans. Comput. 64, 2060 (2015), doi:10.1109/TC.2014.2345391) into
+ *  parts that are added as integers. */
 void hs_exact_add_array(hs_exact_sum *sum, const double *x, int n);
 /** sum += n 2^exponent, exactly; exponent from HS_EXACT_LOWEST to 900. */
 void hs_exact_add_scaled(hs_exact_sum *sum, __int128 n, int exponent);

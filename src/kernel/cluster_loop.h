@@ -76,10 +76,9 @@ HS_INLINE hs_vec row_reach(const hs_kernel_input *in, const cluster_constants *c
     return hs_load_clusters(in->radius, 0.0, v->entry, v->sub) + hs_set1(constants->radius[row]);
 }
 
-/** First half of a row: which of its pairs count. Their distances go to the tally, if there is one. */
+/** First half of a row: which of its pairs count. */
 HS_INLINE void measure_row(const hs_kernel_input *in, const cluster_constants *constants, const vector_state *v,
-                           int row, hs_masks masks, measured_rows *measured, bool by_type, bool listed_only,
-                           hs_tally *tally)
+                           int row, hs_masks masks, measured_rows *measured, bool by_type, bool listed_only)
 {
     const hs_vec dx = v->x[0] - hs_set1(constants->x[0][row]), dy = v->x[1] - hs_set1(constants->x[1][row]),
                  dz = v->x[2] - hs_set1(constants->x[2][row]);
@@ -101,16 +100,17 @@ HS_INLINE void measure_row(const hs_kernel_input *in, const cluster_constants *c
             mask = hs_mask_and(mask, hs_less(listed_r2, listed_reach * listed_reach));
         }
     }
-    if (tally != NULL) hs_tally_add(tally, r2, mask);
     measured->r2[row] = r2;
     measured->near[row] = mask;
 }
 
-/** Second half: adds the pairs' forces to sums and to the j-atoms' reaction. */
+/** Second half: adds the pairs' forces to sums and to the j-atoms' reaction, and the distances to the tally, if there is one: here,
+ *  where they are known for long, nothing waits for them. */
 HS_INLINE void add_row(const hs_kernel_input *in, const cluster_constants *constants, const vector_state *v, int row,
                        const measured_rows *measured, cluster_sums *sums, hs_acc reaction[3], bool with_energy,
-                       bool by_type)
+                       bool by_type, hs_tally *tally)
 {
+    if (tally != NULL) hs_tally_add(tally, measured->r2[row], measured->near[row]);
     hs_vec params[N_PARAMS + HS_HAS_RADII], force_over_r, energy = hs_set1(0.0);
     for (int k = 0; k < N_PARAMS; ++k) params[k] = row_param(in, constants, v, row, HS_TABLE_PARAMS + k, by_type);
     if (HS_HAS_RADII) params[N_PARAMS] = row_reach(in, constants, v, row);
@@ -195,9 +195,9 @@ HS_INLINE void advance(const hs_kernel_input *in, hs_kernel_output *out, const c
 #define ROW(row)                                                                                                       \
     do {                                                                                                               \
         if (old != NULL && (old->rows >> row & 1u) != 0)                                                               \
-            add_row(in, constants, old, row, measured, sums, reaction, with_energy, by_type);                          \
+            add_row(in, constants, old, row, measured, sums, reaction, with_energy, by_type, tally);                   \
         if (next != NULL && (next->rows >> row & 1u) != 0)                                                             \
-            measure_row(in, constants, next, row, masks, measured, by_type, listed_only, tally);                       \
+            measure_row(in, constants, next, row, masks, measured, by_type, listed_only);                              \
     } while (0)
     EACH_ROW(ROW);
 #undef ROW

@@ -2,6 +2,8 @@
 
 #include <assert.h>
 
+#include "core/group.h"
+
 enum { CHUNK = HS_EXACT_ARRAY_MAX }; /* atoms that a thread takes at a time */
 
 static void add_chunk(const hs_atoms *atoms, hs_atom_terms terms, const void *context, int chunk, hs_exact_sum *sums)
@@ -55,7 +57,10 @@ const double *hs_late_sums_read(hs_late_sums *sums, const hs_parallel *parallel)
 int64_t hs_atom_count(const hs_atoms *atoms, const hs_parallel *parallel, uint32_t mask)
 {
     int64_t n = 0;
-    for (int i = 0; i < atoms->n_local; ++i) n += (atoms->mask[i] & mask) != 0;
+    if (mask & hs_group_mask(0)) /* all */
+        n = atoms->n_local;
+    else
+        for (int i = 0; i < atoms->n_local; ++i) n += (atoms->mask[i] & mask) != 0;
     hs_parallel_sum_int64(parallel, &n, 1);
     return n;
 }

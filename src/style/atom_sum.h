@@ -12,6 +12,14 @@ enum { HS_ATOM_SUM_MAX = 8 }; /**< sums that one call can make */
  *  that atom may be changed on the way, for each is met once. */
 typedef void (*hs_atom_terms)(const hs_atoms *atoms, const void *context, int begin, int end, hs_exact_sum *sums);
 
+/** Bring an array that will be read next nearer: sums that read many arrays but compute little wait for memory else, for the
+ *  processor's own guesses end with every page and every change of arrays. */
+#define HS_FETCH(array, n)                                                                                             \
+    do {                                                                                                               \
+        for (size_t k_ = 0; k_ < (size_t)(n) * sizeof *(array); k_ += 64)                                              \
+            __builtin_prefetch((const char *)(array) + k_, 0, 2);                                                      \
+    } while (0)
+
 /** sums[n], n <= HS_ATOM_SUM_MAX, over all atoms of all ranks, each exact and rounded once (collective). */
 void hs_atom_sum(const hs_atoms *atoms, const hs_parallel *parallel, hs_atom_terms terms, const void *context, int n,
                  double *sums);

@@ -9,6 +9,7 @@
 #include "base/memory.h"
 #include "comm/halo.h"
 #include "kernel/cluster_list.h"
+#include "kernel/pair_histogram.h"
 #include "kernel/verlet_list.h"
 #include "parallel/parallel.h"
 #include "style/pair.h"
@@ -175,7 +176,23 @@ static hs_fixed_grid finest_grid(const system_t *s, const hs_force_result *resul
     return (hs_fixed_grid){hs_fixed_exponent(force, HS_FIXED_BITS), hs_fixed_exponent(energy, HS_FIXED_BITS)};
 }
 
-static forces_t evaluate_with(system_t *s, method_t method, hs_isa isa, hs_precision precision, bool with_energy)
+/** Distances of pairs, counted by the kernels. */
+typedef struct counting {
+    hs_pair_counter counter;    /**< set its r_max and n_bins */
+    int64_t *on_the_way, *anew; /**< owned [n_bins]: with the forces; by a pass over the list afterwards */
+} counting_t;
+
+static void count_anew(counting_t *counting, const hs_force_job *job, const hs_cluster_list *list)
+{
+    hs_pair_counter *counter = &counting->counter;
+    hs_pair_counter_get(counter, counting->on_the_way);
+    ck_assert_hs_ok(hs_pair_counter_list(counter, list, job->clusters, job->atoms->x, job->isa, &err), err);
+    hs_pair_counter_get(counter, counting->anew);
+}
+
+/** @p counting: count distances, too (method cluster); NULL: do not. */
+static forces_t evaluate_counting(system_t *s, method_t method, hs_isa isa, hs_precision precision, bool with_energy,
+                                  counting_t *counting)
 {
     const bool is_nsq = method == NSQ;
     const double reach = s->cutoff_max + (method == CLUSTER || method == VERLET ? skin : 0.0);
@@ -224,6 +241,10 @@ static forces_t evaluate_with(system_t *s, method_t method, hs_isa isa, hs_preci
                                   .table = &s->table}};
     if (method == CLUSTER) ck_assert_hs_ok(hs_cluster_list_build(&list, &space, &job, &err), err);
     if (method == VERLET) ck_assert_hs_ok(hs_verlet_list_build(&verlet, &space, &job, &err), err);
+    if (counting != NULL) {
+        job.counter = &counting->counter;
+        ck_assert(hs_force_can_count(&job, counting->counter.r_max));
+    }
     const bool is_fixed = precision == HS_PRECISION_FIXED;
     hs_fixed_grid grid = {-20, -20}; /* coarse: to learn how large forces and energies are */
     for (int pass = 0; pass < (is_fixed ? 2 : 1); ++pass) {
@@ -236,6 +257,7 @@ static forces_t evaluate_with(system_t *s, method_t method, hs_isa isa, hs_preci
             ck_assert_hs_ok((is_nsq ? hs_force_nsq : hs_force_cell)(&space, &job, &result, &err), err);
         if (pass == 0) grid = finest_grid(s, &result);
     }
+    if (counting != NULL) count_anew(counting, &job, &list);
     hs_halo_reverse(&halo, atoms, is_fixed);
     if (is_fixed) {
         hs_force_settle(atoms, job.isa, grid.force, false);
@@ -255,6 +277,11 @@ static forces_t evaluate_with(system_t *s, method_t method, hs_isa isa, hs_preci
     hs_clusters_fini(&clusters);
     hs_cells_fini(&cells);
     return out;
+}
+
+static forces_t evaluate_with(system_t *s, method_t method, hs_isa isa, hs_precision precision, bool with_energy)
+{
+    return evaluate_counting(s, method, isa, precision, with_energy, NULL);
 }
 
 /** Forces, energy and virial within the tolerance, relative to the largest force of one pair (energy: to the sum and n); forces

@@ -135,6 +135,36 @@ START_TEST(arrays_add_as_their_terms)
 }
 END_TEST
 
+/** Arrays of unlike size after each other: each is cut where the one before was, if that will do. */
+START_TEST(arrays_follow_each_other)
+{
+    static const int exponents[] = {0, 3, -2, 45, 44, -60, 700, -700, 90, 51, 0, -1022, 12, 1020, -3};
+    enum { N_ARRAYS = sizeof exponents / sizeof exponents[0], N = 300 };
+    double x[N];
+    uint64_t state = 5;
+    hs_exact_sum sum = {0}, one_by_one = {0};
+    for (int a = 0; a < N_ARRAYS; ++a) {
+        for (int k = 0; k < N; ++k)
+            x[k] = k % 11 == 5 ? -0.0 : ldexp(some_number(&state, 2), exponents[a] > 1000 ? 1000 : exponents[a]);
+        hs_exact_add_array(&sum, x, N);
+        for (int k = 0; k < N; ++k) hs_exact_add_now(&one_by_one, x[k]);
+        ck_assert_double_eq(hs_exact_value(&sum), hs_exact_value(&one_by_one));
+        for (int k = 0; k < N; ++k) x[k] = -x[k]; /* so that the next array's digits are seen */
+        hs_exact_add_array(&sum, x, N);
+        for (int k = 0; k < N; ++k) hs_exact_add_now(&one_by_one, x[k]);
+        ck_assert_double_eq(hs_exact_value(&sum), hs_exact_value(&one_by_one));
+    }
+    ck_assert_double_eq(hs_exact_value(&sum), 0.0);
+    x[7] = -INFINITY;
+    hs_exact_add_array(&sum, x, N);
+    ck_assert(hs_exact_value(&sum) == -INFINITY);
+    x[8] = NAN;
+    hs_exact_add_array(&sum, x, N);
+    ck_assert(isnan(hs_exact_value(&sum)));
+}
+END_TEST
+
 HS_TEST_MAIN("exact sums", cancellation_leaves_the_small_term, result_is_rounded_once_to_even,
              sums_overflow_only_at_the_end, terms_that_are_not_finite_show, order_and_grouping_do_not_matter,
-             equals_long_double_where_that_is_exact, scaled_integers_are_exact, arrays_add_as_their_terms)
+             equals_long_double_where_that_is_exact, scaled_integers_are_exact, arrays_add_as_their_terms,
+             arrays_follow_each_other)
