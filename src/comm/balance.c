@@ -46,8 +46,9 @@ void hs_balance_measure(const hs_parallel *parallel, double load, double *larges
 }
 
 /** Place of an atom along an axis as a fraction of the box, wrapped into it. */
-static double fraction_of(const hs_box *box, int axis, double x)
+static double fraction_of(const hs_box *box, int axis, const hs_atoms *atoms, int i)
 {
+    const double x = hs_box_upright(box, (const double[3]){atoms->x[0][i], atoms->x[1][i], atoms->x[2][i]}, axis);
     const double fraction = (x - box->lo[axis]) / hs_box_length(box, axis);
     if (box->periodic[axis]) return fraction - floor(fraction);
     return fraction < 0.0 ? 0.0 : fraction > 1.0 ? 1.0 : fraction;
@@ -70,8 +71,7 @@ hs_status hs_balance_predict(const hs_domain *domain, const hs_box *box, const h
     HS_TRY(hs_parallel_agree(parallel, err));
     for (int i = 0; i < atoms->n_local; ++i) {
         int at[3];
-        for (int axis = 0; axis < 3; ++axis)
-            at[axis] = owner_of(domain, axis, fraction_of(box, axis, atoms->x[axis][i]));
+        for (int axis = 0; axis < 3; ++axis) at[axis] = owner_of(domain, axis, fraction_of(box, axis, atoms, i));
         loads[hs_domain_rank(domain, at)] += weight_of(weight, i);
     }
     hs_parallel_sum_double(parallel, loads, domain->n_ranks);
@@ -117,10 +117,10 @@ static hs_status fill_drawers(drawers *d, const hs_box *box, const hs_atoms *ato
     HS_TRY(HS_ALLOC(d->below, (size_t)d->n_drawers + 1, err));
     HS_TRY(HS_ALLOC(d->start, (size_t)d->n_drawers + 2, err)); /* zeroed; one place on while they are filled */
     int64_t *next = d->start + 1;
-    for (int i = 0; i < d->n; ++i) ++next[drawer_of(d, fraction_of(box, axis, atoms->x[axis][i])) + 1];
+    for (int i = 0; i < d->n; ++i) ++next[drawer_of(d, fraction_of(box, axis, atoms, i)) + 1];
     for (int64_t k = 0; k < d->n_drawers; ++k) next[k + 1] += next[k];
     for (int i = 0; i < d->n; ++i) {
-        const double place = fraction_of(box, axis, atoms->x[axis][i]);
+        const double place = fraction_of(box, axis, atoms, i);
         const int64_t drawer = drawer_of(d, place);
         d->item[next[drawer]++] = (placed){.place = place, .weight = weight_of(weight, i)};
         d->below[drawer + 1] += weight_of(weight, i);
@@ -220,7 +220,7 @@ static hs_status shift_axis(const hs_balance *balance, hs_domain *domain, const 
             ++*n_iterations;
             if (factor_of(&s) <= balance->stop_factor) break;
         }
-        if (s.total > 0.0) place_planes(&s, domain->cut[axis], balance->least_width / hs_box_length(box, axis));
+        if (s.total > 0.0) place_planes(&s, domain->cut[axis], balance->least_width / hs_box_thickness(box, axis));
     }
     fini_drawers(&s.place);
     HS_FREE(s.plane);

@@ -20,6 +20,12 @@ void hs_domain_fini(hs_domain *domain)
 /** Area (in 2D length) of the faces between bricks, per brick: what halos are proportional to. */
 static double surface(const hs_box *box, const int n[3])
 {
+    if (box->is_tilted) {
+        const double volume = hs_box_volume(box) / ((double)n[0] * n[1] * n[2]);
+        double area = 0.0;
+        for (int axis = 0; axis < box->dimension; ++axis) area += volume / (hs_box_thickness(box, axis) / n[axis]);
+        return area;
+    }
     const double x = hs_box_length(box, 0) / n[0], y = hs_box_length(box, 1) / n[1], z = hs_box_length(box, 2) / n[2];
     return box->dimension == 2 ? x + y : x * y + y * z + x * z;
 }
@@ -90,6 +96,30 @@ void hs_domain_brick(const hs_domain *domain, const hs_box *box, double lo[3], d
         lo[axis] = hs_domain_plane(domain, box, axis, domain->at[axis]);
         hi[axis] = hs_domain_plane(domain, box, axis, domain->at[axis] + 1);
     }
+    if (!box->is_tilted) return;
+    /* the brick is a small box of the same shape: its edges are those of the box, times its part of them */
+    hs_box brick = *box;
+    double corner[3], size[3];
+    for (int axis = 0; axis < 3; ++axis) {
+        corner[axis] = (lo[axis] - box->lo[axis]) / hs_box_length(box, axis);
+        size[axis] = (hi[axis] - lo[axis]) / hs_box_length(box, axis);
+    }
+    hs_box_place(box, corner, brick.lo);
+    for (int axis = 0; axis < 3; ++axis) brick.hi[axis] = brick.lo[axis] + (hi[axis] - lo[axis]);
+    brick.tilt[0] *= size[1];
+    brick.tilt[1] *= size[2];
+    brick.tilt[2] *= size[2];
+    hs_box_bounds(&brick, lo, hi);
+}
+
+double hs_domain_volume(const hs_domain *domain, const hs_box *box)
+{
+    double part = 1.0;
+    for (int axis = 0; axis < box->dimension; ++axis) {
+        const double *cut = domain->cut[axis] + domain->at[axis];
+        part *= cut[1] - cut[0];
+    }
+    return part * hs_box_volume(box);
 }
 
 int hs_domain_owner(const hs_domain *domain, const hs_box *box, int axis, double x)
@@ -108,7 +138,8 @@ int hs_domain_owner(const hs_domain *domain, const hs_box *box, int axis, double
 bool hs_domain_owns(const hs_domain *domain, const hs_box *box, const double x[3])
 {
     for (int axis = 0; axis < 3; ++axis)
-        if (domain->n[axis] > 1 && hs_domain_owner(domain, box, axis, x[axis]) != domain->at[axis]) return false;
+        if (domain->n[axis] > 1 && hs_domain_owner(domain, box, axis, hs_box_upright(box, x, axis)) != domain->at[axis])
+            return false;
     return true;
 }
 

@@ -3,7 +3,8 @@
  *  Planes cut the whole box across: n[axis] bricks along an axis have n[axis] + 1 planes, the first and the last of which
  *  are the faces of the box. Planes are kept as fractions of the box, so that they follow a box that changes. Along axes
  *  that are not periodic the outer bricks reach to infinity: they own what lies beyond the faces. All ranks hold the same
- *  numbers and compute the same planes from them, bit for bit. */
+ *  numbers and compute the same planes from them, bit for bit. In a tilted box planes lie parallel to its faces, and places are
+ *  compared with them by hs_box_upright. */
 #ifndef HS_COMM_DOMAIN_H
 #define HS_COMM_DOMAIN_H
 
@@ -26,11 +27,13 @@ void hs_domain_fini(hs_domain *domain);
 HS_MUST_USE hs_status hs_domain_divide(hs_domain *domain, const hs_box *box, hs_error *err);
 static inline bool hs_domain_is_divided(const hs_domain *domain) { return domain->n[0] > 0; }
 
-/** Plane k of an axis, distance. Planes below 0 and above n are those of the periodic images. */
+/** Plane k of an axis, in the coordinate of hs_box_upright. Planes below 0 and above n are those of the periodic images. */
 double hs_domain_plane(const hs_domain *domain, const hs_box *box, int axis, int k);
-/** Bounds of this rank's brick: lower faces belong to it, upper ones to the next brick. */
+/** Bounds of this rank's brick, of what encloses it in a tilted box: lower faces belong to it, upper ones to the next brick. */
 void hs_domain_brick(const hs_domain *domain, const hs_box *box, double lo[3], double hi[3]);
-/** Which brick of an axis owns the place x, which must have been wrapped into the box. */
+/** Volume of this rank's brick, area in 2D. */
+double hs_domain_volume(const hs_domain *domain, const hs_box *box);
+/** Which brick of an axis owns the place with the coordinate x (hs_box_upright), which must have been wrapped into the box. */
 int hs_domain_owner(const hs_domain *domain, const hs_box *box, int axis, double x);
 /** Whether this rank's brick owns the place. */
 bool hs_domain_owns(const hs_domain *domain, const hs_box *box, const double x[3]);

@@ -35,13 +35,21 @@ static layer_range layers_of(const hs_halo_plan *plan, const double x[3])
     return range;
 }
 
+/** From a place to its coordinates by which the planes are compared. */
+static void make_upright(const hs_box *box, double x[3])
+{
+    const double place[3] = {x[0], x[1], x[2]};
+    for (int axis = 0; axis < 2; ++axis) x[axis] = hs_box_upright(box, place, axis);
+}
+
 /** Count (source == NULL) or write the local atoms [begin, end) that go to other bricks: next[b] is the place of the next
  *  atom of block b, or the count so far. */
 static void list_atoms(const hs_halo_plan *plan, const hs_atoms *atoms, int64_t begin, int64_t end, int *next,
                        int32_t *source)
 {
     for (int64_t i = begin; i < end; ++i) {
-        const double x[3] = {atoms->x[0][i], atoms->x[1][i], atoms->x[2][i]};
+        double x[3] = {atoms->x[0][i], atoms->x[1][i], atoms->x[2][i]};
+        if (plan->box->is_tilted) make_upright(plan->box, x);
         if (!is_near_lower_face(plan, x)) continue;
         const layer_range range = layers_of(plan, x);
         for (int j0 = range.lo[0]; j0 <= 0; ++j0)

@@ -17,7 +17,7 @@ typedef struct hs_halo_block {
     int offset[3];   /**< of the brick they come from, seen from the brick they go to */
     int rank;        /**< partner */
     int begin, end;  /**< blocks to send: range of source[]; blocks received: range of slot[] */
-    int image[3];    /**< blocks to send: box lengths to add to positions, */
+    int image[3];    /**< blocks to send: edges of the box to add to positions, */
     double shift[3]; /**< and what these are, distance */
 } hs_halo_block;
 
@@ -57,7 +57,7 @@ void hs_halo_reorder(hs_halo *halo, hs_atoms *atoms, const int32_t *order);
 /** The local atoms have been sorted: what stood at i stands at place[i]. The halo keeps its atoms; positions are filled anew, in
  *  order of blocks. Collective. */
 void hs_halo_follow(hs_halo *halo, hs_atoms *atoms, const int32_t *place);
-/** The box has other lengths than when the halo was built: shifts follow it. Not collective. */
+/** The box has other lengths or tilts than when the halo was built: shifts follow it. Not collective. */
 void hs_halo_fit_box(hs_halo *halo, const hs_box *box);
 /** Fill the halo part of all fields that go to the halo when it is made (hs_atom_field.goes_to_halo). Collective. */
 void hs_halo_forward_fields(const hs_halo *halo, hs_atoms *atoms);

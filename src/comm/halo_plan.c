@@ -101,10 +101,8 @@ static hs_status list_blocks(hs_halo_side *side, const hs_halo_plan *plan, const
                 const int partner[3] = {domain->at[0] + j0, domain->at[1] + j1, domain->at[2] + j2};
                 block.rank = hs_domain_rank(domain, partner);
                 const int place[3] = {j0 + l[0].below, j1 + l[1].below, j2 + l[2].below};
-                for (int axis = 0; axis < 3; ++axis) {
-                    block.image[axis] = l[axis].image[place[axis]];
-                    block.shift[axis] = l[axis].shift[place[axis]];
-                }
+                for (int axis = 0; axis < 3; ++axis) block.image[axis] = l[axis].image[place[axis]];
+                hs_box_shift(plan->box, block.image, block.shift);
                 if (block.rank == domain->rank) {
                     block.rank = -1; /* sorts first */
                     ++side->n_self;
@@ -133,12 +131,14 @@ hs_status hs_halo_plan_make(hs_halo_plan *plan, hs_halo *halo, const hs_domain *
                             hs_error *err)
 {
     memset(plan, 0, sizeof *plan);
+    plan->box = box;
     for (int axis = 0; axis < 3; ++axis) {
         hs_halo_layers *layers = &plan->layers[axis];
-        HS_TRY(count_layers(layers, domain, box, axis, reach, err));
-        HS_TRY(measure_layers(layers, domain, box, axis, reach, err));
+        const double along = hs_box_reach(box, axis, reach);
+        HS_TRY(count_layers(layers, domain, box, axis, along, err));
+        HS_TRY(measure_layers(layers, domain, box, axis, along, err));
         plan->inner_lo[axis] =
-            layers->below > 0 ? hs_domain_plane(domain, box, axis, domain->at[axis]) + reach : -INFINITY;
+            layers->below > 0 ? hs_domain_plane(domain, box, axis, domain->at[axis]) + along : -INFINITY;
     }
     HS_TRY(list_blocks(&halo->out, plan, domain, -1, err));
     HS_TRY(list_blocks(&halo->in, plan, domain, 1, err));

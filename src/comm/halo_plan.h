@@ -7,12 +7,14 @@
 /** The bricks below and above this one along an axis that are within reach of it. */
 typedef struct hs_halo_layers {
     int below, above;
-    double *shift; /**< owned [below + 1 + above]: of positions sent to layer j, at shift[j + below] */
-    int *image;    /**< owned: the same in box lengths */
+    double
+        *shift; /**< owned [below + 1 + above]: of coordinates sent to layer j (hs_box_upright), at shift[j + below] */
+    int *image; /**< owned: the same in edges of the box */
     double *limit; /**< owned: layers j < 0 need x + shift < limit, layers j > 0 x + shift >= limit */
 } hs_halo_layers;
 
 typedef struct hs_halo_plan {
+    const hs_box *box; /**< borrowed */
     hs_halo_layers layers[3];
     double inner_lo[3]; /**< atoms from here on go to no layer below along this axis */
     int32_t *block_of;  /**< owned: block to send for layers (j0, j1, j2), lexicographic; -1: none is sent there */

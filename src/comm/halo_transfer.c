@@ -19,11 +19,10 @@ static inline double *words_of(const hs_halo_side *side, int k)
 
 void hs_halo_fit_box(hs_halo *halo, const hs_box *box)
 {
-    for (int b = 0; b < halo->out.n_blocks; ++b)
-        for (int axis = 0; axis < 3; ++axis) {
-            hs_halo_block *block = &halo->out.block[b];
-            block->shift[axis] = block->image[axis] * hs_box_length(box, axis);
-        }
+    for (int b = 0; b < halo->out.n_blocks; ++b) {
+        hs_halo_block *block = &halo->out.block[b];
+        hs_box_shift(box, block->image, block->shift);
+    }
 }
 
 /** First place in [begin, end) whose source is not below `atom`; if sources do not ascend, some place that only grows with it. */

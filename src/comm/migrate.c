@@ -48,23 +48,30 @@ static int side_towards(const hs_domain *domain, const hs_box *box, int axis, in
     return partner[side] < 0 ? !side : side;
 }
 
+/** Coordinate of an atom by which it belongs to a brick. */
+static inline double coordinate_of(const hs_atoms *atoms, const hs_box *box, int axis, int i)
+{
+    if (!box->is_tilted) return atoms->x[axis][i];
+    return hs_box_upright(box, (const double[3]){atoms->x[0][i], atoms->x[1][i], atoms->x[2][i]}, axis);
+}
+
 static hs_status list_leavers(traffic *t, const hs_atoms *atoms, const hs_domain *domain, const hs_box *box, int axis,
                               const int partner[2], hs_error *err)
 {
-    const double *x = atoms->x[axis];
     const double lo = domain->at[axis] > 0 ? hs_domain_plane(domain, box, axis, domain->at[axis]) : -INFINITY;
     const double hi =
         domain->at[axis] < domain->n[axis] - 1 ? hs_domain_plane(domain, box, axis, domain->at[axis] + 1) : INFINITY;
     t->n_leavers = 0;
     for (int i = 0; i < atoms->n_local; ++i) {
-        if (x[i] >= lo && x[i] < hi) continue;
+        const double x = coordinate_of(atoms, box, axis, i);
+        if (x >= lo && x < hi) continue;
         if (t->n_leavers == t->capacity) {
             const size_t capacity = (size_t)t->capacity * 2 + 256, n = (size_t)t->n_leavers;
             HS_TRY(HS_GROW(t->leaver, n, capacity, err));
             HS_TRY(HS_GROW(t->side, n, capacity, err));
             t->capacity = (int)capacity;
         }
-        const int side = side_towards(domain, box, axis, hs_domain_owner(domain, box, axis, x[i]), partner);
+        const int side = side_towards(domain, box, axis, hs_domain_owner(domain, box, axis, x), partner);
         t->leaver[t->n_leavers] = i;
         t->side[t->n_leavers++] = (unsigned char)side;
         ++t->n_out[side];
@@ -154,12 +161,14 @@ static hs_status find_misplaced(const hs_atoms *atoms, const hs_domain *domain, 
     int64_t n = 0;
     for (int axis = 0; axis < 3; ++axis) {
         const int k = domain->at[axis];
-        const double *x = atoms->x[axis];
         const double lo = k > 0 ? hs_domain_plane(domain, box, axis, k) : -INFINITY;
         const double hi = k < domain->n[axis] - 1 ? hs_domain_plane(domain, box, axis, k + 1) : INFINITY;
         if (domain->n[axis] == 1) continue;
 #pragma omp parallel for schedule(static) reduction(+ : n)
-        for (int i = 0; i < atoms->n_local; ++i) n += !(x[i] >= lo && x[i] < hi);
+        for (int i = 0; i < atoms->n_local; ++i) {
+            const double x = coordinate_of(atoms, box, axis, i);
+            n += !(x >= lo && x < hi);
+        }
     }
     int64_t counts[2] = {n, err->status != HS_OK};
     hs_parallel_sum_int64(parallel, counts, 2);

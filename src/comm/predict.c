@@ -15,7 +15,7 @@ static int count_partners(const hs_halo_side *side)
     return n;
 }
 
-/** How much of a brick's length along an axis is within reach of the brick `j` layers away: nothing more than all of it. */
+/** How much of a brick's length (and reach, both in the coordinate of hs_box_upright) along an axis is within reach of the brick `j` layers away: nothing more than all of it. */
 static double depth(double length, double reach, int j)
 {
     const double inside = reach - (abs(j) - 1) * length;
@@ -23,10 +23,11 @@ static double depth(double length, double reach, int j)
 }
 
 /** Volume of the atoms that come in a block. */
-static double block_volume(const hs_halo_block *block, const double length[3], double reach, int dimension)
+static double block_volume(const hs_halo_block *block, const double length[3], const hs_box *box, double reach)
 {
     double volume = 1.0;
-    for (int axis = 0; axis < dimension; ++axis) volume *= depth(length[axis], reach, block->offset[axis]);
+    for (int axis = 0; axis < box->dimension; ++axis)
+        volume *= depth(length[axis], hs_box_reach(box, axis, reach), block->offset[axis]);
     return volume;
 }
 
@@ -43,7 +44,7 @@ static hs_status describe(hs_prediction *p, const hs_domain *domain, const hs_bo
     }
     const hs_status status = hs_halo_plan_make(&plan, &halo, domain, box, reach, err);
     for (int b = 0; status == HS_OK && b < halo.in.n_blocks; ++b) {
-        const double part = block_volume(&halo.in.block[b], p->length, reach, box->dimension);
+        const double part = block_volume(&halo.in.block[b], p->length, box, reach);
         halo_volume += part;
         own_volume += b < halo.in.n_self ? part : 0.0;
     }

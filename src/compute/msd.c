@@ -55,17 +55,16 @@ HS_WIDE static void add_terms(const hs_atoms *atoms, const void *context, int be
     const msd_state *state = compute->state;
     const uint32_t *mask = atoms->mask + begin, group = compute->mask;
     const int n = end - begin;
-    double d2[HS_EXACT_ARRAY_MAX];
+    double x[HS_EXACT_ARRAY_MAX], d2[HS_EXACT_ARRAY_MAX];
     for (int axis = 0; axis < 3; ++axis) {
         const int next = (axis + 1) % 3, from = axis < 2 ? begin : end;
         HS_FETCH(atoms->x[next] + from, n);
         HS_FETCH(atoms->image[next] + from, n);
         HS_FETCH(state->origin.of[next] + from, n);
-        const double *x = atoms->x[axis] + begin, *origin = state->origin.of[axis] + begin;
-        const int32_t *image = atoms->image[axis] + begin;
-        const double length = hs_box_length(compute->env->box, axis), center = state->center[axis];
+        const double *origin = state->origin.of[axis] + begin, center = state->center[axis];
+        hs_unwrapped_run(compute->env, axis, begin, end, x);
         for (int i = 0; i < n; ++i) {
-            const double d = x[i] + image[i] * length - center - origin[i];
+            const double d = x[i] - center - origin[i];
             d2[i] = mask[i] & group ? d * d : 0.0;
         }
         hs_exact_add_array(&sums[axis], d2, n);

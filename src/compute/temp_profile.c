@@ -108,10 +108,12 @@ static size_t bin_of(const hs_compute *compute, int i)
 {
     const profile_state *state = compute->state;
     const hs_box *box = compute->env->box;
+    const hs_atoms *atoms = compute->env->atoms;
     int64_t bin = 0;
     for (int axis = 2; axis >= 0; --axis) {
         const int64_t n = state->n[axis];
-        double place = (compute->env->atoms->x[axis][i] - box->lo[axis]) / hs_box_length(box, axis);
+        const double x[3] = {atoms->x[0][i], atoms->x[1][i], atoms->x[2][i]};
+        double place = (hs_box_upright(box, x, axis) - box->lo[axis]) / hs_box_length(box, axis);
         if (box->periodic[axis]) place -= floor(place);
         const int64_t k = (int64_t)(fmin(fmax(place, 0.0), 1.0) * (double)n);
         bin = bin * n + (k < n ? k : n - 1);

@@ -48,6 +48,13 @@ double hs_box_thickness(const hs_box *box, int axis)
     return lx * ly * lz / sqrt(bxc[0] * bxc[0] + bxc[1] * bxc[1] + bxc[2] * bxc[2]);
 }
 
+double hs_box_reach(const hs_box *box, int axis, double reach)
+{
+    if (!box->is_tilted) return reach;
+    /* a hair more, against the rounding of upright coordinates */
+    return reach * (hs_box_length(box, axis) / hs_box_thickness(box, axis)) * (1.0 + 1e-10);
+}
+
 void hs_box_bounds(const hs_box *box, double lo[3], double hi[3])
 {
     const double xy = box->tilt[0], xz = box->tilt[1], yz = box->tilt[2];
@@ -57,6 +64,27 @@ void hs_box_bounds(const hs_box *box, double lo[3], double hi[3])
     hi[0] += fmax(fmax(0.0, xy), fmax(xz, xy + xz));
     lo[1] += fmin(0.0, yz);
     hi[1] += fmax(0.0, yz);
+}
+
+hs_status hs_box_check_tilt(const hs_box *box, const char *command, hs_error *err)
+{
+    static const char *const names[3] = {"xy", "xz", "yz"};
+    static const int second[3] = {1, 2, 2};
+    for (int k = 0; k < 3; ++k) {
+        if (box->tilt[k] == 0.0) continue;
+        if (!(fabs(box->tilt[k]) < INFINITY))
+            return hs_fail(err, HS_ERROR_INPUT, "%s: the tilt %s, %g, is no length", command, names[k], box->tilt[k]);
+        if (!box->is_tilted)
+            return hs_fail(err, HS_ERROR_INPUT, "%s: the box is orthogonal and cannot have the tilt %s", command,
+                           names[k]);
+        if (box->dimension == 2 && k > 0)
+            return hs_fail(err, HS_ERROR_INPUT, "%s: in two dimensions the tilts xz and yz must be 0, and %s is %g",
+                           command, names[k], box->tilt[k]);
+        if (!box->periodic[second[k]])
+            return hs_fail(err, HS_ERROR_INPUT, "%s: with the tilt %s, %g, the boundary of %c must be periodic",
+                           command, names[k], box->tilt[k], "xyz"[second[k]]);
+    }
+    return HS_OK;
 }
 
 double hs_box_volume(const hs_box *box)
@@ -78,20 +106,56 @@ void hs_box_settle_faces(hs_box *box)
     }
 }
 
+bool hs_box_wrap_tilted(const hs_box *box, double farthest, double x[3], int32_t image[3])
+{
+    const double before[3] = {x[0], x[1], x[2]};
+    int32_t n[3] = {0, 0, 0};
+    for (int axis = 2; axis >= 0; --axis) { /* crossing c moves x and y, too, and b moves x */
+        if (!box->periodic[axis]) continue;
+        const double place = hs_box_upright(box, x, axis), length = hs_box_length(box, axis);
+        if (place >= box->lo[axis] && place < box->hi[axis]) continue;
+        const double away = floor((place - box->lo[axis]) / length);
+        int32_t edges[3] = {0, 0, 0};
+        double shift[3];
+        if (!(fabs(away) <= farthest)) {
+            memcpy(x, before, sizeof before);
+            return false;
+        }
+        n[axis] = edges[axis] = (int32_t)away;
+        hs_box_shift(box, edges, shift);
+        for (int a = 0; a <= axis; ++a) x[a] -= shift[a];
+    }
+    for (int axis = 0; axis < 3; ++axis) image[axis] += n[axis];
+    return true;
+}
+
+static void wrap_upright(const hs_box *box, double x[3], int32_t image[3], int axis)
+{
+    const double lo = box->lo[axis], hi = box->hi[axis], length = hi - lo;
+    if (x[axis] < lo - length || x[axis] >= hi + length) {
+        const double away = floor((x[axis] - lo) / length);
+        if (!(fabs(away) < HS_BOX_FARTHEST)) return;
+        x[axis] -= away * length;
+        image[axis] += (int32_t)away;
+    }
+    if (x[axis] < lo) {
+        x[axis] += length;
+        --image[axis];
+    }
+    /* also an atom that rounding has just put from a hair below lo onto hi: there it would belong to the next image */
+    if (x[axis] >= hi) {
+        x[axis] -= length;
+        ++image[axis];
+        if (x[axis] < lo) x[axis] = lo;
+    }
+}
+
 void hs_box_wrap(const hs_box *box, double x[3], int32_t image[3])
 {
-    for (int axis = 0; axis < 3; ++axis) {
-        if (!box->periodic[axis]) continue;
-        const double lo = box->lo[axis], hi = box->hi[axis], length = hi - lo;
-        if (x[axis] < lo) {
-            x[axis] += length;
-            --image[axis];
-        }
-        /* also an atom that rounding has just put from a hair below lo onto hi: there it would belong to the next image */
-        if (x[axis] >= hi) {
-            x[axis] -= length;
-            ++image[axis];
-            if (x[axis] < lo) x[axis] = lo;
-        }
+    if (box->is_tilted) {
+        (void)hs_box_wrap_tilted(box, HS_BOX_FARTHEST, x, image);
+        return;
     }
+    for (int axis = 0; axis < 3; ++axis)
+        if (box->periodic[axis]) wrap_upright(box, x, image, axis);
 }

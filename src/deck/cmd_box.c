@@ -182,11 +182,6 @@ static hs_status check_box_region(hs_sim *sim, const hs_args *args, const hs_reg
     if (*region == NULL)
         return hs_fail(err, HS_ERROR_INPUT, "create_box: there is no region '%s'; the command 'region' makes one",
                        args->word[1]);
-    if (strcmp((*region)->style->about.name, "prism") == 0)
-        return hs_fail(err, HS_ERROR_INPUT,
-                       "create_box: the region '%s' is a prism: triclinic boxes are not "
-                       "supported; a block makes an orthogonal one",
-                       args->word[1]);
     if (!(*region)->has_extent)
         return hs_fail(err, HS_ERROR_INPUT,
                        "create_box: the region '%s' has no bounds (a plane, or side out); use a "
@@ -200,6 +195,18 @@ static hs_status check_box_region(hs_sim *sim, const hs_args *args, const hs_reg
                            "cannot be a box",
                            args->word[1], lo, hi, "xyz"[axis]);
     }
+    return HS_OK;
+}
+
+static hs_status tilt_box(hs_box *box, const hs_region *prism, hs_error *err)
+{
+    hs_box tilted = *box;
+    tilted.is_tilted = true;
+    memcpy(tilted.lo, prism->prism_lo, sizeof tilted.lo);
+    memcpy(tilted.hi, prism->prism_hi, sizeof tilted.hi);
+    memcpy(tilted.tilt, prism->prism_tilt, sizeof tilted.tilt);
+    HS_TRY(hs_box_check_tilt(&tilted, "create_box", err));
+    *box = tilted;
     return HS_OK;
 }
 
@@ -226,9 +233,16 @@ static hs_status create_box_run(hs_deck *deck, const hs_args *args, hs_error *er
         box->lo[axis] = region->extent[axis][0];
         box->hi[axis] = region->extent[axis][1];
     }
+    if (region->is_prism) HS_TRY(tilt_box(box, region, err));
     box->exists = true;
-    hs_say(deck->out, "Created orthogonal box = (%#.8g %#.8g %#.8g) to (%#.8g %#.8g %#.8g)\n", box->lo[0], box->lo[1],
-           box->lo[2], box->hi[0], box->hi[1], box->hi[2]);
+    if (box->is_tilted)
+        hs_say(deck->out,
+               "Created triclinic box = (%#.8g %#.8g %#.8g) to (%#.8g %#.8g %#.8g) with tilt (%#.8g %#.8g %#.8g)\n",
+               box->lo[0], box->lo[1], box->lo[2], box->hi[0], box->hi[1], box->hi[2], box->tilt[0], box->tilt[1],
+               box->tilt[2]);
+    else
+        hs_say(deck->out, "Created orthogonal box = (%#.8g %#.8g %#.8g) to (%#.8g %#.8g %#.8g)\n", box->lo[0],
+               box->lo[1], box->lo[2], box->hi[0], box->hi[1], box->hi[2]);
     HS_TRY(hs_domain_divide(&sim->domain, box, err));
     hs_say(deck->out, "  %d by %d by %d MPI processor grid\n", sim->domain.n[0], sim->domain.n[1], sim->domain.n[2]);
     hs_box_settle_faces(box);
@@ -297,8 +311,9 @@ const hs_command hs_commands_box[] = {
                 .summary = "Make the simulation box from a region, with N types of atoms",
                 .details =
                     "`N` is the number of atom types, from 1. The box is the extent of the region, which must have "
-                    "bounds; a `prism` is\n"
-                    "refused, since boxes are orthogonal. Shrink-wrapped faces (`boundary s`) start 0.0001 of the box "
+                    "bounds; of a `prism`\n"
+                    "it is a tilted (triclinic) box, periodic along y where xy is not 0, and along z where xz or yz is "
+                    "not 0. Shrink-wrapped faces (`boundary s`) start 0.0001 of the box "
                     "outside of the\n"
                     "region, so that atoms on it are within. In two dimensions z must be periodic. Keywords for bonds "
                     "are "

@@ -145,7 +145,7 @@ static void remap(change *c)
     memcpy(hi, box->hi, sizeof hi);
     memcpy(box->lo, c->set_lo, sizeof box->lo);
     memcpy(box->hi, c->set_hi, sizeof box->hi);
-    hs_box_change(&c->sim->env, lo, hi, c->mask);
+    hs_box_change(&c->sim->env, lo, hi, NULL, c->mask);
     remember_box(c);
 }
 

@@ -36,7 +36,7 @@ typedef struct creation {
     int subset_seed;
     const char *test;          /**< variable that must not be 0 at a site; NULL: none */
     const char *coordinate[3]; /**< internal variables that hold x, y, z for it, or NULL */
-    double lo[3], hi[3];       /**< where atoms may be: lo <= x < hi, distance */
+    double lo[3], hi[3];       /**< where atoms may be: lo <= x < hi, distance; x pushed upright in a tilted box */
     int64_t next_id;
     int64_t n_created; /**< on all ranks */
 } creation;
@@ -199,6 +199,14 @@ static void set_bounds(creation *c)
 
 static bool is_within(const creation *c, const double x[3])
 {
+    const hs_box *box = &c->sim->box;
+    if (box->is_tilted) {
+        for (int axis = 0; axis < 3; ++axis) {
+            const double place = hs_box_upright(box, x, axis);
+            if (!(place >= c->lo[axis] && place < c->hi[axis])) return false;
+        }
+        return true;
+    }
     for (int axis = 0; axis < 3; ++axis)
         if (!(x[axis] >= c->lo[axis] && x[axis] < c->hi[axis])) return false;
     return true;
@@ -234,6 +242,20 @@ static hs_status stop_if_asked(const creation *c, hs_error *err)
     return hs_fail(err, HS_INTERRUPTED, "stopped by a signal while atoms were created");
 }
 
+/** What encloses the places where atoms may be. */
+static void enclose(const creation *c, double lo[3], double hi[3])
+{
+    hs_box places = c->sim->box;
+    memcpy(places.lo, c->lo, sizeof places.lo);
+    memcpy(places.hi, c->hi, sizeof places.hi);
+    hs_box_bounds(&places, lo, hi);
+    for (int axis = 0; axis < 3 && places.is_tilted; ++axis) { /* a hair more, for the shift of the places */
+        const double hair = 1e-5 * (hi[axis] - lo[axis]);
+        lo[axis] -= hair;
+        hi[axis] += hair;
+    }
+}
+
 /** Go through the sites in LAMMPS's order: the third cell index slowest, then the second, the first, the basis.
  *  @param mark     create atoms where mark[number of the site] is not 0; NULL: everywhere
  *  @param n_sites  if not NULL: count sites, create nothing */
@@ -241,12 +263,14 @@ static hs_status visit_sites(creation *c, const unsigned char *mark, int64_t *n_
 {
     const hs_lattice *lattice = &c->sim->lattice;
     double from[3], to[3];
+    double least[3], most[3];
     int lo[3], hi[3];
     int64_t n = 0;
+    enclose(c, least, most);
     for (int axis = 0; axis < 3; ++axis) { /* no need to look where the region is not */
         const bool is_bounded = c->region != NULL && c->region->has_extent;
-        from[axis] = is_bounded ? fmax(c->lo[axis], c->region->extent[axis][0]) : c->lo[axis];
-        to[axis] = is_bounded ? fmin(c->hi[axis], c->region->extent[axis][1]) : c->hi[axis];
+        from[axis] = is_bounded ? fmax(least[axis], c->region->extent[axis][0]) : least[axis];
+        to[axis] = is_bounded ? fmin(most[axis], c->region->extent[axis][1]) : most[axis];
         if (from[axis] > to[axis]) to[axis] = from[axis];
     }
     HS_TRY(hs_lattice_range(lattice, from, to, lo, hi, err));

@@ -3,6 +3,7 @@
 
 #include "base/memory.h"
 #include "style/applied_force.h"
+#include "style/moments.h"
 
 typedef struct addforce_state {
     hs_applied_force force;
@@ -79,9 +80,7 @@ static void add_along(const hs_fix *fix, int axis, const int32_t *found, int n, 
 {
     const hs_applied_force *force = &((const addforce_state *)fix->state)->force;
     const hs_atoms *atoms = fix->env->atoms;
-    const double *of_atom = force->of_atom[axis], *x = atoms->x[axis], value = force->value[axis];
-    const double length = hs_box_length(fix->env->box, axis);
-    const int32_t *image = atoms->image[axis];
+    const double *of_atom = force->of_atom[axis], value = force->value[axis];
     double *restrict f = atoms->f[axis];
     for (int k = 0; k < n; ++k) {
         const int i = found[k];
@@ -91,7 +90,7 @@ static void add_along(const hs_fix *fix, int axis, const int32_t *found, int n, 
     if (of_atom == NULL && value == 0.0) return;
     for (int k = 0; k < n; ++k) {
         const int i = found[k];
-        energy[k] -= (of_atom != NULL ? of_atom[i] : value) * (x[i] + image[i] * length);
+        energy[k] -= (of_atom != NULL ? of_atom[i] : value) * hs_unwrapped(fix->env, axis, i);
     }
 }
 

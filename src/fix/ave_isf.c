@@ -18,7 +18,7 @@ typedef struct isf_shell {
 typedef struct isf_state {
     hs_correlation table; /**< first, as io/correlation.h wants it */
     hs_density density;
-    double length[3]; /**< of the box that the wave vectors belong to */
+    double length[3], tilt[3]; /**< of the box that the wave vectors belong to */
     int n_bins, n_vectors;
     int *shell_of;     /**< owned [n_vectors] */
     isf_shell *shell;  /**< owned [n_bins], of which table.n_pairs have vectors and come first */
@@ -70,6 +70,7 @@ static hs_status find_vectors(hs_fix *fix, const hs_args *args, hs_error *err)
     HS_TRY(hs_density_check_box(fix->env, args->command, err));
     HS_TRY(hs_density_prepare(&state->density, fix->env, args->command, err));
     for (int axis = 0; axis < 3; ++axis) state->length[axis] = hs_box_length(fix->env->box, axis);
+    memcpy(state->tilt, fix->env->box->tilt, sizeof state->tilt);
     state->n_vectors = hs_density_each(&state->density, fix->env, NULL, NULL);
     if (state->n_vectors == 0)
         return hs_fail(err, HS_ERROR_INPUT,
@@ -155,6 +156,12 @@ static void destroy(hs_fix *fix)
 static hs_status check_box(const hs_fix *fix, hs_error *err)
 {
     const isf_state *state = fix->state;
+    for (int k = 0; k < 3; ++k)
+        if (fabs(fix->env->box->tilt[k] - state->tilt[k]) > 1e-9 * state->length[0])
+            return hs_fail(err, HS_ERROR_INPUT,
+                           "fix '%s' (ave/isf): the tilt %s of the box was %g and is %g now: its wave vectors have "
+                           "changed, and modes of different ones cannot be correlated",
+                           fix->id, (const char *const[]){"xy", "xz", "yz"}[k], state->tilt[k], fix->env->box->tilt[k]);
     for (int axis = 0; axis < fix->env->box->dimension; ++axis)
         /* reproducible runs round the box at their start, by 1e-14 */
         if (fabs(hs_box_length(fix->env->box, axis) / state->length[axis] - 1.0) > 1e-9)

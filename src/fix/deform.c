@@ -238,7 +238,7 @@ static hs_status end_of_step(hs_fix *fix, hs_error *err)
                            fix->id, (long long)env->step, lo[axis], hi[axis], "xyz"[axis]);
     }
     keep_volume(state, lo, hi);
-    hs_box_change(env, lo, hi, state->moves_atoms ? fix->mask : 0);
+    hs_box_change(env, lo, hi, NULL, state->moves_atoms ? fix->mask : 0);
     return HS_OK;
 }
 

@@ -8,6 +8,7 @@
 #include "core/random.h"
 #include "style/fix.h"
 #include "style/region.h"
+#include "style/upright.h"
 
 enum { N_WARM_UP = 30, N_TRIES = 1000000 };
 
@@ -41,6 +42,7 @@ static hs_status find_region(const hs_fix *fix, hs_error *err)
 {
     deposit_state *state = fix->state;
     const hs_box *box = fix->env->box;
+    HS_TRY(hs_need_upright(fix->env, "fix deposit", err));
     const hs_region *region = state->region = fix->env->find_region(fix->env, state->region_id);
     if (region == NULL)
         return hs_fail(err, HS_ERROR_INPUT, "fix '%s' (deposit): there is no region '%s'", fix->id, state->region_id);

@@ -6,6 +6,7 @@
 #include "core/atom_style.h"
 #include "style/atom_sum.h"
 #include "style/fix.h"
+#include "style/moments.h"
 
 typedef struct gravity_state {
     double magnitude;    /**< force/mass */
@@ -92,7 +93,7 @@ static void add_energy(const hs_atoms *atoms, const void *context, int begin, in
     const double g[3] = {pull(fix, 0), pull(fix, 1), pull(fix, 2)};
     for (int i = begin; i < end; ++i)
         for (int axis = 0; axis < 3 && atoms->mask[i] & fix->mask; ++axis) {
-            const double x = atoms->x[axis][i] + atoms->image[axis][i] * hs_box_length(fix->env->box, axis);
+            const double x = hs_unwrapped(fix->env, axis, i);
             hs_exact_add(&sums[0], -hs_atom_mass(atoms, i) * g[axis] * x);
         }
 }

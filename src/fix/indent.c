@@ -7,6 +7,7 @@
 #include "core/lattice.h"
 #include "style/atom_sum.h"
 #include "style/fix.h"
+#include "style/upright.h"
 
 typedef enum { INDENT_SPHERE, INDENT_CYLINDER, INDENT_PLANE } indent_shape;
 
@@ -112,6 +113,7 @@ static hs_status check_length(const hs_fix *fix, const length *l, hs_error *err)
 static hs_status init(hs_fix *fix, hs_error *err)
 {
     const indent_state *state = fix->state;
+    if (state->shape != INDENT_PLANE) HS_TRY(hs_need_upright(fix->env, "fix indent with a sphere or a cylinder", err));
     for (int axis = 0; axis < 3; ++axis) HS_TRY(check_length(fix, &state->place[axis], err));
     return check_length(fix, &state->radius, err);
 }

@@ -5,6 +5,7 @@
 #include "core/atom_style.h"
 #include "style/atom_sum.h"
 #include "style/fix.h"
+#include "style/moments.h"
 
 typedef struct momentum_state {
     int64_t every;
@@ -45,9 +46,7 @@ static hs_status create(hs_fix *fix, const hs_args *args, hs_error *err)
 static void place_of(const hs_fix *fix, int i, double r[3])
 {
     const momentum_state *state = fix->state;
-    const hs_atoms *atoms = fix->env->atoms;
-    for (int axis = 0; axis < 3; ++axis)
-        r[axis] = atoms->x[axis][i] + atoms->image[axis][i] * hs_box_length(fix->env->box, axis) - state->center[axis];
+    for (int axis = 0; axis < 3; ++axis) r[axis] = hs_unwrapped(fix->env, axis, i) - state->center[axis];
 }
 
 /** Mass, momentum, mass times place, and m v^2. */

@@ -5,6 +5,7 @@
 #include "core/lattice.h"
 #include "style/atom_sum.h"
 #include "style/fix.h"
+#include "style/moments.h"
 
 typedef struct recenter_state {
     bool is_held[3];    /**< NULL: this direction is free */
@@ -29,10 +30,7 @@ static void center_terms(const hs_atoms *atoms, const void *context, int begin, 
         if (!(atoms->mask[i] & fix->mask)) continue;
         const double mass = hs_atom_mass(atoms, i);
         hs_exact_add(&sums[3], mass);
-        for (int axis = 0; axis < 3; ++axis) {
-            const double x = atoms->x[axis][i] + atoms->image[axis][i] * hs_box_length(fix->env->box, axis);
-            hs_exact_add(&sums[axis], mass * x);
-        }
+        for (int axis = 0; axis < 3; ++axis) hs_exact_add(&sums[axis], mass * hs_unwrapped(fix->env, axis, i));
     }
 }
 
@@ -79,7 +77,11 @@ static double target(const hs_fix *fix, int axis)
     const recenter_state *state = fix->state;
     const hs_box *box = fix->env->box;
     if (state->is_initial[axis]) return state->initial[axis];
-    if (state->units == IN_FRACTIONS) return box->lo[axis] + state->word[axis] * hs_box_length(box, axis);
+    if (state->units == IN_FRACTIONS) { /* of what encloses a tilted box */
+        double lo[3], hi[3];
+        hs_box_bounds(box, lo, hi);
+        return lo[axis] + state->word[axis] * (hi[axis] - lo[axis]);
+    }
     return state->word[axis] * (state->units == IN_LATTICE ? fix->env->lattice->spacing[axis] : 1.0);
 }
 

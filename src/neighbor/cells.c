@@ -121,6 +121,11 @@ hs_status hs_cells_set_grid(hs_cells *cells, const double brick_lo[3], const dou
     return rank_columns(cells, err);
 }
 
+void hs_cells_expect_halo_anywhere(hs_cells *cells)
+{
+    for (int a = 0; a < 3; ++a) cells->brick_hi[a] = -INFINITY;
+}
+
 /** Where the sorted atoms come from: local or halo part of the arrays. */
 typedef struct sort_input {
     const double *x[3]; /**< coordinates along the grid axes, of atom 0 of this part */

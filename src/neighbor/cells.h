@@ -34,6 +34,8 @@ typedef struct hs_cells {
  *  third of that high. Cells are made larger where there would be many more of them than atoms. cells->curve must be set. */
 HS_MUST_USE hs_status hs_cells_set_grid(hs_cells *cells, const double brick_lo[3], const double brick_hi[3],
                                         int dimension, double reach, double width, int64_t n_atoms, hs_error *err);
+/** Halo atoms do not keep beyond the upper faces of what the grid was laid over. */
+void hs_cells_expect_halo_anywhere(hs_cells *cells);
 /** Counting sort of the local atoms by cell; within a cell by place along the run axis, then by id. Computes
  *  cells->order and start_local; the caller permutes the arrays. Threaded; independent of the number of threads. */
 HS_MUST_USE hs_status hs_cells_sort_local(hs_cells *cells, const hs_atoms *atoms, hs_error *err);

@@ -110,10 +110,38 @@ static hs_status report_bad_position(const hs_atoms *atoms, int64_t step, hs_err
                    atoms->v[0][i], atoms->v[1][i], atoms->v[2][i]);
 }
 
+/** How far two corners of a tilted box have moved since lists were made: the sum of the largest displacements of two of them. */
+static double corners_moved(const hs_neighbor *neighbor, const hs_box *box)
+{
+    hs_box listed = *box;
+    double largest = 0.0, second = 0.0;
+    memcpy(listed.lo, neighbor->lo_listed, sizeof listed.lo);
+    memcpy(listed.hi, neighbor->hi_listed, sizeof listed.hi);
+    memcpy(listed.tilt, neighbor->tilt_listed, sizeof listed.tilt);
+    for (int corner = 0; corner < 8; ++corner) {
+        const int32_t at[3] = {corner & 1, corner >> 1 & 1, corner >> 2};
+        double now[3], then[3], d2 = 0.0;
+        hs_box_shift(box, at, now);
+        hs_box_shift(&listed, at, then);
+        for (int axis = 0; axis < 3; ++axis) {
+            const double d = box->lo[axis] + now[axis] - (listed.lo[axis] + then[axis]);
+            d2 += d * d;
+        }
+        if (d2 > largest) {
+            second = largest;
+            largest = d2;
+        } else {
+            second = fmax(second, d2);
+        }
+    }
+    return sqrt(largest) + sqrt(second);
+}
+
 /** How far atoms may move before two of them can have come nearer by the skin: half of it, less when the box has changed, for
  *  periodic images move with its corners. */
 static double room_to_move(const hs_neighbor *neighbor, const hs_box *box)
 {
+    if (box->is_tilted) return fmax(0.0, 0.5 * (neighbor->settings.skin - corners_moved(neighbor, box)));
     double lo2 = 0.0, hi2 = 0.0;
     for (int axis = 0; axis < 3; ++axis) {
         const double dlo = box->lo[axis] - neighbor->lo_listed[axis], dhi = box->hi[axis] - neighbor->hi_listed[axis];

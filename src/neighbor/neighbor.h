@@ -68,8 +68,8 @@ typedef struct hs_neighbor {
     hs_neighbor_counters counters;
     int64_t ago;         /**< steps since the last scheduled build */
     double *x_listed[3]; /**< atom field: positions at the last scheduled build, in the images of x; with halo */
-    double lo_listed[3], hi_listed[3]; /**< the box at the last scheduled build */
-    bool was_flat;                     /**< all z of this rank were 0 at the last scheduled build */
+    double lo_listed[3], hi_listed[3], tilt_listed[3]; /**< the box at the last scheduled build */
+    bool was_flat;                                     /**< all z of this rank were 0 at the last scheduled build */
     bool is_flat; /**< in two dimensions: they were, and are, on all ranks, so that z may be left alone */
     bool is_late; /**< an atom is more than half the skin from x_listed: pairs may be missing from the list */
     hs_cells cells;

@@ -58,6 +58,12 @@ static hs_status create(hs_region *region, const hs_args *args, hs_error *err)
     HS_TRY(hs_region_length(region, args, 8, 1, &p->yz, err));
     HS_TRY(check_tilt(p, args, err));
     set_geometry(region, p);
+    region->is_prism = true;
+    for (int axis = 0; axis < 3; ++axis) {
+        region->prism_lo[axis] = p->lo[axis];
+        region->prism_hi[axis] = p->hi[axis];
+        region->prism_tilt[axis] = (const double[3]){p->xy, p->xz, p->yz}[axis];
+    }
     return HS_OK;
 }
 
@@ -85,8 +91,7 @@ const hs_region_style hs_region_style_prism = {
                 "axis, `xy`\n"
                 "and `xz` in that of x, `yz` in that of y; all in distance units after `units box`. An axis that takes "
                 "part in a\n"
-                "tilt cannot be bounded by `INF`. A prism selects atoms; a box made of one (triclinic) is not "
-                "supported.\n",
+                "tilt cannot be bounded by `INF`. `create_box` makes a tilted (triclinic) box of a prism.\n",
             .example = "region slab prism 0 10 0 10 0 10 2 0 0",
         },
     .state_size = sizeof(prism),

@@ -37,13 +37,32 @@ static inline bool wrap_axis(const hs_box *box, hs_atoms *atoms, double *listed,
     return true;
 }
 
+/** The same along all axes of a tilted box. */
+static bool wrap_tilted(const hs_box *box, hs_atoms *atoms, double *const listed[3], int i, double farthest)
+{
+    double x[3] = {atoms->x[0][i], atoms->x[1][i], atoms->x[2][i]};
+    int32_t image[3] = {atoms->image[0][i], atoms->image[1][i], atoms->image[2][i]};
+    if (!hs_box_wrap_tilted(box, farthest, x, image)) return false;
+    for (int axis = 0; axis < 3; ++axis) {
+        listed[axis][i] += x[axis] - atoms->x[axis][i];
+        atoms->x[axis][i] = x[axis];
+        atoms->image[axis][i] = image[axis];
+    }
+    return true;
+}
+
 static void wrap_share(hs_sim *sim, bool *is_wrapped)
 {
     hs_atoms *atoms = &sim->atoms;
     const double farthest = sim->is_initialized ? farthest_moved : farthest_placed;
     bool is_share_wrapped = true;
+    if (sim->box.is_tilted) {
+#pragma omp for schedule(static) nowait
+        for (int i = 0; i < atoms->n_local; ++i)
+            is_share_wrapped = wrap_tilted(&sim->box, atoms, sim->neighbor.x_listed, i, farthest) && is_share_wrapped;
+    }
     for (int axis = 0; axis < 3; ++axis) {
-        if (!sim->box.periodic[axis]) continue;
+        if (!sim->box.periodic[axis] || sim->box.is_tilted) continue;
         double *listed = sim->neighbor.x_listed[axis];
 #pragma omp for schedule(static) nowait
         for (int i = 0; i < atoms->n_local; ++i)
@@ -62,6 +81,14 @@ static bool wrap(hs_sim *sim)
     return is_wrapped;
 }
 
+/** Coordinate of an atom that is between lo and hi of the box while the atom is within the faces of the axis. */
+static inline double coordinate_of(const hs_sim *sim, int axis, int i)
+{
+    const hs_atoms *atoms = &sim->atoms;
+    if (!sim->box.is_tilted) return atoms->x[axis][i];
+    return hs_box_upright(&sim->box, (const double[3]){atoms->x[0][i], atoms->x[1][i], atoms->x[2][i]}, axis);
+}
+
 void hs_sim_shrink_box(hs_sim *sim)
 {
     hs_box *box = &sim->box;
@@ -69,7 +96,7 @@ void hs_sim_shrink_box(hs_sim *sim)
         if (box->periodic[axis]) continue;
         double extent[2] = {-DBL_MAX, -DBL_MAX}; /* -min, max */
         for (int i = 0; i < sim->atoms.n_local; ++i) {
-            const double x = sim->atoms.x[axis][i];
+            const double x = coordinate_of(sim, axis, i);
             if (-x > extent[0]) extent[0] = -x;
             if (x > extent[1]) extent[1] = x;
         }
@@ -96,9 +123,11 @@ static inline bool is_outside(const hs_sim *sim, int i)
     const hs_box *box = &sim->box;
     const double cutoff = sim->pair->cutoff_max, farthest = cutoff > 0.0 ? farthest_wrapped * cutoff : DBL_MAX;
     for (int axis = 0; axis < 3; ++axis) {
-        const double x = sim->atoms.x[axis][i];
-        if (!(x >= (is_shrink_wrapped(box->boundary[axis][0]) ? -farthest : box->lo[axis]))) return true;
-        if (!(x <= (is_shrink_wrapped(box->boundary[axis][1]) ? farthest : box->hi[axis]))) return true;
+        /* rounding may leave wrapped atoms of tilted boxes a hair outside */
+        const double hair = box->is_tilted && box->periodic[axis] ? 1e-9 * hs_box_length(box, axis) : 0.0;
+        const double x = coordinate_of(sim, axis, i);
+        if (!(x >= (is_shrink_wrapped(box->boundary[axis][0]) ? -farthest : box->lo[axis] - hair))) return true;
+        if (!(x <= (is_shrink_wrapped(box->boundary[axis][1]) ? farthest : box->hi[axis] + hair))) return true;
     }
     return false;
 }
@@ -156,8 +185,10 @@ hs_status hs_sim_make_halo(hs_sim *sim, double reach, hs_error *err)
 static double column_width(const hs_sim *sim, const hs_occupied *occupied, double reach)
 {
     const double fraction = sim->neighbor.settings.cell;
+    double volume = occupied->volume;
     if (fraction > 0.0) return fraction * sim->pair->cutoff_max;
-    return hs_clusters_width(sim->box.dimension, (double)sim->atoms.n_local / occupied->volume, reach);
+    if (sim->box.is_tilted) volume = fmin(volume, hs_domain_volume(&sim->domain, &sim->box));
+    return hs_clusters_width(sim->box.dimension, (double)sim->atoms.n_local / volume, reach);
 }
 
 /** Sort the local atoms into cells laid over the part of this rank's brick where they are. */
@@ -172,6 +203,8 @@ static hs_status sort_local(hs_sim *sim, double reach, hs_error *err)
     neighbor->cells.curve = neighbor->settings.order;
     HS_TRY(hs_cells_set_grid(&neighbor->cells, occupied.lo, occupied.hi, sim->box.dimension, reach,
                              column_width(sim, &occupied, reach), atoms->n_local, err));
+    /* what encloses a tilted brick has halo atoms in it: they may be anywhere */
+    if (sim->box.is_tilted) hs_cells_expect_halo_anywhere(&neighbor->cells);
     HS_TRY(hs_cells_sort_local(&neighbor->cells, atoms, err));
     return hs_atoms_permute(atoms, neighbor->cells.order, err);
 }
@@ -226,6 +259,7 @@ void hs_sim_forward_listed(hs_sim *sim)
     hs_box listed = sim->box;
     memcpy(listed.lo, sim->neighbor.lo_listed, sizeof listed.lo);
     memcpy(listed.hi, sim->neighbor.hi_listed, sizeof listed.hi);
+    memcpy(listed.tilt, sim->neighbor.tilt_listed, sizeof listed.tilt);
     hs_halo_fit_box(&sim->halo, &listed);
     hs_halo_forward_positions(&sim->halo, &sim->atoms, sim->neighbor.x_listed);
     hs_halo_fit_box(&sim->halo, &sim->box);
@@ -244,6 +278,7 @@ static hs_status before_exchange(hs_sim *sim, hs_error *err)
 hs_status hs_sim_exchange(hs_sim *sim, hs_error *err)
 {
     hs_timer_mark(&sim->timer);
+    if (sim->is_initialized) HS_TRY(before_exchange(sim, err));
     const bool is_wrapped = wrap(sim);
     const bool is_periodic = sim->box.periodic[0] && sim->box.periodic[1] && sim->box.periodic[2];
     (void)find_lost(sim, is_wrapped, err);
@@ -252,12 +287,12 @@ hs_status hs_sim_exchange(hs_sim *sim, hs_error *err)
         hs_sim_shrink_box(sim);
     }
     hs_sim_settle_positions(sim);
-    if (sim->is_initialized) HS_TRY(before_exchange(sim, err));
     HS_TRY(hs_migrate(&sim->atoms, &sim->domain, &sim->parallel, &sim->box, err));
     hs_neighbor_list_now(&sim->neighbor, &sim->atoms);
     sim->listed_step = sim->env.step;
     memcpy(sim->neighbor.lo_listed, sim->box.lo, sizeof sim->box.lo);
     memcpy(sim->neighbor.hi_listed, sim->box.hi, sizeof sim->box.hi);
+    memcpy(sim->neighbor.tilt_listed, sim->box.tilt, sizeof sim->box.tilt);
     hs_timer_add_comm(&sim->timer, HS_COMM_EXCHANGE);
     if (sim->pair->cutoff_max <= 0.0) return HS_OK;
 

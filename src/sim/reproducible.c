@@ -15,11 +15,28 @@ enum { POSITION_BITS = 51 };
 
 static double rounded(double x, double magic) { return (x + magic) - magic; }
 
+/** The same for a tilted box: places that are a box, or the reach of a halo, away from it along its edges. */
+static int tilted_exponent(const hs_box *box, double reach)
+{
+    double farthest = 0.0;
+    for (int corner = 0; corner < 8; ++corner) {
+        double fraction[3], x[3];
+        for (int axis = 0; axis < 3; ++axis) {
+            const double beyond = fmax(1.0, reach / hs_box_thickness(box, axis));
+            fraction[axis] = corner >> axis & 1 ? 1.0 + beyond : -beyond;
+        }
+        hs_box_place(box, fraction, x);
+        for (int axis = 0; axis < 3; ++axis) farthest = fmax(farthest, fabs(x[axis]));
+    }
+    return hs_fixed_exponent(farthest, POSITION_BITS);
+}
+
 /** Exponent of the position grid: the finest on which every place that an atom or a halo atom can have is exact. */
 static int position_exponent(const hs_sim *sim)
 {
     const double reach = sim->pair->cutoff_max + sim->neighbor.settings.skin;
     double farthest = 0.0;
+    if (sim->box.is_tilted) return tilted_exponent(&sim->box, reach);
     for (int axis = 0; axis < 3; ++axis) {
         const double edge = fmax(fabs(sim->box.lo[axis]), fabs(sim->box.hi[axis]));
         farthest = fmax(farthest, edge + fmax(hs_box_length(&sim->box, axis), reach));
@@ -34,6 +51,7 @@ static void round_box(hs_box *box, double magic)
         box->lo[axis] = rounded(box->lo[axis], magic);
         box->hi[axis] = rounded(box->hi[axis], magic);
     }
+    for (int k = 0; k < 3; ++k) box->tilt[k] = rounded(box->tilt[k], magic);
 }
 
 void hs_sim_round_positions(hs_sim *sim)

@@ -8,6 +8,13 @@
 #include "sim/thermo.h"
 #include "style/pair_coeffs.h"
 
+/** Tilts, which only tilted boxes keep. */
+static hs_status keep_tilt(bool is_tilted, const char *name, double tilt[3], hs_state *state, hs_error *err)
+{
+    if (state->is_reading && !is_tilted) memset(tilt, 0, 3 * sizeof *tilt);
+    return is_tilted ? hs_state_double(state, name, tilt, 3, err) : HS_OK;
+}
+
 hs_status hs_sim_keep_box(hs_sim *sim, hs_state *state, hs_error *err)
 {
     hs_box *box = &sim->box;
@@ -19,6 +26,8 @@ hs_status hs_sim_keep_box(hs_sim *sim, hs_state *state, hs_error *err)
     HS_TRY(hs_state_double(state, "hi", box->hi, 3, err));
     HS_TRY(hs_state_double(state, "shrink margin", box->shrink_margin, 3, err));
     HS_TRY(hs_state_double(state, "shrink limit", &box->shrink_limit[0][0], 6, err));
+    if (state->is_reading) box->is_tilted = hs_state_find(state, "tilt") != NULL;
+    HS_TRY(keep_tilt(box->is_tilted, "tilt", box->tilt, state, err));
     for (int k = 0; k < 6; ++k) boundary[k] = box->boundary[k / 2][k % 2];
     HS_TRY(hs_state_int64(state, "boundary", boundary, 6, err));
     for (int k = 0; k < 6; ++k) {
@@ -34,13 +43,14 @@ hs_status hs_sim_keep_box(hs_sim *sim, hs_state *state, hs_error *err)
     return HS_OK;
 }
 
-static hs_status keep_neighbor(hs_neighbor *neighbor, hs_state *state, hs_error *err)
+static hs_status keep_neighbor(hs_neighbor *neighbor, const hs_box *box, hs_state *state, hs_error *err)
 {
     hs_neighbor_counters *counters = &neighbor->counters;
     HS_TRY(hs_state_int64(state, "steps since lists", &neighbor->ago, 1, err));
     HS_TRY(hs_state_bool(state, "lists are late", &neighbor->is_late, err));
     HS_TRY(hs_state_double(state, "listed lo", neighbor->lo_listed, 3, err));
     HS_TRY(hs_state_double(state, "listed hi", neighbor->hi_listed, 3, err));
+    HS_TRY(keep_tilt(box->is_tilted, "listed tilt", neighbor->tilt_listed, state, err));
     HS_TRY(hs_state_int64(state, "list builds", &counters->n_builds, 1, err));
     HS_TRY(hs_state_int64(state, "dangerous builds", &counters->n_dangerous, 1, err));
     HS_TRY(hs_state_int64(state, "late steps", &counters->n_late_steps, 1, err));
@@ -98,7 +108,7 @@ hs_status hs_sim_keep_run(hs_sim *sim, hs_state *state, hs_error *err)
     HS_TRY(hs_state_double(state, "mass", sim->atoms.mass, sim->atoms.n_types + 1, err));
     HS_TRY(hs_state_int(state, "restart turn", &sim->saving->restart_turn, err));
     HS_TRY(keep_adapted(sim->pair, state, err));
-    return keep_neighbor(&sim->neighbor, state, err);
+    return keep_neighbor(&sim->neighbor, &sim->box, state, err);
 }
 
 /** Arrays that travel with the atoms for a while: what the exchange would lose. */
@@ -139,6 +149,7 @@ static hs_status list_again(hs_sim *sim, hs_error *err)
     for (int axis = 0; axis < 3; ++axis) memcpy(sim->atoms.x[axis], neighbor->x_listed[axis], n_bytes);
     memcpy(sim->box.lo, neighbor->lo_listed, sizeof sim->box.lo);
     memcpy(sim->box.hi, neighbor->hi_listed, sizeof sim->box.hi);
+    memcpy(sim->box.tilt, neighbor->tilt_listed, sizeof sim->box.tilt);
     HS_TRY(hs_sim_exchange(sim, err));
     sim->box = box;
     neighbor->ago = before.ago;

@@ -89,6 +89,9 @@ static void swap_with_listed(hs_sim *sim)
         sim->box.hi[axis] = neighbor->hi_listed[axis];
         neighbor->lo_listed[axis] = lo;
         neighbor->hi_listed[axis] = hi;
+        const double tilt = sim->box.tilt[axis];
+        sim->box.tilt[axis] = neighbor->tilt_listed[axis];
+        neighbor->tilt_listed[axis] = tilt;
     }
     const int64_t step = sim->env.step;
     sim->env.step = sim->listed_step;

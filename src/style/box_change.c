@@ -2,6 +2,8 @@
 
 #include <math.h>
 
+static inline double rounded(double length, double magic) { return (length + magic) - magic; }
+
 /** New bounds of one axis. */
 typedef struct stretch {
     double lo, length;    /**< before */
@@ -20,13 +22,13 @@ static double stretched(const stretch *s, double x, double magic)
     return hs_moved(within, s->shift + s->strain * (within - s->lo), magic) + images * s->new_length;
 }
 
-void hs_box_change(hs_env *env, const double lo[3], const double hi[3], uint32_t mask)
+static void change_bounds(hs_env *env, const double lo[3], const double hi[3], uint32_t mask)
 {
     hs_box *box = env->box;
     hs_atoms *atoms = env->atoms;
     const double magic = env->position_magic;
     for (int axis = 0; axis < 3; ++axis) {
-        const double new_lo = (lo[axis] + magic) - magic, new_hi = (hi[axis] + magic) - magic;
+        const double new_lo = rounded(lo[axis], magic), new_hi = rounded(hi[axis], magic);
         if (new_lo == box->lo[axis] && new_hi == box->hi[axis]) continue;
         stretch s = {.lo = box->lo[axis], .length = hs_box_length(box, axis), .is_periodic = box->periodic[axis]};
         s.new_length = new_hi - new_lo;
@@ -38,6 +40,88 @@ void hs_box_change(hs_env *env, const double lo[3], const double hi[3], uint32_t
             if (atoms->mask[i] & mask) x[i] = stretched(&s, x[i], magic);
         box->lo[axis] = new_lo;
         box->hi[axis] = new_hi;
+    }
+}
+
+/** Move a place along from one tilted box to another, as its image in the box does. */
+static void follow(const hs_box *from, const hs_box *to, double magic, double x[3])
+{
+    double fraction[3], shift[3];
+    int32_t n[3] = {0, 0, 0};
+    (void)hs_box_wrap_tilted(from, HS_BOX_FARTHEST, x, n);
+    hs_box_shift(to, n, shift);
+    hs_box_fractions(from, x, fraction);
+    for (int axis = 0; axis < 3; ++axis) {
+        /* of the lower corner, and of the edges, as far as they lead to the place */
+        double moved =
+            to->lo[axis] - from->lo[axis] + fraction[axis] * (hs_box_length(to, axis) - hs_box_length(from, axis));
+        if (axis == 0)
+            moved += fraction[1] * (to->tilt[0] - from->tilt[0]) + fraction[2] * (to->tilt[1] - from->tilt[1]);
+        if (axis == 1) moved += fraction[2] * (to->tilt[2] - from->tilt[2]);
+        x[axis] = hs_moved(x[axis], moved, magic) + shift[axis];
+    }
+}
+
+static void change_tilted(hs_env *env, const double lo[3], const double hi[3], const double tilt[3], uint32_t mask)
+{
+    hs_atoms *atoms = env->atoms;
+    const hs_box from = *env->box;
+    hs_box to = from;
+    for (int axis = 0; axis < 3; ++axis) {
+        to.lo[axis] = rounded(lo[axis], env->position_magic);
+        to.hi[axis] = rounded(hi[axis], env->position_magic);
+        if (tilt != NULL) to.tilt[axis] = rounded(tilt[axis], env->position_magic);
+    }
+#pragma omp parallel for schedule(static)
+    for (int i = 0; i < atoms->n_local; ++i) {
+        double x[3] = {atoms->x[0][i], atoms->x[1][i], atoms->x[2][i]};
+        if (!(atoms->mask[i] & mask)) continue;
+        follow(&from, &to, env->position_magic, x);
+        for (int axis = 0; axis < 3; ++axis) atoms->x[axis][i] = x[axis];
+    }
+    *env->box = to;
+}
+
+void hs_box_change(hs_env *env, const double lo[3], const double hi[3], const double tilt[3], uint32_t mask)
+{
+    if (env->box->is_tilted)
+        change_tilted(env, lo, hi, tilt, mask);
+    else
+        change_bounds(env, lo, hi, mask);
+    hs_env_changed(env);
+}
+
+void hs_box_flip(hs_env *env, const int32_t n[3])
+{
+    hs_box *box = env->box;
+    hs_atoms *atoms = env->atoms;
+    box->tilt[1] += n[1] * hs_box_length(box, 0) + n[2] * box->tilt[0];
+    box->tilt[0] += n[0] * hs_box_length(box, 0);
+    box->tilt[2] += n[2] * hs_box_length(box, 1);
+    /* i a + j b + k c is the same vector: the new b and c hold n[0] a, and n[1] a + n[2] b with the old b */
+#pragma omp parallel for schedule(static)
+    for (int i = 0; i < atoms->n_local; ++i) {
+        const int32_t k = atoms->image[2][i], j = atoms->image[1][i] - n[2] * k;
+        atoms->image[0][i] -= n[1] * k + n[0] * j;
+        atoms->image[1][i] = j;
+    }
+    hs_env_changed(env);
+}
+
+void hs_box_wrap_flowing(hs_env *env, const double rate[3][3], uint32_t mask)
+{
+    hs_atoms *atoms = env->atoms;
+#pragma omp parallel for schedule(static)
+    for (int i = 0; i < atoms->n_local; ++i) {
+        double x[3] = {atoms->x[0][i], atoms->x[1][i], atoms->x[2][i]};
+        int32_t n[3] = {0, 0, 0};
+        hs_box_wrap(env->box, x, n);
+        for (int axis = 0; axis < 3; ++axis) {
+            atoms->x[axis][i] = x[axis];
+            atoms->image[axis][i] += n[axis];
+            for (int edge = axis; edge < 3 && (atoms->mask[i] & mask); ++edge)
+                atoms->v[axis][i] -= n[edge] * rate[edge][axis];
+        }
     }
     hs_env_changed(env);
 }

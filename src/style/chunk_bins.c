@@ -137,6 +137,8 @@ hs_status hs_chunk_bins_lay(hs_chunk_bins *bins, const hs_env *env, const char *
 {
     const hs_box *box = env->box;
     const bool is_reduced = bins->units == HS_BINS_REDUCED;
+    if (box->is_tilted && (!is_reduced || bins->shells.n > 0))
+        return hs_fail(err, HS_ERROR_INPUT, "%s: in a tilted box bins must be slabs in units reduced", command);
     *n = 1;
     *volume = 1.0;
     for (int axis = 0; axis < box->dimension; ++axis) *volume *= hs_box_length(box, axis);
@@ -208,7 +210,8 @@ int64_t hs_chunk_bins_find(const hs_chunk_bins *bins, const hs_env *env, int i)
     for (int k = 0; k < bins->n_axes; ++k) {
         const hs_bins_axis *b = &bins->axis[k];
         const double length = hs_box_length(box, b->axis);
-        double x = wrapped(box, b->axis, env->atoms->x[b->axis][i]);
+        const double site[3] = {env->atoms->x[0][i], env->atoms->x[1][i], env->atoms->x[2][i]};
+        double x = wrapped(box, b->axis, hs_box_upright(box, site, b->axis));
         if (bins->units == HS_BINS_REDUCED) x = (x - box->lo[b->axis]) / length;
         const double at = whole((x - b->offset) * (1.0 / b->delta));
         const bool is_below = at < 0.0, is_above = at >= (double)b->n;

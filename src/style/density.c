@@ -16,11 +16,19 @@ hs_status hs_density_check_box(const hs_env *env, const char *command, hs_error 
     return HS_OK;
 }
 
+static double edge_length(const hs_box *box, int axis)
+{
+    double edge[3];
+    if (!box->is_tilted) return hs_box_length(box, axis);
+    hs_box_shift(box, (const int32_t[3]){axis == 0, axis == 1, axis == 2}, edge);
+    return sqrt(edge[0] * edge[0] + edge[1] * edge[1] + edge[2] * edge[2]);
+}
+
 hs_status hs_density_prepare(hs_density *density, const hs_env *env, const char *command, hs_error *err)
 {
     int n_max[3] = {0};
     for (int axis = 0; axis < env->box->dimension; ++axis) {
-        const double n = floor(density->q_max * hs_box_length(env->box, axis) / (2.0 * M_PI) * (1.0 + 1e-12));
+        const double n = floor(density->q_max * edge_length(env->box, axis) / (2.0 * M_PI) * (1.0 + 1e-12));
         if (!(n < 1e6))
             return hs_fail(err, HS_ERROR_INPUT, "%s: %g wave vectors along %c up to q = %g are too many", command, n,
                            "xyz"[axis], density -> q_max);
@@ -41,7 +49,11 @@ static bool wave_vector(const hs_density *density, const hs_env *env, const int 
     if (first <= 0) return false; /* -q has the conjugate; q = 0 counts atoms */
     double q2 = 0.0;
     for (int axis = 0; axis < 3; ++axis) {
-        q[axis] = n[axis] == 0 ? 0.0 : 2.0 * M_PI * n[axis] / hs_box_length(env->box, axis);
+        /* the products with the edges before, whose components along this axis are 0, are right already */
+        double phase = 2.0 * M_PI * n[axis];
+        for (int before = 0; before < axis && env->box->is_tilted; ++before)
+            phase -= q[before] * env->box->tilt[before + axis - 1];
+        q[axis] = phase == 0.0 ? 0.0 : phase / hs_box_length(env->box, axis);
         q2 += q[axis] * q[axis];
     }
     *length = sqrt(q2);
@@ -63,6 +75,20 @@ int hs_density_each(const hs_density *density, const hs_env *env, hs_density_vis
     return count;
 }
 
+/** Places in a tilted box as fractions of its edges. What rounding leaves outside is on a face. */
+static void make_fractions_tilted(const hs_env *env, double *const x[3])
+{
+    const hs_atoms *atoms = env->atoms;
+    for (int i = 0; i < atoms->n_local; ++i) {
+        double place[3] = {atoms->x[0][i], atoms->x[1][i], atoms->x[2][i]}, fraction[3];
+        int32_t image[3] = {0, 0, 0};
+        hs_box_wrap(env->box, place, image);
+        hs_box_fractions(env->box, place, fraction);
+        for (int axis = 0; axis < 3; ++axis)
+            x[axis][i] = fraction[axis] >= 0.0 && fraction[axis] < 1.0 ? fraction[axis] : 0.0;
+    }
+}
+
 /** Places in box lengths. Images are taken off before the division, so that all of them give the same bits. */
 static hs_status make_fractions(const hs_env *env, double *x[3], hs_error *err)
 {
@@ -75,6 +101,7 @@ static hs_status make_fractions(const hs_env *env, double *x[3], hs_error *err)
             x[axis][i] = (d - length * floor(d / length)) / length;
         }
     }
+    if (env->box->is_tilted) make_fractions_tilted(env, x);
     return HS_OK;
 }
 

@@ -6,7 +6,8 @@
 #include "core/fourier.h"
 #include "style/env.h"
 
-/** Wave vectors q = 2 pi (n_x/L_x, n_y/L_y, n_z/L_z) with 0 < |q| <= q_max, of q and -q one. Zero it, set q_max, and free it
+/** Wave vectors with 0 < |q| <= q_max, of q and -q one: those whose products with the edges of the box are 2 pi n_x, 2 pi n_y and
+ *  2 pi n_z, so q = 2 pi (n_x/L_x, n_y/L_y, n_z/L_z) in an orthogonal box. Zero it, set q_max, and free it
  *  with hs_density_fini. */
 typedef struct hs_density {
     double q_max;    /**< 1/distance */

@@ -3,6 +3,7 @@
 #include "base/memory.h"
 #include "style/atom_sum.h"
 #include "style/compute.h"
+#include "style/moments.h"
 
 hs_status hs_fix_own_compute(hs_fix *fix, int k, const char *style, const char *suffix, int group, const hs_args *args,
                              hs_error *err)
@@ -36,9 +37,7 @@ hs_status hs_fix_need_sample(const hs_fix *fix, int64_t next, hs_error *err)
 
 void hs_fix_unwrapped(const hs_fix *fix, int i, double r[3])
 {
-    const hs_atoms *atoms = fix->env->atoms;
-    for (int axis = 0; axis < 3; ++axis)
-        r[axis] = atoms->x[axis][i] + atoms->image[axis][i] * hs_box_length(fix->env->box, axis);
+    for (int axis = 0; axis < 3; ++axis) r[axis] = hs_unwrapped(fix->env, axis, i);
 }
 
 void hs_fix_add_virial(const double r[3], const double f[3], double w[6])

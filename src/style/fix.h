@@ -27,8 +27,8 @@ typedef struct hs_fix_style {
     HS_MUST_USE hs_status (*pre_force)(struct hs_fix *fix, bool is_setup, hs_error *err);
     /** First step, from the present one on, at which this fix wants lists made anew whatever the schedule; NULL: never. */
     int64_t (*next_exchange)(const struct hs_fix *fix);
-    /** Before atoms go to the ranks that own their places, whenever lists are due: add or remove atoms, or move the ranks'
-     *  borders. Coordinates are wrapped. */
+    /** Before atoms are brought back into the box and go to the ranks that own their places, whenever lists are due: add or remove
+     *  atoms, move the ranks' borders, tilt the box otherwise. */
     HS_MUST_USE hs_status (*pre_exchange)(struct hs_fix *fix, hs_error *err);
     /** Add to, or constrain, forces; called after the set-up's forces too, following setup. */
     HS_MUST_USE hs_status (*post_force)(struct hs_fix *fix, hs_error *err);

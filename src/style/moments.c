@@ -19,9 +19,8 @@ HS_WIDE static void add_moments(const hs_atoms *atoms, const void *context, int 
     hs_exact_add_array(&sums[0], mass, n);
     for (int axis = 0; axis < 3; ++axis) {
         if (c->with_x) {
-            const double *x = atoms->x[axis] + begin, length = hs_box_length(c->env->box, axis);
-            const int32_t *image = atoms->image[axis] + begin;
-            for (int i = 0; i < n; ++i) term[i] = mass[i] * (x[i] + image[i] * length);
+            hs_unwrapped_run(c->env, axis, begin, end, term);
+            for (int i = 0; i < n; ++i) term[i] *= mass[i];
             hs_exact_add_array(&sums[1 + axis], term, n);
         }
         if (c->with_v) {

@@ -7,7 +7,24 @@
 /** Unwrapped place of a local atom, distance. */
 static inline double hs_unwrapped(const hs_env *env, int axis, int i)
 {
-    return env->atoms->x[axis][i] + env->atoms->image[axis][i] * hs_box_length(env->box, axis);
+    const hs_atoms *atoms = env->atoms;
+    const double x[3] = {atoms->x[0][i], atoms->x[1][i], atoms->x[2][i]};
+    const int32_t n[3] = {atoms->image[0][i], atoms->image[1][i], atoms->image[2][i]};
+    return hs_box_unwrapped(env->box, x, n, axis);
+}
+
+/** The same for the atoms [begin, end). */
+static inline void hs_unwrapped_run(const hs_env *env, int axis, int begin, int end, double *unwrapped)
+{
+    const hs_box *box = env->box;
+    const double *x = env->atoms->x[axis] + begin, length = hs_box_length(box, axis);
+    const int32_t *image = env->atoms->image[axis] + begin;
+    for (int k = 0; k < end - begin; ++k) unwrapped[k] = x[k] + image[k] * length;
+    for (int edge = axis + 1; edge < 3 && box->is_tilted; ++edge) {
+        const double tilt = box->tilt[axis + edge - 1];
+        const int32_t *crossed = env->atoms->image[edge] + begin;
+        for (int k = 0; k < end - begin; ++k) unwrapped[k] += crossed[k] * tilt;
+    }
 }
 
 /** Total mass of the atoms with a bit of @p mask; center of mass from unwrapped places, or its velocity; 0 without atoms.

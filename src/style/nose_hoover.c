@@ -340,7 +340,8 @@ static void strain_box(const hs_fix *fix)
 {
     hs_nose_hoover *nh = fix->state;
     hs_env *env = fix->env;
-    double lo[3], hi[3];
+    double lo[3], hi[3], tilt[3];
+    memcpy(tilt, env->box->tilt, sizeof tilt);
     for (int axis = 0; axis < 3; ++axis) {
         lo[axis] = env->box->lo[axis];
         hi[axis] = env->box->hi[axis];
@@ -350,8 +351,11 @@ static void strain_box(const hs_fix *fix)
                      growth = exp(0.5 * nh->dt * nh->strain_rate[axis]);
         lo[axis] = (lo[axis] - point) * growth + point;
         hi[axis] = (hi[axis] - point) * growth + point;
+        /* tilts keep their ratio to the length that they tilt */
+        if (axis == 1) tilt[0] *= growth;
+        if (axis == 2) tilt[1] *= growth, tilt[2] *= growth;
     }
-    hs_box_change(env, lo, hi, nh->dilate);
+    hs_box_change(env, lo, hi, tilt, nh->dilate);
 }
 
 static void kick_share(const hs_fix *fix)

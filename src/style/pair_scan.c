@@ -34,13 +34,18 @@ static hs_status copy_atoms(hs_pair_scan *scan, hs_env *env, hs_error *err)
 /** Farthest that a local atom is outside of its rank's brick: it has not been exchanged since it moved. */
 static double find_drift(const hs_env *env)
 {
-    double drift = 0.0, lo[3], hi[3];
-    hs_domain_brick(env->domain, env->box, lo, hi);
-    for (int axis = 0; axis < 3; ++axis)
-        for (int i = 0; i < env->atoms->n_local; ++i) {
-            const double x = env->atoms->x[axis][i];
-            drift = fmax(drift, fmax(lo[axis] - x, x - hi[axis]));
+    const hs_atoms *atoms = env->atoms;
+    double drift = 0.0;
+    for (int axis = 0; axis < 3; ++axis) {
+        const int at = env->domain->at[axis];
+        const double lo = hs_domain_plane(env->domain, env->box, axis, at),
+                     hi = hs_domain_plane(env->domain, env->box, axis, at + 1);
+        for (int i = 0; i < atoms->n_local; ++i) {
+            const double x[3] = {atoms->x[0][i], atoms->x[1][i], atoms->x[2][i]},
+                         place = hs_box_upright(env->box, x, axis);
+            drift = fmax(drift, fmax(lo - place, place - hi));
         }
+    }
     hs_parallel_max_double(env->parallel, &drift, 1);
     return drift;
 }

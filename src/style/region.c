@@ -200,9 +200,11 @@ hs_status hs_region_bound(const hs_region *region, const hs_args *args, int i, i
     if (!box->exists)
         return hs_fail(err, HS_ERROR_INPUT, "%s: %s can only be used once the box exists (create_box, read_data)",
                        args->command, args->word[i]);
+    double lo[3], hi[3];
+    hs_box_bounds(box, lo, hi);
     if (is_inf)
         *value = end == 0 ? -HS_REGION_FAR : HS_REGION_FAR;
     else
-        *value = end == 0 ? box->lo[axis] : box->hi[axis];
+        *value = end == 0 ? lo[axis] : hi[axis];
     return HS_OK;
 }

@@ -39,6 +39,8 @@ typedef struct hs_region {
     double scale[3];     /**< units lattice: spacings; units box: 1 */
     bool has_extent;     /**< bounded (never with side out): extent holds it */
     double extent[3][2]; /**< bounding box [axis][lo, hi], distance */
+    bool is_prism; /**< it can be a tilted box, with these bounds before tilting, and tilts xy, xz, yz, distance: */
+    double prism_lo[3], prism_hi[3], prism_tilt[3];
 } hs_region;
 
 /** Whether the region holds x, with side in or out. */

@@ -49,9 +49,11 @@ static void offer(candidates *c, int slab, int n_max, const candidate *new)
     if (c->n[slab] < n_max) ++c->n[slab];
 }
 
-/** HS_SLAB_LOWEST, HS_SLAB_MIDDLE, or -1 for an atom in neither. */
-static int slab_of(const hs_slab_swap *swap, const hs_box *box, double x)
+/** HS_SLAB_LOWEST, HS_SLAB_MIDDLE, or -1 for an atom in neither. Layers are parallel to the faces of the box. */
+static int slab_of(const hs_slab_swap *swap, const hs_box *box, const hs_atoms *atoms, int i)
 {
+    const double place[3] = {atoms->x[0][i], atoms->x[1][i], atoms->x[2][i]};
+    double x = hs_box_upright(box, place, swap->axis);
     const double lo = box->lo[swap->axis], length = hs_box_length(box, swap->axis), width = length / swap->n_bins;
     const int half = swap->n_bins / 2;
     if (box->periodic[swap->axis] && x < lo) x += length;
@@ -65,7 +67,7 @@ static void find_candidates(const hs_slab_swap *swap, const hs_fix *fix, hs_slab
     const hs_atoms *atoms = fix->env->atoms;
     for (int i = 0; i < atoms->n_local; ++i) {
         if (!(atoms->mask[i] & fix->mask)) continue;
-        const int slab = slab_of(swap, fix->env->box, atoms->x[swap->axis][i]);
+        const int slab = slab_of(swap, fix->env->box, atoms, i);
         if (slab < 0) continue;
         const candidate new = {rank(fix, i, slab), atoms->id[i], i};
         if (new.rank < INFINITY) offer(c, slab, swap->n_swaps, &new);

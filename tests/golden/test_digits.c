@@ -1,4 +1,4 @@
-/* Thermo tables of the decks in golden/pair and golden/styles, every digit, against LAMMPS's (golden/record makes them). */
+/* Thermo tables of the decks in golden/pair, golden/styles and golden/tilted, every digit, against LAMMPS's (golden/record makes them). */
 #define _GNU_SOURCE
 #include <glob.h>
 #include <stdio.h>
@@ -61,4 +61,7 @@ END_TEST
 START_TEST(other_styles) { check_folder(TEST_SOURCE_DIR "/golden/styles/*.in"); }
 END_TEST
 
-HS_TEST_MAIN("decks against every digit of LAMMPS", pair_styles, other_styles)
+START_TEST(tilted_boxes) { check_folder(TEST_SOURCE_DIR "/golden/tilted/*.in"); }
+END_TEST
+
+HS_TEST_MAIN("decks against every digit of LAMMPS", pair_styles, other_styles, tilted_boxes)
