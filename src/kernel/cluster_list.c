@@ -1,5 +1,6 @@
 #include "kernel/cluster_list.h"
 
+#include <math.h>
 #include <string.h>
 
 #include "base/memory.h"
@@ -137,7 +138,7 @@ static hs_status build_chunk(hs_list_chunk *chunk, hs_force_buffer *buffer, cons
 static void build_chunks(hs_cluster_list *list, hs_force_space *space, const hs_packed *packed, const hs_force_job *job)
 {
     hs_force_buffer *buffer = &space->buffer[hs_thread_number()];
-    hs_cluster_search_begin(&buffer->search, job->clusters, job->cells, job->cutoff_max);
+    hs_cluster_search_begin(&buffer->search, job->clusters, job->cells, job->cutoff_max, INFINITY);
 #pragma omp for schedule(dynamic, 1) nowait
     for (int k = 0; k < list->n_chunks; ++k) {
         hs_list_chunk *chunk = &list->chunk[k];

@@ -277,13 +277,6 @@ hs_status hs_force_run_threads(hs_force_space *space, const hs_force_job *job, h
     return err->status;
 }
 
-static hs_cluster_kernel choose_kernel(const hs_force_job *job, int *group)
-{
-    const hs_kernel_set *set = job->evaluator->set[job->isa][job->precision];
-    *group = set->group;
-    return set->cluster[job->with_energy][!job->input.table->is_uniform][job->input.listed_only];
-}
-
 void hs_force_share(const hs_force_space *space, int64_t n, int thread, int64_t *begin, int64_t *end)
 {
     int64_t total = 0, before = 0;
@@ -306,63 +299,6 @@ void hs_force_keep_weights(hs_force_space *space)
         space->weight[k] = 0;
         for (int t = 0; t < space->n_threads; ++t) space->weight[k] += space->buffer[t].weight[k];
     }
-}
-
-static inline void touch_packed(hs_force_buffer *buffer, int first, const hs_entry_list *entries)
-{
-    hs_force_touch_packed(buffer, first >> HS_PACKED_BLOCK_BITS);
-    for (int e = 0; e < entries->n; ++e) hs_force_touch_packed(buffer, entries->entry[e].first >> HS_PACKED_BLOCK_BITS);
-}
-
-static inline void touch_entries(hs_force_buffer *buffer, int first, const hs_entry_list *entries, int64_t n_room)
-{
-    hs_force_touch(buffer, first, n_room);
-    hs_force_touch(buffer, first + HS_CLUSTER - 1, n_room);
-    for (int e = 0; e < entries->n; ++e) {
-        hs_force_touch(buffer, entries->entry[e].first, n_room);
-        hs_force_touch(buffer, entries->entry[e].first + HS_CLUSTER - 1, n_room);
-    }
-}
-
-static hs_status work_cell(hs_force_space *space, const hs_force_job *job, hs_force_stage stage, int thread)
-{
-    (void)stage;
-    hs_force_buffer *buffer = &space->buffer[thread];
-    const hs_cluster_part *local = &job->clusters->local;
-    const int64_t n_room = (int64_t)job->atoms->n_local + job->atoms->n_halo + HS_ATOMS_PAD;
-    int group;
-    int64_t begin, end;
-    const hs_cluster_kernel kernel = choose_kernel(job, &group);
-    const hs_cluster_find find = hs_isa_find(job->isa);
-    hs_force_share(space, local->n, thread, &begin, &end);
-    int column = begin < end ? hs_clusters_column(job->clusters, job->cells, (int)begin) : 0;
-    hs_entry_list *entries = &buffer->entries;
-    hs_cluster_search_begin(&buffer->search, job->clusters, job->cells, job->cutoff_max);
-    for (int ci = (int)begin; ci < end; ++ci) {
-        while (local->column_begin[column + 1] <= ci) ++column;
-        entries->n = 0;
-        HS_TRY(find(&buffer->search, ci, column, entries, &buffer->error));
-        if (entries->n == 0) continue;
-        HS_TRY(hs_entry_list_pad(entries, 0, group, local->entry[ci].first, &buffer->error));
-        const int first = hs_force_place(space, job, local->entry[ci].first);
-        if (hs_force_is_packed(job)) {
-            hs_packed_rename(&space->packed, entries->entry, entries->n);
-            touch_packed(buffer, first, entries);
-        } else
-            touch_entries(buffer, first, entries, n_room);
-        kernel(&job->input, &buffer->out, first, entries->entry, entries->n);
-        hs_force_weigh(buffer, ci, local->n, entries->n);
-    }
-    return HS_OK;
-}
-
-hs_status hs_force_cell(hs_force_space *space, const hs_force_job *job, hs_force_result *result, hs_error *err)
-{
-    hs_force_job packed = *job;
-    HS_TRY(hs_force_pack(space, &packed, true, err));
-    const hs_status status = hs_force_run_threads(space, &packed, work_cell, false, result, err);
-    hs_force_keep_weights(space);
-    return status;
 }
 
 int hs_fixed_exponent(double value, int bits)

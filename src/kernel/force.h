@@ -8,7 +8,7 @@
 #include "kernel/kernel.h"
 #include "kernel/packed.h"
 #include "neighbor/chains.h"
-#include "neighbor/clusters.h"
+#include "neighbor/cluster_search.h"
 #include "parallel/share.h"
 
 enum {
@@ -45,6 +45,9 @@ typedef struct hs_force_buffer {
     int64_t weight[HS_FORCE_CHUNKS]; /**< methods without lists: pairs met in each chunk of the clusters or cells */
     int uncut_begin, uncut_end; /**< stored lists: chunks of the thread's share that are not cut, see hs_list_take */
 } hs_force_buffer;
+
+/** The search for cluster pairs compiled for that instruction set. */
+hs_cluster_find hs_isa_find(hs_isa isa);
 
 /** Work space of force evaluations; one per simulation. Zero it before use. */
 typedef struct hs_force_space {

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "base/text.h"
+#include "kernel/force.h"
 #include "kernel/motion.h"
 #include "kernel/noise_fill.h"
 #include "kernel/pair_histogram.h"

@@ -3,7 +3,7 @@
 #define HS_KERNEL_KERNEL_H
 
 #include "base/error.h"
-#include "neighbor/cluster_search.h"
+#include "neighbor/clusters.h"
 #include "neighbor/settle.h"
 
 /** Instruction sets kernels are compiled for, from plain to wide. */
@@ -27,8 +27,6 @@ hs_isa hs_isa_best(void);
 /** By name ("avx2"); an error when there is none of that name or the machine lacks it. "auto" or "" is the best. */
 HS_MUST_USE hs_status hs_isa_get(const char *name, hs_isa *isa, hs_error *err);
 
-/** The search for cluster pairs compiled for that instruction set. */
-hs_cluster_find hs_isa_find(hs_isa isa);
 /** The pass over positions compiled for it. */
 hs_settle hs_isa_settle(hs_isa isa);
 
@@ -59,7 +57,7 @@ typedef struct hs_kernel_input {
     const int32_t *type;       /**< kernel types, local and halo */
     const double *radius;      /**< distance, local and halo; NULL unless an evaluator of the pair style needs it */
     bool listed_by_radius;     /**< listed pairs are within radius_i + radius_j + skin, too */
-    double skin;               /**< distance; read only when listed_by_radius */
+    double skin;               /**< distance; read only when listed_by_radius or listed_only */
     const int32_t *site,
         *site_listed; /**< mixed precision, methods with clusters: packed positions (kernel/packed.h) */
     double unit;      /**< distance: their unit */

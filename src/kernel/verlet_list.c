@@ -1,5 +1,6 @@
 #include "kernel/verlet_list.h"
 
+#include <math.h>
 #include <assert.h>
 #include <string.h>
 
@@ -195,7 +196,7 @@ static hs_status build_chunk(hs_verlet_chunk *chunk, hs_force_buffer *buffer, co
 static void build_chunks(hs_verlet_list *list, hs_force_space *space, const hs_force_job *job)
 {
     hs_force_buffer *buffer = &space->buffer[hs_thread_number()];
-    hs_cluster_search_begin(&buffer->search, job->clusters, job->cells, job->cutoff_max);
+    hs_cluster_search_begin(&buffer->search, job->clusters, job->cells, job->cutoff_max, INFINITY);
 #pragma omp for schedule(dynamic, 1) nowait
     for (int k = 0; k < list->n_chunks; ++k) {
         hs_verlet_chunk *chunk = &list->chunk[k];

@@ -12,8 +12,12 @@
 typedef struct probe {
     float lo[3], hi[3];
     float reach, reach2;
+    float calm;    /**< clusters whose atoms have moved farther than that go to the other list */
     uint32_t rows; /**< mask of the rows that are atoms */
 } probe;
+
+/* Clusters one on the other that look for their neighbors together: columns, cells and runs are found once for all of them. */
+enum { BATCH = 4 };
 
 /* Pairs within one cluster: j > i only. */
 static const uint32_t self_mask = 0x8ceu | 0xfu << HS_ENTRY_ROWS_SHIFT;
@@ -28,6 +32,7 @@ static inline float gap(float lo_i, float hi_i, float lo_j, float hi_j)
 /* How many boxes are tested at once. Each instruction set gives
  *   near_lanes(part, p, c)              bits of the clusters c, c + 1, ... whose boxes are within reach (may read beyond
  *                                       the last cluster: boxes are padded)
+ *   moved_lanes(part, p, c)             bits of those that have moved too far
  *   append(to, from, near, rows)        copies the entries whose bit is set, masks cut to `rows`; may write TEST_LANES
  *                                       entries; returns how many count */
 #if defined(HS_SIMD_AVX512) || defined(HS_SIMD_AVX2)
@@ -48,6 +53,12 @@ static inline uint32_t near_lanes(const hs_cluster_part *part, const probe *p, i
     return (uint32_t)_mm256_movemask_ps(_mm256_cmp_ps(r2, _mm256_set1_ps(p->reach2), _CMP_LE_OQ));
 }
 
+static inline uint32_t moved_lanes(const hs_cluster_part *part, const probe *p, int c)
+{
+    const __m256 moved = _mm256_loadu_ps(part->moved + c);
+    return (uint32_t)_mm256_movemask_ps(_mm256_cmp_ps(moved, _mm256_set1_ps(p->calm), _CMP_GT_OQ));
+}
+
 #elif defined(HS_SIMD_SSE2)
 
 enum { TEST_LANES = 4 };
@@ -66,6 +77,11 @@ static inline uint32_t near_lanes(const hs_cluster_part *part, const probe *p, i
     return (uint32_t)_mm_movemask_ps(_mm_cmple_ps(r2, _mm_set1_ps(p->reach2)));
 }
 
+static inline uint32_t moved_lanes(const hs_cluster_part *part, const probe *p, int c)
+{
+    return (uint32_t)_mm_movemask_ps(_mm_cmpgt_ps(_mm_loadu_ps(part->moved + c), _mm_set1_ps(p->calm)));
+}
+
 #else
 
 enum { TEST_LANES = 1 };
@@ -76,6 +92,11 @@ static inline uint32_t near_lanes(const hs_cluster_part *part, const probe *p, i
     const float d1 = gap(p->lo[1], p->hi[1], part->box[1][c], part->box[4][c]);
     const float d2 = gap(p->lo[2], p->hi[2], part->box[2][c], part->box[5][c]);
     return d0 * d0 + d1 * d1 + d2 * d2 <= p->reach2;
+}
+
+static inline uint32_t moved_lanes(const hs_cluster_part *part, const probe *p, int c)
+{
+    return part->moved[c] > p->calm;
 }
 
 #endif
@@ -105,17 +126,23 @@ static inline int append(hs_cluster_entry *to, const hs_cluster_entry *from, uin
 
 #endif
 
-/** Test the bounding boxes of clusters [begin, end) and append those within reach. */
-static void test_run(const hs_cluster_part *part, const probe *p, int begin, int end, hs_entry_list *entries)
+/** Where the entries of an i-cluster go, and how many there are. */
+typedef struct found_entries {
+    hs_cluster_entry *entry, *moved;
+    int n, n_moved;
+} found_entries;
+
+/** Test the bounding boxes of clusters [begin, end) and append those within reach; there must be room. */
+static inline __attribute__((always_inline)) void test_run(const hs_cluster_part *part, const probe *p, int begin,
+                                                           int end, const bool by_motion, found_entries *found)
 {
-    hs_cluster_entry *entry = entries->entry;
-    int n = entries->n;
     for (int c = begin; c < end; c += TEST_LANES) {
-        uint32_t near = near_lanes(part, p, c);
-        if (end - c < TEST_LANES) near &= (1u << (end - c)) - 1u;
-        n += append(entry + n, part->entry + c, near, p->rows);
+        const int n_lanes = end - c < TEST_LANES ? end - c : TEST_LANES;
+        const uint32_t near = near_lanes(part, p, c) & ((1u << n_lanes) - 1u);
+        const uint32_t moved = by_motion ? near & moved_lanes(part, p, c) : 0;
+        found->n += append(found->entry + found->n, part->entry + c, near & ~moved, p->rows);
+        if (by_motion) found->n_moved += append(found->moved + found->n_moved, part->entry + c, moved, p->rows);
     }
-    entries->n = n;
 }
 
 static inline float clamped(float a, float last)
@@ -144,25 +171,25 @@ static void reach_cells(const hs_cells *cells, const probe *p, hs_column_list *l
     }
 }
 
-/** Test the clusters of all listed columns. */
-static hs_status test_columns(const hs_search *search, const hs_cluster_part *part, const int32_t *start,
-                              const hs_column_list *list, const probe *p, int ci, hs_entry_list *entries, hs_error *err)
+/** The clusters that the probe may reach: runs of all listed columns. */
+static void find_runs(hs_search *search, const hs_cluster_part *part, const int32_t *start, hs_column_list *list,
+                      const probe *p)
 {
     const int n2 = search->cells->n[2];
+    int n = 0;
+    reach_cells(search->cells, p, list);
     for (int k = 0; k < list->n; ++k) {
         if (list->cell_hi[k] < list->cell_lo[k]) continue;
         const int column = list->column[k];
         const int32_t *cell = start + (int64_t)column * n2;
         const int first_atom = cell[0], a_begin = cell[list->cell_lo[k]], a_end = cell[list->cell_hi[k] + 1];
         if (a_begin == a_end) continue;
-        int begin = part->column_begin[column] + (a_begin - first_atom) / HS_CLUSTER;
-        const int end = part->column_begin[column] + (a_end - first_atom + HS_CLUSTER - 1) / HS_CLUSTER;
-        if (begin <= ci && column == search->column && list == &search->local) begin = ci + 1;
-        if (entries->n + end - begin + TEST_LANES > entries->capacity)
-            HS_TRY(hs_entry_list_reserve(entries, end - begin + TEST_LANES, err));
-        test_run(part, p, begin, end, entries);
+        const int first = part->column_begin[column], begin = first + (a_begin - first_atom) / HS_CLUSTER,
+                  end = first + (a_end - first_atom + HS_CLUSTER - 1) / HS_CLUSTER;
+        list->run[n++] = (hs_run){begin, end};
+        search->n_reached += end - begin;
     }
-    return HS_OK;
+    list->n_runs = n;
 }
 
 /** Whether halo atoms can be near: they all lie about an upper face of the brick, or beyond it. */
@@ -173,27 +200,74 @@ static bool is_near_halo(const hs_cells *cells, const probe *p)
     return false;
 }
 
+/** Runs for clusters [begin, end) of the column at hand. */
+static void begin_batch(hs_search *search, int begin, int end)
+{
+    const hs_cells *cells = search->cells;
+    const hs_clusters *clusters = search->clusters;
+    const hs_cluster_part *local = &clusters->local;
+    probe all = {.reach = search->reach, .reach2 = search->reach * search->reach};
+    for (int a = 0; a < 3; ++a) {
+        all.lo[a] = local->box[a][begin];
+        all.hi[a] = local->box[a + 3][begin];
+        for (int c = begin + 1; c < end; ++c) {
+            all.lo[a] = local->box[a][c] < all.lo[a] ? local->box[a][c] : all.lo[a];
+            all.hi[a] = local->box[a + 3][c] > all.hi[a] ? local->box[a + 3][c] : all.hi[a];
+        }
+    }
+    search->batch_begin = begin;
+    search->batch_end = end;
+    search->n_reached = search->halo.n_runs = 0;
+    find_runs(search, local, cells->start_local, &search->local, &all);
+    if (search->halo.n > 0 && is_near_halo(cells, &all))
+        find_runs(search, &clusters->halo, cells->start_halo, &search->halo, &all);
+}
+
+/** Test all clusters of the batch's runs. */
+static inline __attribute__((always_inline)) found_entries test_runs(const hs_search *search, const probe *p, int ci,
+                                                                     found_entries found, const bool by_motion)
+{
+    const hs_cluster_part *local = &search->clusters->local, *halo = &search->clusters->halo;
+    const hs_run *run = search->local.run;
+    /* its own column from the next cluster on, for each pair of clusters is found once */
+    test_run(local, p, ci + 1, run[0].end, by_motion, &found);
+    for (int k = 1; k < search->local.n_runs; ++k) test_run(local, p, run[k].begin, run[k].end, by_motion, &found);
+    run = search->halo.run;
+    for (int k = 0; k < search->halo.n_runs; ++k) test_run(halo, p, run[k].begin, run[k].end, by_motion, &found);
+    return found;
+}
+
 static hs_status find(hs_search *search, int ci, int column, hs_entry_list *entries, hs_error *err)
 {
-    const hs_clusters *clusters = search->clusters;
-    const hs_cells *cells = search->cells;
-    const hs_cluster_part *local = &clusters->local;
+    const hs_cluster_part *local = &search->clusters->local;
+    const bool by_motion = search->skin < INFINITY;
+    const float own_motion = by_motion ? local->moved[ci] : 0.0f;
     if (column != search->column) HS_TRY(hs_cluster_search_column(search, column, err));
-    probe p = {
-        .reach = search->reach, .reach2 = search->reach * search->reach, .rows = hs_cluster_rows(local->size[ci])};
+    if (ci < search->batch_begin || ci >= search->batch_end) {
+        const int last = local->column_begin[column + 1];
+        begin_batch(search, ci, ci + BATCH < last ? ci + BATCH : last);
+    }
+    probe p = {.reach = search->reach,
+               .reach2 = search->reach * search->reach,
+               .calm = search->skin - own_motion,
+               .rows = hs_cluster_rows(local->size[ci])};
     for (int a = 0; a < 3; ++a) {
         p.lo[a] = local->box[a][ci];
         p.hi[a] = local->box[a + 3][ci];
     }
-    HS_TRY(hs_entry_list_reserve(entries, 1, err));
-    if (local->size[ci] > 1)
-        entries->entry[entries->n++] =
-            (hs_cluster_entry){local->entry[ci].first, self_mask & p.rows & hs_cluster_lanes(local->size[ci])};
-    reach_cells(cells, &p, &search->local);
-    HS_TRY(test_columns(search, local, cells->start_local, &search->local, &p, ci, entries, err));
-    if (search->halo.n == 0 || !is_near_halo(cells, &p)) return HS_OK;
-    reach_cells(cells, &p, &search->halo);
-    return test_columns(search, &clusters->halo, cells->start_halo, &search->halo, &p, ci, entries, err);
+    search->moved.n = 0;
+    HS_TRY(hs_entry_list_reserve(entries, 1 + search->n_reached + TEST_LANES, err));
+    if (by_motion) HS_TRY(hs_entry_list_reserve(&search->moved, 1 + search->n_reached + TEST_LANES, err));
+    found_entries found = {entries->entry, search->moved.entry, entries->n, 0};
+    if (local->size[ci] > 1) {
+        const uint32_t mask = self_mask & p.rows & hs_cluster_lanes(local->size[ci]);
+        hs_cluster_entry *self = own_motion > p.calm ? &found.moved[found.n_moved++] : &found.entry[found.n++];
+        *self = (hs_cluster_entry){local->entry[ci].first, mask};
+    }
+    found = by_motion ? test_runs(search, &p, ci, found, true) : test_runs(search, &p, ci, found, false);
+    entries->n = found.n;
+    search->moved.n = found.n_moved;
+    return HS_OK;
 }
 
 #define PASTE_(a, b) a##b

@@ -29,6 +29,7 @@ static hs_status reserve(hs_cluster_part *part, int64_t n_clusters, int n_column
         HS_TRY(HS_GROW(part->entry, 0, (size_t)part->capacity + BOX_PAD, err));
         HS_TRY(HS_GROW(part->size, 0, (size_t)part->capacity, err));
         for (int side = 0; side < 6; ++side) HS_TRY(HS_GROW(part->box[side], 0, (size_t)part->capacity + BOX_PAD, err));
+        HS_TRY(HS_GROW(part->moved, 0, (size_t)part->capacity + BOX_PAD, err));
     }
     return HS_OK;
 }
@@ -92,13 +93,42 @@ hs_status hs_clusters_build(hs_clusters *clusters, const hs_cells *cells, const 
     HS_TRY(build_part(&clusters->local, cells, atoms, cells->start_local, 0, err));
     HS_TRY(build_part(&clusters->halo, cells, atoms, cells->start_halo, atoms->n_local, err));
     clusters->generation = atoms->generation;
+    clusters->has_motion = false;
     return HS_OK;
+}
+
+static void note_motion(hs_cluster_part *part, const hs_atoms *atoms, double *const from[3])
+{
+    const double up = 1.0 + 1e-6; /* more than the rounding to float takes off */
+#pragma omp for schedule(static) nowait
+    for (int c = 0; c < part->n; ++c) {
+        double largest2 = 0.0;
+        for (int i = part->entry[c].first, end = i + part->size[c]; i < end; ++i) {
+            const double dx = atoms->x[0][i] - from[0][i], dy = atoms->x[1][i] - from[1][i],
+                         dz = atoms->x[2][i] - from[2][i], d2 = dx * dx + dy * dy + dz * dz;
+            largest2 = d2 > largest2 ? d2 : largest2;
+        }
+        part->moved[c] = (float)(sqrt(largest2) * up);
+    }
+}
+
+static void note_motion_of_all(hs_clusters *clusters, const hs_atoms *atoms, double *const from[3])
+{
+    note_motion(&clusters->local, atoms, from);
+    note_motion(&clusters->halo, atoms, from);
+}
+
+void hs_clusters_note_motion(hs_clusters *clusters, const hs_atoms *atoms, double *const from[3])
+{
+    HS_ON_THREADS(note_motion_of_all(clusters, atoms, from));
+    clusters->has_motion = true;
 }
 
 static void fini_part(hs_cluster_part *part)
 {
     HS_FREE(part->entry);
     HS_FREE(part->size);
+    HS_FREE(part->moved);
     HS_FREE(part->column_begin);
     for (int side = 0; side < 6; ++side) HS_FREE(part->box[side]);
 }

@@ -30,6 +30,7 @@ typedef struct hs_cluster_part {
     hs_cluster_entry *entry; /**< owned [n + padding]: first atom, and all pairs with the atoms it has */
     unsigned char *size;     /**< owned [n]: 1 .. 4 */
     float *box[6];           /**< owned [n + padding]: bounding box lo, hi along the grid axes, relative to the grid */
+    float *moved;            /**< owned [n + padding]: see hs_clusters_note_motion */
     int32_t *column_begin;   /**< owned [n_columns + 1]: first cluster of each column (by rank) */
     int64_t capacity, capacity_columns;
 } hs_cluster_part;
@@ -39,6 +40,7 @@ typedef struct hs_clusters {
     int32_t *column_at; /**< owned [n_columns]: grid column c0 * n[1] + c1 at each rank */
     int64_t capacity_columns;
     uint64_t generation; /**< of the atoms these clusters belong to */
+    bool has_motion;     /**< moved is noted */
 } hs_clusters;
 
 /** Mask with the lanes (j-atoms) below `size` set, in all four rows; all rows are visited. */
@@ -52,6 +54,8 @@ static inline uint32_t hs_cluster_rows(int size) { return ((1u << 4 * size) - 1u
 /** Cut sorted atoms into clusters and bound them. */
 HS_MUST_USE hs_status hs_clusters_build(hs_clusters *clusters, const hs_cells *cells, const hs_atoms *atoms,
                                         hs_error *err);
+/** Note for every cluster the farthest that an atom of it is from its place in `from` (rounded up), halo atoms included. */
+void hs_clusters_note_motion(hs_clusters *clusters, const hs_atoms *atoms, double *const from[3]);
 void hs_clusters_fini(hs_clusters *clusters);
 
 /** Width of columns that makes clusters of atoms at this number density roughly cubic, at most `reach`. */

@@ -9,16 +9,19 @@
 /* Elements beyond the last that vector code may read. */
 enum { PAD = 16 };
 
-void hs_cluster_search_begin(hs_search *search, const hs_clusters *clusters, const hs_cells *cells, double reach)
+void hs_cluster_search_begin(hs_search *search, const hs_clusters *clusters, const hs_cells *cells, double reach,
+                             double skin)
 {
     float extent = 0.0f;
     for (int a = 0; a < 3; ++a) extent = fmaxf(extent, (float)(cells->pitch[a] * cells->n[a]));
     search->clusters = clusters;
     search->cells = cells;
     search->column = -1;
+    search->batch_begin = search->batch_end = 0;
     /* Boxes are rounded to float: a margin of some units in the last place of the largest coordinate keeps the search
        from missing a pair. */
     search->reach = (float)reach + 8.0f * FLT_EPSILON * (extent + (float)reach);
+    search->skin = (float)skin * (1.0f - 8.0f * FLT_EPSILON);
 }
 
 static void fini_list(hs_column_list *list)
@@ -27,6 +30,7 @@ static void fini_list(hs_column_list *list)
     HS_FREE(list->cell_lo);
     HS_FREE(list->cell_hi);
     HS_FREE(list->column);
+    HS_FREE(list->run);
     memset(list, 0, sizeof *list);
 }
 
@@ -34,6 +38,7 @@ void hs_cluster_search_fini(hs_search *search)
 {
     fini_list(&search->local);
     fini_list(&search->halo);
+    HS_FREE(search->moved.entry);
 }
 
 static hs_status add_column(hs_column_list *list, const hs_cells *cells, int c0, int c1, int column, hs_error *err)
@@ -45,6 +50,7 @@ static hs_status add_column(hs_column_list *list, const hs_cells *cells, int c0,
         HS_TRY(HS_GROW(list->cell_lo, 0, capacity + PAD, err));
         HS_TRY(HS_GROW(list->cell_hi, 0, capacity + PAD, err));
         HS_TRY(HS_GROW(list->column, n, capacity + PAD, err));
+        HS_TRY(HS_GROW(list->run, 0, capacity, err));
         list->capacity = (int)capacity;
     }
     const float pitch0 = (float)cells->pitch[0], pitch1 = (float)cells->pitch[1];

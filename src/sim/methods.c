@@ -178,7 +178,9 @@ static hs_status renew_cell(hs_sim *sim, hs_error *err) { return hs_sim_sort_and
 static hs_status update_cell(hs_sim *sim, hs_error *err)
 {
     HS_TRY(hs_sim_sort_again(sim, err));
-    if (sim->neighbor.is_late) hs_sim_forward_listed(sim);
+    if (!sim->neighbor.is_late) return HS_OK;
+    hs_sim_forward_listed(sim);
+    hs_clusters_note_motion(&sim->neighbor.clusters, &sim->atoms, sim->neighbor.x_listed);
     return HS_OK;
 }
 
