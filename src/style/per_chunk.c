@@ -49,6 +49,7 @@ void hs_per_chunk_destroy(hs_compute *compute)
     HS_FREE(state->chunk_id);
     HS_FREE(state->value);
     HS_FREE(state->sum);
+    HS_FREE(state->center);
     HS_FREE(compute->vector);
     HS_FREE(compute->array);
 }
@@ -71,7 +72,8 @@ hs_status hs_per_chunk_begin(hs_compute *compute, hs_error *err)
     return HS_OK;
 }
 
-hs_status hs_per_chunk_sum(hs_compute *compute, int k, hs_per_chunk_value value, const void *context, hs_error *err)
+hs_status hs_per_chunk_add_up(hs_compute *compute, hs_per_chunk_value value, const void *context, double *out,
+                              int stride, hs_error *err)
 {
     hs_per_chunk *state = compute->state;
 #pragma omp parallel for schedule(static)
@@ -80,7 +82,37 @@ hs_status hs_per_chunk_sum(hs_compute *compute, int k, hs_per_chunk_value value,
         state->value[i] = c >= 0 ? value(compute, i, c, context) : 0.0;
     }
     HS_TRY(hs_chunks_sum(state->chunk_atom, compute->mask, state->value, state->sum, err));
-    for (int64_t c = 0; c < state->n; ++c) *hs_per_chunk_at(compute, c, k) = state->sum[c];
+    for (int64_t c = 0; c < state->n; ++c) out[c * stride] = state->sum[c];
+    return HS_OK;
+}
+
+hs_status hs_per_chunk_sum(hs_compute *compute, int k, hs_per_chunk_value value, const void *context, hs_error *err)
+{
+    return hs_per_chunk_add_up(compute, value, context, hs_per_chunk_at(compute, 0, k),
+                               compute->has_array ? compute->n_columns : 1, err);
+}
+
+/** Mass of an atom, times its place along the axis when that is less than 3. */
+static double mass_moment(const hs_compute *compute, int i, int64_t c, const void *context)
+{
+    const int axis = *(const int *)context;
+    (void)c;
+    return hs_atom_mass(compute->env->atoms, i) * (axis < 3 ? hs_unwrapped(compute->env, axis, i) : 1.0);
+}
+
+hs_status hs_per_chunk_find_centers(hs_compute *compute, hs_error *err)
+{
+    hs_per_chunk *state = compute->state;
+    const size_t n = (size_t)state->n;
+    if (n > state->capacity_center || state->center == NULL) {
+        HS_TRY(HS_GROW(state->center, 0, 4 * n + 4, err));
+        state->capacity_center = n;
+    }
+    for (int k = 0; k < 4; ++k) HS_TRY(hs_per_chunk_add_up(compute, mass_moment, &k, state->center + k, 4, err));
+    for (size_t c = 0; c < n; ++c) {
+        double *center = state->center + 4 * c;
+        for (int axis = 0; axis < 3; ++axis) center[axis] = center[3] > 0.0 ? center[axis] / center[3] : 0.0;
+    }
     return HS_OK;
 }
 

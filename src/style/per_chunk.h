@@ -3,6 +3,7 @@
 #define HS_STYLE_PER_CHUNK_H
 
 #include "style/chunks.h"
+#include "style/moments.h"
 
 /** The state of such a compute begins with this. */
 typedef struct hs_per_chunk {
@@ -11,7 +12,9 @@ typedef struct hs_per_chunk {
     int64_t n;              /**< chunks, then */
     size_t capacity;
     double *value, *sum; /**< owned scratch: of the local atoms [n_local], of chunks [n] */
-    size_t capacity_atoms;
+    double *
+        center; /**< owned [n][4]: center of mass, unwrapped, and mass, by hs_per_chunk_find_centers; 0 without atoms */
+    size_t capacity_atoms, capacity_center;
 } hs_per_chunk;
 
 /** Read the ID of the compute chunk/atom, word 0. @p n_columns: 1 for a vector, more for an array (or @p is_array). */
@@ -38,6 +41,17 @@ typedef double (*hs_per_chunk_value)(const hs_compute *compute, int i, int64_t c
 /** Column k = sums over the atoms of each chunk (collective). */
 HS_MUST_USE hs_status hs_per_chunk_sum(hs_compute *compute, int k, hs_per_chunk_value value, const void *context,
                                        hs_error *err);
+/** The same into out[c * stride] for each chunk c. */
+HS_MUST_USE hs_status hs_per_chunk_add_up(hs_compute *compute, hs_per_chunk_value value, const void *context,
+                                          double *out, int stride, hs_error *err);
+/** Bring state->center up to date (collective). */
+HS_MUST_USE hs_status hs_per_chunk_find_centers(hs_compute *compute, hs_error *err);
+/** Place of local atom i relative to the center of its chunk c. */
+static inline void hs_per_chunk_arm(const hs_compute *compute, int i, int64_t c, double d[3])
+{
+    const double *center = ((const hs_per_chunk *)compute->state)->center + 4 * c;
+    for (int axis = 0; axis < 3; ++axis) d[axis] = hs_unwrapped(compute->env, axis, i) - center[axis];
+}
 /** Means weighted by mass of three values, as columns 0 to 2: `value` gets the axis as its context; 0 where there are no atoms
  *  (collective). */
 HS_MUST_USE hs_status hs_per_chunk_mean(hs_compute *compute, hs_per_chunk_value value, hs_error *err);

@@ -25,7 +25,7 @@ compute q all sq 2.5 5
 fix F all ave/isf 10 2 10 2.5 5
 fix S all ave/self 5 3 10 msd isf 5.0
 D
-    system mixture 20 <<D
+    system mixture 20 'c_g c_g[1] c_s c_o[1][3] c_i[2][4] c_t[2][1] c_d[2][4]' <<D
 lattice fcc 0.8
 region box block 0 6 0 5 0 4
 create_box 2 box
@@ -38,6 +38,15 @@ $liquid
 pair_coeff 2 2 0.5 1.1 1.8
 neigh_modify every 5 delay 0 check yes
 fix 1 all nve
+group heavy type 2
+compute g heavy group/group all
+compute y all centro/atom fcc
+compute s all reduce sum c_y
+compute kinds all chunk/atom type
+compute o heavy omega/chunk kinds
+compute i all inertia/chunk kinds
+compute t all torque/chunk kinds
+compute d all msd/chunk kinds
 D
     system fluid 40 <<D
 dimension 2

@@ -1,0 +1,44 @@
+/* Angular momentum of each chunk about its center of mass. */
+#include "core/atom_style.h"
+#include "style/per_chunk.h"
+
+/** m (r - r_cm) x v along an axis. */
+static double component(const hs_compute *compute, int i, int64_t c, const void *axis)
+{
+    const hs_atoms *atoms = compute->env->atoms;
+    const int x = (*(const int *)axis + 1) % 3, y = (*(const int *)axis + 2) % 3;
+    double d[3];
+    hs_per_chunk_arm(compute, i, c, d);
+    return hs_atom_mass(atoms, i) * (d[x] * atoms->v[y][i] - d[y] * atoms->v[x][i]);
+}
+
+static hs_status create(hs_compute *compute, const hs_args *args, hs_error *err)
+{
+    return hs_per_chunk_create(compute, args, 3, true, err);
+}
+
+static hs_status array(hs_compute *compute, hs_error *err)
+{
+    HS_TRY(hs_per_chunk_begin(compute, err));
+    HS_TRY(hs_per_chunk_find_centers(compute, err));
+    for (int k = 0; k < 3; ++k) HS_TRY(hs_per_chunk_sum(compute, k, component, &k, err));
+    return HS_OK;
+}
+
+const hs_compute_style hs_compute_style_angmom_chunk = {
+    .about = {.name = "angmom/chunk",
+              .syntax = {.usage = "<chunk-ID>", .n_min = 1, .n_max = 1},
+              .summary = "angular momentum of each chunk",
+              .details = "The array `c_ID` has a row for each chunk of the compute chunk/atom: the sum of m (r - r_cm) "
+                         "x v over those of "
+                         "its atoms that are in the group, along x, y and z (mass distance^2/time), with unwrapped "
+                         "places and the chunk's "
+                         "center of mass; 0 without any.",
+              .example = "compute c all cluster/atom 1.5\ncompute drops all chunk/atom c_c compress yes\n"
+                         "compute spin all angmom/chunk drops"},
+    .state_size = sizeof(hs_per_chunk),
+    .create = create,
+    .destroy = hs_per_chunk_destroy,
+    .init = hs_per_chunk_init,
+    .array = array,
+};
