@@ -344,9 +344,8 @@ static hs_status create_single(creation *c, hs_error *err)
 /** The part of the box where random atoms are drawn: a bounded region's extent cuts it. */
 static hs_status random_range(const creation *c, double lo[3], double hi[3], hs_error *err)
 {
+    hs_box_bounds(&c->sim->box, lo, hi);
     for (int axis = 0; axis < 3; ++axis) {
-        lo[axis] = c->sim->box.lo[axis];
-        hi[axis] = c->sim->box.hi[axis];
         if (c->region == NULL || !c->region->has_extent) continue;
         if (c->region->extent[axis][0] > lo[axis]) lo[axis] = c->region->extent[axis][0];
         if (c->region->extent[axis][1] < hi[axis]) hi[axis] = c->region->extent[axis][1];
@@ -378,7 +377,8 @@ static hs_status create_random(creation *c, hs_error *err)
                                N_TRIES);
             for (int axis = 0; axis < 3; ++axis) x[axis] = lo[axis] + hs_park_uniform(&park) * (hi[axis] - lo[axis]);
             if (c->sim->box.dimension == 2) x[2] = lo[2] + 0.5 * (hi[2] - lo[2]);
-            HS_TRY(test_place(c, x, &is_wanted, err));
+            /* what encloses a tilted box has places outside of it */
+            if (!c->sim->box.is_tilted || is_within(c, x)) HS_TRY(test_place(c, x, &is_wanted, err));
         }
         if (is_within(c, x)) HS_TRY(add_atom(c, c->type, x, err));
     }

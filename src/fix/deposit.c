@@ -7,8 +7,8 @@
 #include "core/lattice.h"
 #include "core/random.h"
 #include "style/fix.h"
+#include "style/nearest_image.h"
 #include "style/region.h"
-#include "style/upright.h"
 
 enum { N_WARM_UP = 30, N_TRIES = 1000000 };
 
@@ -42,7 +42,6 @@ static hs_status find_region(const hs_fix *fix, hs_error *err)
 {
     deposit_state *state = fix->state;
     const hs_box *box = fix->env->box;
-    HS_TRY(hs_need_upright(fix->env, "fix deposit", err));
     const hs_region *region = state->region = fix->env->find_region(fix->env, state->region_id);
     if (region == NULL)
         return hs_fail(err, HS_ERROR_INPUT, "fix '%s' (deposit): there is no region '%s'", fix->id, state->region_id);
@@ -51,9 +50,11 @@ static hs_status find_region(const hs_fix *fix, hs_error *err)
                        "fix '%s' (deposit): the region '%s' has no bounds, so that no places can "
                        "be drawn in it",
                        fix->id, region->id);
+    double lo[3], hi[3];
+    hs_box_bounds(box, lo, hi);
     for (int axis = 0; axis < box->dimension; ++axis) {
         const double slack = 1e-12 * hs_box_length(box, axis); /* runs round the box's faces */
-        if (region->extent[axis][0] < box->lo[axis] - slack || region->extent[axis][1] > box->hi[axis] + slack)
+        if (region->extent[axis][0] < lo[axis] - slack || region->extent[axis][1] > hi[axis] + slack)
             return hs_fail(err, HS_ERROR_INPUT, "fix '%s' (deposit): the region '%s' reaches out of the box along %c",
                            fix->id, region->id, "xyz"[axis]);
     }
@@ -165,13 +166,9 @@ static bool is_occupied(const hs_fix *fix, const double x[3])
     int64_t is_near = 0;
 #pragma omp parallel for schedule(static) reduction(| : is_near)
     for (int i = 0; i < atoms->n_local; ++i) {
-        double r2 = 0.0;
-        for (int axis = 0; axis < 3; ++axis) {
-            double d = x[axis] - atoms->x[axis][i];
-            if (box->periodic[axis]) d -= hs_box_length(box, axis) * nearbyint(d / hs_box_length(box, axis));
-            r2 += d * d;
-        }
-        is_near |= r2 < near2;
+        double d[3] = {x[0] - atoms->x[0][i], x[1] - atoms->x[1][i], x[2] - atoms->x[2][i]};
+        hs_nearest_image(box, d);
+        is_near |= d[0] * d[0] + d[1] * d[1] + d[2] * d[2] < near2;
     }
     hs_parallel_max_int64(env->parallel, &is_near, 1);
     return is_near != 0;

@@ -7,6 +7,7 @@
 #include "core/lattice.h"
 #include "style/atom_sum.h"
 #include "style/fix.h"
+#include "style/nearest_image.h"
 #include "style/upright.h"
 
 typedef enum { INDENT_SPHERE, INDENT_CYLINDER, INDENT_PLANE } indent_shape;
@@ -113,7 +114,7 @@ static hs_status check_length(const hs_fix *fix, const length *l, hs_error *err)
 static hs_status init(hs_fix *fix, hs_error *err)
 {
     const indent_state *state = fix->state;
-    if (state->shape != INDENT_PLANE) HS_TRY(hs_need_upright(fix->env, "fix indent with a sphere or a cylinder", err));
+    if (state->shape == INDENT_CYLINDER) HS_TRY(hs_need_upright(fix->env, "fix indent with a cylinder", err));
     for (int axis = 0; axis < 3; ++axis) HS_TRY(check_length(fix, &state->place[axis], err));
     return check_length(fix, &state->radius, err);
 }
@@ -129,8 +130,9 @@ static hs_status update_length(const hs_env *env, length *l, hs_error *err)
 typedef struct indenter {
     const hs_fix *fix;
     const indent_state *state;
-    double length[3]; /**< of the box where the nearest image counts, else INFINITY */
-    bool counts[3];   /**< axes along which distance counts */
+    double length[3];     /**< of the box where the nearest image counts along each axis, else INFINITY */
+    const hs_box *tilted; /**< the box where it counts and is tilted, else NULL */
+    bool counts[3];       /**< axes along which distance counts */
     double radius2;
 } indenter;
 
@@ -139,10 +141,13 @@ static indenter indenter_now(const hs_fix *fix)
     const indent_state *state = fix->state;
     const hs_box *box = fix->env->box;
     indenter now = {.fix = fix, .state = state, .radius2 = state->radius.value * state->radius.value};
+    now.tilted = box->is_tilted && state->shape != INDENT_PLANE ? box : NULL;
     for (int axis = 0; axis < 3; ++axis) {
         const bool is_of_axis = axis == state->axis;
         now.counts[axis] = state->shape == INDENT_SPHERE || is_of_axis == (state->shape == INDENT_PLANE);
-        now.length[axis] = state->shape != INDENT_PLANE && box->periodic[axis] ? hs_box_length(box, axis) : INFINITY;
+        now.length[axis] = state->shape != INDENT_PLANE && !box->is_tilted && box->periodic[axis]
+                               ? hs_box_length(box, axis)
+                               : INFINITY;
     }
     return now;
 }
@@ -158,11 +163,10 @@ static inline bool force_of(const indenter *now, const hs_atoms *atoms, int i, d
 {
     const indent_state *state = now->state;
     double d[3] = {0.0}, r2 = 0.0, depth;
-    for (int axis = 0; axis < 3; ++axis) {
-        if (!now->counts[axis]) continue;
-        d[axis] = distance_along(now, axis, atoms->x[axis][i]);
-        r2 += d[axis] * d[axis];
-    }
+    for (int axis = 0; axis < 3; ++axis)
+        if (now->counts[axis]) d[axis] = distance_along(now, axis, atoms->x[axis][i]);
+    if (now->tilted != NULL) hs_nearest_image(now->tilted, d);
+    for (int axis = 0; axis < 3; ++axis) r2 += d[axis] * d[axis];
     if (state->shape == INDENT_PLANE) {
         depth = state->side * -d[state->axis]; /* how far it is on the wrong side */
         if (depth <= 0.0) return false;

@@ -7,15 +7,15 @@ trap 'rm -rf "$folder"' EXIT
 cd "$folder"
 fail() { echo "FAILED: $*" >&2; exit 1; }
 
-# check NAME: lines of the deck on standard input; the checkpoint is made between multiples of what averages and fixes go by.
+# check NAME [BOX]: lines of the deck on standard input; the checkpoint is made between multiples of what averages and fixes go by.
 check() {
     local name=$1
     mkdir "$name" && cd "$name"
     {
-        cat <<'D'
+        cat <<D
 units lj
 lattice fcc 0.8442
-region box block 0 4 0 4 0 4
+region box ${2:-block 0 4 0 4 0 4}
 create_box 2 box
 create_atoms 1 box
 set type 1 type/fraction 2 0.4 1234
@@ -55,6 +55,16 @@ D
 
 check nvt <<'D'
 fix 1 all nvt temp 1.0 1.2 0.5 tchain 2
+D
+
+check tilted "prism 0 4 0 4 0 4 2 -1 1" <<'D'
+fix 1 all nve
+compute d all msd
+fix a all ave/time 2 3 10 c_d[4] file a.txt
+D
+
+check tilted_npt "prism 0 4 0 4 0 4 2 -1 1" <<'D'
+fix 1 all npt temp 1.0 1.2 0.5 aniso 5.0 0.0 0.7
 D
 
 check npt <<'D'
