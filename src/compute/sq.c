@@ -127,7 +127,8 @@ const hs_compute_style hs_compute_style_sq = {
          .details =
              "S(q) = |sum over atoms of exp(-i q r)|^2 / N for the wave vectors q = 2 pi (n_x/L_x, n_y/L_y, n_z/L_z) "
              "of the "
-             "periodic box with 0 < |q| <= q_max (1/distance), of the group's atoms. The array has one row for each of "
+             "periodic box with 0 < |q| <= q_max (1/distance), of the group's atoms; a tilted box has those whose "
+             "products with its edges are multiples of 2 pi. The array has one row for each of "
              "Nbin "
              "shells of equal width (default: 100): the mean |q| of its vectors, the mean S, and the number of "
              "vectors, 0 "

@@ -201,11 +201,12 @@ static void push(const hs_atoms *atoms, const void *context, int begin, int end,
 {
     const indenter *now = context;
     const bool is_inside = now->state->is_inside, is_plane = now->state->shape == INDENT_PLANE;
+    const bool takes_all = is_plane || now->tilted != NULL;
     double r2[HS_EXACT_ARRAY_MAX];
-    find_distances(now, atoms, begin, end, r2);
+    if (!takes_all) find_distances(now, atoms, begin, end, r2);
     for (int i = begin; i < end; ++i) {
         double f[3], energy;
-        const bool is_touched = is_plane || (is_inside ? r2[i - begin] > now->radius2 : r2[i - begin] < now->radius2);
+        const bool is_touched = takes_all || (is_inside ? r2[i - begin] > now->radius2 : r2[i - begin] < now->radius2);
         if (!is_touched || !(atoms->mask[i] & now->fix->mask) || !force_of(now, atoms, i, f, &energy)) continue;
         hs_exact_add(&sums[0], energy);
         for (int axis = 0; axis < 3; ++axis) {
@@ -259,7 +260,8 @@ const hs_fix_style hs_fix_style_indent = {
              "plane); the energy is K d^3/3; K has units of force/distance^2. With `side in` the indenter is "
              "a container, which pushes atoms inward that are outside of it. `plane <axis> <position> hi` pushes atoms "
              "above the position down, `lo` atoms below it up. Places and radius may be equal-style variables "
-             "`v_name`, evaluated at each step, so that the indenter moves; their values are in distance units.\n\n"
+             "`v_name`, evaluated at each step, so that the indenter moves; their values are in distance units. In a tilted box "
+             "there are no cylinders.\n\n"
              "The scalar `f_ID` is the energy, the vector `f_ID[1]` to `f_ID[3]` the force on the indenter. "
              "`fix_modify "
              "energy yes` adds the energy to the potential energy.",

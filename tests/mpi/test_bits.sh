@@ -95,6 +95,36 @@ fix b all wall/harmonic zhi 12.34567 30.0 1.0 1.1 units box
 fix r all wall/reflect zhi 13.1234567 units box
 fix g all gravity 0.1 vector 0 0.3 -1
 D
+    system skew 20 'c_c[1] c_m[1] c_m[2]' <<D
+lattice fcc 0.8
+region box prism 0 5 0 4 0 5 2 -2 2
+create_box 1 box
+create_atoms 1 box
+mass 1 1.0
+velocity all create 3.0 87287
+$liquid
+neigh_modify every 6 delay 0 check no
+fix 1 all nve
+fix even all balance 7 1.0 shift zyx 10 1.0
+compute c all com
+compute m all msd
+D
+    system rhombus 20 <<D
+dimension 2
+lattice hex 0.8
+region box prism 0 14 0 8 -0.5 0.5 -7 0 0
+create_box 2 box
+create_atoms 1 box
+set type 1 type/ratio 2 0.3 4711
+mass 1 1.0
+mass 2 2.5
+velocity all create 3.0 87287
+$liquid
+pair_coeff 2 2 0.5 1.1 1.8
+neigh_modify every 4 delay 0 check yes
+fix 1 all nve
+fix 2 all enforce2d
+D
 } >in.bits
 {
     system cylinder 20 'f_w f_s' <<D
@@ -177,6 +207,30 @@ fix 3 all recenter INIT 0.4 NULL units fraction
 compute c all com
 compute v all gyration
 D
+    system leaning 20 'xlo xhi' <<D
+boundary s p p
+lattice fcc 0.8
+region box prism 0 4 0 4 0 4 -2 1 1
+create_box 1 box
+create_atoms 1 box
+mass 1 1.0
+velocity all create 1.5 4
+$liquid
+neigh_modify every 4 delay 0 check no
+fix 1 all nve
+D
+    system swelling 20 'lx xy xz yz c_q[4][2]' <<D
+lattice fcc 0.8
+region box prism 0 4 0 4 0 4 -2 1 2
+create_box 1 box
+create_atoms 1 box
+mass 1 1.0
+velocity all create 1.5 4
+$liquid
+neigh_modify every 4 delay 0 check yes
+fix 1 all npt temp 1.5 1.5 0.2 aniso 5.0 5.0 0.5
+compute q all sq 3.0 5
+D
 } >in.more
 {
     system valley 10 'f_s' <<D
@@ -204,7 +258,7 @@ D
 
 bits bits 0 1
 bits more 0 1
-[ "$(cat bits/thermo more/thermo | wc -l)" -eq 39 ] || fail "$(cat bits/thermo more/thermo | wc -l) rows"
+[ "$(cat bits/thermo more/thermo | wc -l)" -eq 51 ] || fail "$(cat bits/thermo more/thermo | wc -l) rows"
 bits minimize 0 1
 [ "$(wc -l <minimize/thermo)" -eq 14 ] || fail "$(wc -l <minimize/thermo) rows of minimize"
 for threads in 1 2; do

@@ -17,6 +17,12 @@ static const char liquid[] =
     "mass 1 1.0\nvelocity all create 1.44 87287 loop geom\npair_style lj/cut 2.5\npair_coeff 1 1 1 1\n"
     "neigh_modify every 1 delay 0 check yes\nfix 1 all nve\nrun 100\nreset_timestep 0\n";
 
+/* No two edges of the box at right angles. */
+static const char tilted[] =
+    "units lj\nlattice fcc 0.8442\nregion b prism 0 5 0 5 0 5 2 -1 1\ncreate_box 1 b\ncreate_atoms 1 box\n"
+    "mass 1 1.0\nvelocity all create 1.44 87287 loop geom\npair_style lj/cut 2.5\npair_coeff 1 1 1 1\n"
+    "neigh_modify every 1 delay 0 check yes\nfix 1 all nve\nrun 100\nreset_timestep 0\n";
+
 /* Spheres of many sizes: whether a pair interacts, and whether it is listed, depends on the two atoms. */
 static const char spheres[] =
     "units lj\natom_style sphere\nlattice fcc 0.9\nregion b block 0 5 0 5 0 5\ncreate_box 1 b\ncreate_atoms 1 box\n"
@@ -373,6 +379,57 @@ static void check_structure(hs_deck *deck, void *context)
     check_width(deck, 0.8);
 }
 
+/** Every wave vector up to q_max is there, is one of the reciprocal lattice, and has the S of the direct sum. */
+static void check_vectors(hs_deck *deck, void *context)
+{
+    static const double q_max = 3.0;
+    const hs_atoms *atoms = &deck->sim->atoms;
+    const hs_box *box = &deck->sim->box;
+    const double volume = hs_box_volume(box),
+                 l[3] = {hs_box_length(box, 0), hs_box_length(box, 1), hs_box_length(box, 2)};
+    const double a[3] = {l[0], 0.0, 0.0}, b[3] = {box->tilt[0], l[1], 0.0}, c[3] = {box->tilt[1], box->tilt[2], l[2]};
+    const double *const edge[3] = {a, b, c};
+    int n, n_wanted = 0;
+    double *q[3], *s = fetch(deck, "c_v[4]", &n);
+    (void)context;
+    q[0] = fetch(deck, "c_v[1]", &n), q[1] = fetch(deck, "c_v[2]", &n), q[2] = fetch(deck, "c_v[3]", &n);
+    for (int i = -20; i <= 20; ++i) /* n_a b x c + n_b c x a + n_c a x b, times 2 pi / V */
+        for (int j = -20; j <= 20; ++j)
+            for (int k = -20; k <= 20; ++k) {
+                const int m[3] = {i, j, k};
+                double p2 = 0.0;
+                for (int axis = 0; axis < 3; ++axis) {
+                    const int y = (axis + 1) % 3, z = (axis + 2) % 3;
+                    double p = 0.0;
+                    for (int e = 0; e < 3; ++e) {
+                        const double *second = edge[(e + 1) % 3], *third = edge[(e + 2) % 3];
+                        p += m[e] * (second[y] * third[z] - second[z] * third[y]);
+                    }
+                    p2 += p * p;
+                }
+                n_wanted += p2 > 0.0 && sqrt(p2) * 2.0 * M_PI / volume <= q_max;
+            }
+    ck_assert_int_eq(2 * n, n_wanted); /* of q and -q one */
+    for (int k = 0; k < n; ++k) {
+        double complex sum = 0.0;
+        for (int e = 0; e < 3; ++e) {
+            const double turns = (q[0][k] * edge[e][0] + q[1][k] * edge[e][1] + q[2][k] * edge[e][2]) / (2.0 * M_PI);
+            ck_assert_double_eq_tol(turns, rint(turns), 1e-10);
+        }
+        for (int i = 0; i < atoms->n_local; ++i)
+            sum += cexp(-I * (q[0][k] * atoms->x[0][i] + q[1][k] * atoms->x[1][i] + q[2][k] * atoms->x[2][i]));
+        ck_assert_double_eq_tol(s[k], creal(sum * conj(sum)) / atoms->n_local, 1e-8);
+    }
+    free(q[0]), free(q[1]), free(q[2]), free(s);
+}
+
+START_TEST(structure_factor_of_a_tilted_box)
+{
+    run_after(tilted, "compute v all sq 3 vectors yes\nrun 20\n", check_vectors);
+    run_after(tilted, "compute g all rdf 5000 cutoff 5.0\ncompute s all sq 11 vectors yes\nrun 20\n", check_structure);
+}
+END_TEST
+
 START_TEST(structure_factor_is_the_transform_of_g)
 {
     run("compute g all rdf 5000 cutoff 5.0\ncompute s all sq 11 vectors yes\nrun 20\n", check_structure);
@@ -448,5 +505,5 @@ END_TEST
 HS_TEST_MAIN("measures", correlations_by_transform_are_those_of_the_direct_sum,
              correlations_beyond_the_window_are_those_of_means_over_samples, spectra_are_those_of_the_direct_sum,
              scattering_functions_are_those_of_the_direct_sum, errors_of_averages_are_those_of_their_samples,
-             rdf_from_the_list_is_that_of_the_scan, structure_factor_is_the_transform_of_g, values_per_atom_add_up,
-             errors_of_histograms_are_those_of_shares)
+             rdf_from_the_list_is_that_of_the_scan, structure_factor_is_the_transform_of_g,
+             structure_factor_of_a_tilted_box, values_per_atom_add_up, errors_of_histograms_are_those_of_shares)
