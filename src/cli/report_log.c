@@ -16,6 +16,7 @@ static const struct {
     {"LAMMPS (", "program"},
     {"Running on ", "machine"},
     {"Created orthogonal box = ", "box"},
+    {"Created triclinic box = ", "box"},
     {"  pair kernels: ", "pair kernels"},
     {"  neighbor method ", "neighbor method"},
     {"Per MPI rank memory allocation (min/avg/max) = ", "memory of a rank (min/avg/max)"},

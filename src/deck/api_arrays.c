@@ -100,8 +100,9 @@ static void read_vector(const hs_sim *sim, vector_kind kind, int i, double out[3
     double *const *from = kind == GET_VELOCITY ? atoms->v : kind == GET_FORCE ? atoms->f : atoms->x;
     for (int axis = 0; axis < 3; ++axis) out[axis] = from[axis][i];
     if (kind == GET_POSITION) hs_box_wrap(&sim->box, out, image); /* atoms may drift out until the next sort */
-    for (int axis = 0; kind == GET_UNWRAPPED && axis < 3; ++axis)
-        out[axis] += image[axis] * hs_box_length(&sim->box, axis);
+    if (kind != GET_UNWRAPPED) return;
+    const double place[3] = {out[0], out[1], out[2]};
+    for (int axis = 0; axis < 3; ++axis) out[axis] = hs_box_unwrapped(&sim->box, place, image, axis);
 }
 
 static hs_code get_vectors(hs_simulation *simulation, vector_kind kind, hs_order order, int64_t n, double *xyz)
@@ -186,33 +187,26 @@ static hs_status check_finite(const double *xyz, int64_t n, const char *what, hs
  *  32-bit). Shrink-wrapped faces follow the atoms. */
 static hs_status check_inside(const hs_box *box, const double *xyz, int64_t n, hs_error *err)
 {
-    const double images_max = INT_MAX / 4;
+    const double images_max = HS_BOX_FARTHEST;
     for (int64_t row = 0; row < n; ++row)
         for (int axis = 0; axis < 3; ++axis) {
-            const double x = xyz[3 * row + axis], length = hs_box_length(box, axis);
+            const double x = hs_box_upright(box, &xyz[3 * row], axis), length = hs_box_length(box, axis);
             const bool is_out = box->periodic[axis]
                                     ? fabs(x - box->lo[axis]) / length > images_max
                                     : (box->boundary[axis][0] == HS_BOUNDARY_FIXED && x < box->lo[axis]) ||
                                           (box->boundary[axis][1] == HS_BOUNDARY_FIXED && x > box->hi[axis]);
             if (is_out)
                 return hs_fail(err, HS_ERROR_INPUT, "position of row %lld: %c = %g is outside of the box, [%g, %g]",
-                               (long long)row, "xyz"[axis], x, box -> lo[axis], box -> hi[axis]);
+                               (long long)row, "xyz"[axis], xyz[3 * row + axis], box -> lo[axis], box -> hi[axis]);
         }
     return HS_OK;
 }
 
-/** hs_box_wrap takes back one box length, all that an atom can drift between sorts; callers may be further off. */
 static void write_position(hs_sim *sim, int i, const double *xyz)
 {
     hs_atoms *atoms = &sim->atoms;
-    double x[3];
-    int32_t image[3];
-    for (int axis = 0; axis < 3; ++axis) {
-        const double length = hs_box_length(&sim->box, axis);
-        const double n_away = sim->box.periodic[axis] ? floor((xyz[axis] - sim->box.lo[axis]) / length) : 0.0;
-        x[axis] = xyz[axis] - n_away * length;
-        image[axis] = (int32_t)n_away;
-    }
+    double x[3] = {xyz[0], xyz[1], xyz[2]};
+    int32_t image[3] = {0, 0, 0};
     hs_box_wrap(&sim->box, x, image);
     for (int axis = 0; axis < 3; ++axis) {
         atoms->x[axis][i] = x[axis];

@@ -5,6 +5,7 @@
 
 #include "base/text.h"
 #include "deck/command.h"
+#include "style/box_shape.h"
 
 static bool is_variable(const char *word) { return strchr(word, '$') != NULL; }
 
@@ -198,15 +199,15 @@ static hs_status check_box_region(hs_sim *sim, const hs_args *args, const hs_reg
     return HS_OK;
 }
 
-static hs_status tilt_box(hs_box *box, const hs_region *prism, hs_error *err)
+static hs_status tilt_box(hs_sim *sim, const hs_region *prism, hs_error *err)
 {
-    hs_box tilted = *box;
+    hs_box tilted = sim->box;
     tilted.is_tilted = true;
     memcpy(tilted.lo, prism->prism_lo, sizeof tilted.lo);
     memcpy(tilted.hi, prism->prism_hi, sizeof tilted.hi);
     memcpy(tilted.tilt, prism->prism_tilt, sizeof tilted.tilt);
-    HS_TRY(hs_box_check_tilt(&tilted, "create_box", err));
-    *box = tilted;
+    HS_TRY(hs_box_check_shape(&tilted, sim->may_be_skewed, sim->env.out, "create_box", err));
+    sim->box = tilted;
     return HS_OK;
 }
 
@@ -233,16 +234,9 @@ static hs_status create_box_run(hs_deck *deck, const hs_args *args, hs_error *er
         box->lo[axis] = region->extent[axis][0];
         box->hi[axis] = region->extent[axis][1];
     }
-    if (region->is_prism) HS_TRY(tilt_box(box, region, err));
+    if (region->is_prism) HS_TRY(tilt_box(sim, region, err));
     box->exists = true;
-    if (box->is_tilted)
-        hs_say(deck->out,
-               "Created triclinic box = (%#.8g %#.8g %#.8g) to (%#.8g %#.8g %#.8g) with tilt (%#.8g %#.8g %#.8g)\n",
-               box->lo[0], box->lo[1], box->lo[2], box->hi[0], box->hi[1], box->hi[2], box->tilt[0], box->tilt[1],
-               box->tilt[2]);
-    else
-        hs_say(deck->out, "Created orthogonal box = (%#.8g %#.8g %#.8g) to (%#.8g %#.8g %#.8g)\n", box->lo[0],
-               box->lo[1], box->lo[2], box->hi[0], box->hi[1], box->hi[2]);
+    hs_box_say(deck->out, "Created ", box);
     HS_TRY(hs_domain_divide(&sim->domain, box, err));
     hs_say(deck->out, "  %d by %d by %d MPI processor grid\n", sim->domain.n[0], sim->domain.n[1], sim->domain.n[2]);
     hs_box_settle_faces(box);

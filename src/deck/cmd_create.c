@@ -12,6 +12,7 @@
 #include "deck/marsaglia.h"
 #include "deck/subset.h"
 #include "deck/variables.h"
+#include "style/box_shape.h"
 
 typedef enum { CREATE_BOX, CREATE_REGION, CREATE_SINGLE, CREATE_RANDOM } create_style;
 
@@ -414,11 +415,9 @@ static hs_status create_atoms_run(hs_deck *deck, const hs_args *args, hs_error *
     const hs_status status = hs_parallel_agree(&sim->parallel, err);
     hs_sim_atoms_changed(sim);
     HS_TRY(status);
-    const hs_box *box = &sim->box;
-    hs_say(deck->out, "Created %lld atoms\n", (long long)c.n_created);
-    hs_say(deck->out, "  using %s units in orthogonal box = (%#.8g %#.8g %#.8g) to (%#.8g %#.8g %#.8g)\n",
-           c.is_lattice_units ? "lattice" : "box", box->lo[0], box->lo[1], box->lo[2], box->hi[0], box->hi[1],
-           box->hi[2]);
+    hs_say(deck->out, "Created %lld atoms\n  using %s units in ", (long long)c.n_created,
+           c.is_lattice_units ? "lattice" : "box");
+    hs_box_say(deck->out, "", &sim->box);
     hs_say(deck->out, "  create_atoms CPU = %.3f seconds\n", hs_time_now_s() - start_s);
     return HS_OK;
 }

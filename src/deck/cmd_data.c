@@ -77,6 +77,7 @@ static hs_status run_read_data(hs_deck *deck, const hs_args *args, hs_error *err
     hs_sim *sim = deck->sim;
     hs_data_options options = {.pair_style = sim->pair != NULL ? sim->pair->style->about.name : NULL,
                                .pair_coeff = set_coefficients,
+                               .may_be_skewed = sim->may_be_skewed,
                                .context = sim};
     HS_TRY(read_options(deck, args, &options, err));
     if (sim->box.exists && !options.is_added)
@@ -163,7 +164,8 @@ const hs_command hs_commands_data[] = {
               "The file has the columns of the present atom_style (as in LAMMPS; charges must be 0) and may be "
               "compressed (`.gz`). The header gives `atoms`, `atom types`, `xlo "
               "xhi`, "
-              "`ylo yhi`, `zlo zhi`; counts for bonds and the like must be 0, and tilted boxes are refused. Sections: "
+              "`ylo yhi`, `zlo zhi`; and, in a tilted box, `xy xz yz`; counts for bonds and the like must be 0. "
+              "Sections: "
               "Masses, Atoms (`id type x y z` for style atomic, and three image flags or none), Velocities, Pair "
               "Coeffs, PairIJ Coeffs "
               "(these need a pair style before). Every number is checked; a bad one stops the run with file and line. "

@@ -27,8 +27,9 @@ static void tell_system(hs_sink *out, const hs_deck *deck)
     if (box->exists)
         for (int d = 0; d < 3; ++d)
             hs_say(out, "\n%clo, %chi      = %.8g, %.8g", "xyz"[d], "xyz"[d], box -> lo[d], box -> hi[d]);
-    else
-        hs_say(out, "\nBox has not yet been created");
+    if (box->exists && box->is_tilted)
+        hs_say(out, "\nxy, xz, yz    = %.8g, %.8g, %.8g", box->tilt[0], box->tilt[1], box->tilt[2]);
+    if (!box->exists) hs_say(out, "\nBox has not yet been created");
     hs_say(out, "\nPair style    = %s\n", sim->pair != NULL ? sim->pair->style->about.name : "none");
     hs_say(out, "Timestep      = %.15g at step %lld\n", sim->env.dt, (long long)sim->env.step);
 }

@@ -4,6 +4,7 @@
 #include "base/memory.h"
 #include "deck/command.h"
 #include "deck/place_atoms.h"
+#include "style/box_shape.h"
 
 static const hs_keyword replicate_keywords[] = {
     {"bbox", 0, "", "another way to the same result in LAMMPS: no effect"},
@@ -25,15 +26,18 @@ static hs_status check_room(const hs_sim *sim, const int64_t n[3], int64_t max_i
 static void unwrap(hs_sim *sim)
 {
     hs_atoms *atoms = &sim->atoms;
-    for (int axis = 0; axis < 3; ++axis)
-        for (int i = 0; i < atoms->n_local; ++i) {
-            atoms->x[axis][i] += atoms->image[axis][i] * hs_box_length(&sim->box, axis);
+    for (int i = 0; i < atoms->n_local; ++i) {
+        const double x[3] = {atoms->x[0][i], atoms->x[1][i], atoms->x[2][i]};
+        const int32_t image[3] = {atoms->image[0][i], atoms->image[1][i], atoms->image[2][i]};
+        for (int axis = 0; axis < 3; ++axis) {
+            atoms->x[axis][i] = hs_box_unwrapped(&sim->box, x, image, axis);
             atoms->image[axis][i] = 0;
         }
+    }
 }
 
 /** Append the copies of the local atoms, each with all that belongs to its original. */
-static hs_status add_copies(hs_sim *sim, const int64_t n[3], const double length[3], int64_t max_id, hs_error *err)
+static hs_status add_copies(hs_sim *sim, const int64_t n[3], int64_t max_id, hs_error *err)
 {
     hs_atoms *atoms = &sim->atoms;
     const int n_before = atoms->n_local;
@@ -42,14 +46,16 @@ static hs_status add_copies(hs_sim *sim, const int64_t n[3], const double length
     HS_TRY(hs_atoms_reserve(atoms, n[0] * n[1] * n[2] * n_before, 0, err));
     HS_TRY(hs_memory_alloc((void **)&record, 1, hs_atoms_record_size(atoms), err));
     for (int64_t k = 1; k < n[0] * n[1] * n[2]; ++k) {
-        const int64_t cell[3] = {k % n[0], k / n[0] % n[1], k / (n[0] * n[1])};
+        const int32_t cell[3] = {(int32_t)(k % n[0]), (int32_t)(k / n[0] % n[1]), (int32_t)(k / (n[0] * n[1]))};
+        double shift[3];
+        hs_box_shift(&sim->box, cell, shift);
         for (int i = 0; i < n_before; ++i) {
             const int copy = atoms->n_local;
             hs_atoms_pack(atoms, i, record);
             hs_atoms_unpack(atoms, record);
             atoms->id[copy] = atoms->id[i] + k * max_id;
             for (int axis = 0; axis < 3; ++axis) {
-                atoms->x[axis][copy] += (double)cell[axis] * length[axis];
+                atoms->x[axis][copy] += shift[axis];
                 atoms->f[axis][copy] = 0.0;
             }
         }
@@ -77,15 +83,16 @@ static hs_status replicate_run(hs_deck *deck, const hs_args *args, hs_error *err
     hs_parallel_max_int64(&sim->parallel, &max_id, 1);
     HS_TRY(check_room(sim, n, max_id, err));
     unwrap(sim);
-    (void)add_copies(sim, n, length, max_id, err);
+    (void)add_copies(sim, n, max_id, err);
     HS_TRY(hs_parallel_agree(&sim->parallel, err));
     for (int axis = 0; axis < 3; ++axis) box->hi[axis] = box->lo[axis] + (double)n[axis] * length[axis];
+    for (int k = 0; k < 3; ++k) box->tilt[k] *= (double)n[hs_tilt_second(k)];
+    HS_TRY(hs_box_check_shape(box, sim->may_be_skewed, deck->out, args->command, err));
     hs_box_settle_faces(box);
     HS_TRY(hs_domain_divide(&sim->domain, box, err));
     HS_TRY(hs_atoms_wrap_all(sim, args->command, err));
     hs_sim_atoms_changed(sim);
-    hs_say(deck->out, "Replicating atoms ...\n  orthogonal box = (%#.8g %#.8g %#.8g) to (%#.8g %#.8g %#.8g)\n",
-           box->lo[0], box->lo[1], box->lo[2], box->hi[0], box->hi[1], box->hi[2]);
+    hs_box_say(deck->out, "Replicating atoms ...\n  ", box);
     hs_say(deck->out, "  %d by %d by %d MPI processor grid\n  %lld atoms\n", sim->domain.n[0], sim->domain.n[1],
            sim->domain.n[2], (long long)sim->atoms.n_all);
     return HS_OK;

@@ -5,6 +5,7 @@
 #include "base/text.h"
 #include "deck/command.h"
 #include "sim/rerun.h"
+#include "style/box_shape.h"
 
 /** Steps are counted well within 64 bits, so that sums of them never overflow. */
 static const int64_t step_max = INT64_C(1) << 60;
@@ -222,14 +223,13 @@ static hs_status find_step(hs_frames *frames, const hs_args *args, int64_t step,
 
 static void say_counts(const hs_sim *sim, const hs_read_counts *counts)
 {
-    const hs_box *box = &sim->box;
+    hs_box_say(sim->env.out, "  ", &sim->box);
     hs_say(sim->env.out,
-           "  orthogonal box = (%#.8g %#.8g %#.8g) to (%#.8g %#.8g %#.8g)\n  %lld atoms before read\n"
+           "  %lld atoms before read\n"
            "  %lld atoms in snapshot\n  %lld atoms purged\n  %lld atoms replaced\n  %lld atoms trimmed\n"
            "  %lld atoms added\n  %lld atoms after read\n",
-           box->lo[0], box->lo[1], box->lo[2], box->hi[0], box->hi[1], box->hi[2], (long long)counts->before,
-           (long long)counts->in_snapshot, (long long)counts->purged, (long long)counts->replaced,
-           (long long)counts->trimmed, (long long)counts->added, (long long)counts->after);
+           (long long)counts->before, (long long)counts->in_snapshot, (long long)counts->purged,
+           (long long)counts->replaced, (long long)counts->trimmed, (long long)counts->added, (long long)counts->after);
 }
 
 static hs_status read_dump_run(hs_deck *deck, const hs_args *args, hs_error *err)

@@ -78,6 +78,26 @@ static hs_status boundary_run(hs_deck *deck, const hs_args *args, hs_error *err)
     return HS_OK;
 }
 
+/* ---- box ---- */
+
+static const hs_keyword box_keywords[] = {
+    {"tilt", 1, "small|large", "refuse boxes whose tilt is more than half of an edge (default), or warn of them"},
+    {NULL, 0, NULL, NULL},
+};
+
+static hs_status box_run(hs_deck *deck, const hs_args *args, hs_error *err)
+{
+    static const char *const tilts[] = {"small", "large", NULL};
+    HS_TRY(need_no_box(deck, args->command, err));
+    HS_TRY(hs_arg_need(args, 1, "tilt small or tilt large", err));
+    for (int i = 0; i < args->n; i += 2) {
+        int which;
+        HS_TRY(hs_arg_choice(args, i + 1, tilts, &which, err));
+        deck->sim->may_be_skewed = which == 1;
+    }
+    return HS_OK;
+}
+
 /* ---- atom_style, atom_modify ---- */
 
 /** A word of atom_style as a part of the style. */
@@ -235,6 +255,23 @@ const hs_command hs_commands_system[] = {
             },
         .run = units_run,
         .check = units_check,
+    },
+    {
+        .about =
+            {
+                .name = "box",
+                .syntax = {"tilt small|large", 0, 0, box_keywords},
+                .summary = "Allow or refuse boxes that are tilted more than they need be",
+                .details = "A box whose tilt `xy` is more than half of its length in x (`xz` likewise, `yz` in y) has "
+                           "the same "
+                           "periodic images as one with a tilt that is less by that length. As in LAMMPS such boxes "
+                           "are refused, "
+                           "with `tilt large` they are only worth a warning: they have more surface to their volume, "
+                           "so that runs "
+                           "are slower. Must come before the box.\n",
+                .example = "box tilt large",
+            },
+        .run = box_run,
     },
     {
         .about =

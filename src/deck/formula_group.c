@@ -39,7 +39,10 @@ static bool is_chosen(const selection *chosen, int i)
 /** Place of an atom with the box lengths it has crossed added. */
 static void unwrap(const hs_sim *sim, int i, double x[3])
 {
-    for (int d = 0; d < 3; ++d) x[d] = sim->atoms.x[d][i] + sim->atoms.image[d][i] * hs_box_length(&sim->box, d);
+    const hs_atoms *atoms = &sim->atoms;
+    const double place[3] = {atoms->x[0][i], atoms->x[1][i], atoms->x[2][i]};
+    const int32_t image[3] = {atoms->image[0][i], atoms->image[1][i], atoms->image[2][i]};
+    for (int d = 0; d < 3; ++d) x[d] = hs_box_unwrapped(&sim->box, place, image, d);
 }
 
 static hs_status need_mass(double mass, const hs_node *node, hs_error *err)

@@ -3,32 +3,27 @@
 #include <math.h>
 #include <string.h>
 
-/** Box lengths away from the box that images can count. */
-static const double farthest = 1e9;
+/** A periodic axis along which x is farther from the box than images can count; -1: none. */
+static int too_far_along(const hs_box *box, const double x[3])
+{
+    for (int axis = 0; axis < 3; ++axis)
+        if (box->periodic[axis] &&
+            !(fabs(hs_box_upright(box, x, axis) - box->lo[axis]) < HS_BOX_FARTHEST * hs_box_length(box, axis)))
+            return axis;
+    return -1;
+}
 
 hs_status hs_atoms_wrap_all(hs_sim *sim, const char *command, hs_error *err)
 {
     hs_atoms *atoms = &sim->atoms;
-    for (int axis = 0; axis < 3; ++axis) {
-        const double lo = sim->box.lo[axis], length = hs_box_length(&sim->box, axis);
-        for (int i = 0; i < atoms->n_local && sim->box.periodic[axis] && err->status == HS_OK; ++i) {
-            double *x = &atoms->x[axis][i];
-            const double away = floor((*x - lo) / length);
-            if (!(fabs(away) < farthest)) {
-                (void)hs_fail(err, HS_ERROR_INPUT, "%s: atom %lld would be at %g in %c, more than 1e9 box lengths away",
-                              command, (long long)atoms->id[i], *x, "xyz"[axis]);
-                break;
-            }
-            *x -= away * length;
-            atoms->image[axis][i] += (int32_t)away;
-        }
-    }
-    for (int i = 0; i < atoms->n_local; ++i) { /* what rounding has left on the face */
-        double x[3];
-        int32_t image[3];
-        for (int axis = 0; axis < 3; ++axis) {
-            x[axis] = atoms->x[axis][i];
-            image[axis] = atoms->image[axis][i];
+    for (int i = 0; i < atoms->n_local; ++i) {
+        double x[3] = {atoms->x[0][i], atoms->x[1][i], atoms->x[2][i]};
+        int32_t image[3] = {atoms->image[0][i], atoms->image[1][i], atoms->image[2][i]};
+        const int far = too_far_along(&sim->box, x);
+        if (far >= 0) {
+            (void)hs_fail(err, HS_ERROR_INPUT, "%s: atom %lld would be at %g in %c, more than 1e9 box lengths away",
+                          command, (long long)atoms->id[i], x[far], "xyz"[far]);
+            break;
         }
         hs_box_wrap(&sim->box, x, image);
         for (int axis = 0; axis < 3; ++axis) {

@@ -96,8 +96,10 @@ hs_status hs_velocity_zero_momentum(const hs_velocity_group *group, hs_error *er
 /** Position with the box lengths that the image numbers stand for. */
 static void unwrap(const hs_sim *sim, int i, double x[3])
 {
-    for (int axis = 0; axis < 3; ++axis)
-        x[axis] = sim->atoms.x[axis][i] + sim->atoms.image[axis][i] * hs_box_length(&sim->box, axis);
+    const hs_atoms *atoms = &sim->atoms;
+    const double place[3] = {atoms->x[0][i], atoms->x[1][i], atoms->x[2][i]};
+    const int32_t image[3] = {atoms->image[0][i], atoms->image[1][i], atoms->image[2][i]};
+    for (int axis = 0; axis < 3; ++axis) x[axis] = hs_box_unwrapped(&sim->box, place, image, axis);
 }
 
 static void center_of_mass(const hs_velocity_group *group, double center[3])

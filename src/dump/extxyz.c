@@ -56,9 +56,9 @@ static hs_status write_header(hs_dump *dump, hs_writer *writer, hs_error *err)
     const hs_env *env = dump->env;
     const hs_box *box = env->box;
     HS_TRY(hs_writer_printf(writer, err,
-                            "%lld\nLattice=\"%.16g 0 0 0 %.16g 0 0 0 %.16g\" Origin=\"%.16g %.16g %.16g\" ",
-                            (long long)table->n_rows_all, hs_box_length(box, 0), hs_box_length(box, 1),
-                            hs_box_length(box, 2), box->lo[0], box->lo[1], box->lo[2]));
+                            "%lld\nLattice=\"%.16g 0 0 %.16g %.16g 0 %.16g %.16g %.16g\" Origin=\"%.16g %.16g %.16g\" ",
+                            (long long)table->n_rows_all, hs_box_length(box, 0), box->tilt[0], hs_box_length(box, 1),
+                            box->tilt[1], box->tilt[2], hs_box_length(box, 2), box->lo[0], box->lo[1], box->lo[2]));
     HS_TRY(write_properties(table, writer, err));
     return hs_writer_printf(writer, err, " pbc=\"%c %c %c\" Step=%lld Time=%.16g\n", box->periodic[0] ? 'T' : 'F',
                             box->periodic[1] ? 'T' : 'F', box->periodic[2] ? 'T' : 'F', (long long)env->step,

@@ -332,12 +332,10 @@ static void draw_edge(const hs_dump *dump, hs_image *image, const double from[3]
     const image_dump *state = dump->state;
     const hs_box *box = dump->env->box;
     double a[3] = {0.0, 0.0, 0.0}, b[3] = {0.0, 0.0, 0.0}, start[3], stop[3], shortest = INFINITY;
-    for (int axis = 0; axis < box->dimension; ++axis) {
-        const double length = hs_box_length(box, axis);
-        a[axis] = box->lo[axis] + from[axis] * length;
-        b[axis] = box->lo[axis] + to[axis] * length;
-        shortest = fmin(shortest, length);
-    }
+    hs_box_place(box, from, a);
+    hs_box_place(box, to, b);
+    for (int axis = 0; axis < box->dimension; ++axis) shortest = fmin(shortest, hs_box_length(box, axis));
+    if (box->dimension == 2) a[2] = b[2] = 0.0;
     hs_image_project(&state->view, a, start);
     hs_image_project(&state->view, b, stop);
     hs_image_draw_stick(image, start, stop, 0.5 * diameter * shortest * state->view.scale, color);

@@ -1,41 +1,43 @@
-/* Changes the lengths of the box during a run. */
+/* Changes the lengths and tilts of the box during a run. */
 #include <math.h>
 #include <string.h>
 
-#include "base/memory.h"
 #include "core/lattice.h"
 #include "style/box_change.h"
+#include "style/box_flow.h"
+#include "style/box_shape.h"
+#include "style/deform_path.h"
 #include "style/fix.h"
 
-typedef enum { NOT, FINAL, DELTA, SCALE, VELOCITY, RATE, TRUE_RATE, VOLUME, WIGGLE, VARIABLE } deform_style;
-static const char *const style_names[] = {"final", "delta",  "scale",  "vel",      "erate",
-                                          "trate", "volume", "wiggle", "variable", NULL};
-
-/** What happens to one axis. */
-typedef struct deform_axis {
-    deform_style style;
-    double number[2]; /**< of the style; lengths in distance */
-    char *variable;   /**< owned; equal-style variable: change of the length, distance */
-    double first[2];  /**< bounds when the fix was defined, */
-    double start[2];  /**< and when the run (or series of runs) began */
-} deform_axis;
+enum { N_PATHS = 6 }; /* of the lengths along x, y and z, then of the tilts xy, xz and yz */
+static const char *const path_names[] = {"x", "y", "z", "xy", "xz", "yz"};
 
 typedef struct deform_state {
+    hs_box_flow flow; /**< env->box_flow, as long as this fix lives */
     int64_t every;
-    deform_axis axis[3];
-    bool moves_atoms;
+    hs_deform_path path[N_PATHS];
+    /** Bounds and tilts when the fix was defined, and when the run (or series of runs) began. */
+    double first[3][2], start[3][2], first_tilt[3], start_tilt[3];
+    bool has_flips;
+    int64_t flips
+        [3]; /**< since the run began: b is flips[0] a, c flips[1] a + flips[2] b more than the paths say, b as they say */
+    int64_t flip_at;     /**< step whose lists are made in a box with other edges; -1: none */
+    int64_t flip_now[3]; /**< which: see hs_box_flip */
 } deform_state;
 
 static const hs_keyword keywords[] = {
     {"x", -1, "final|delta|scale|vel|erate|trate|volume|wiggle|variable <numbers>", "what the length in x does"},
     {"y", -1, "final|delta|scale|vel|erate|trate|volume|wiggle|variable <numbers>", "in y"},
     {"z", -1, "final|delta|scale|vel|erate|trate|volume|wiggle|variable <numbers>", "in z"},
-    {"remap", 1, "x|v|none", "whether atoms of the group go along (x, the default) or stay where they are (none)"},
+    {"xy", -1, "final|delta|vel|erate|trate|wiggle|variable <numbers>", "what the tilt of y along x does"},
+    {"xz", -1, "final|delta|vel|erate|trate|wiggle|variable <numbers>", "of z along x"},
+    {"yz", -1, "final|delta|vel|erate|trate|wiggle|variable <numbers>", "of z along y"},
+    {"remap", 1, "x|v|none",
+     "atoms of the group go along (x, the default), stay where they are (none), or take another velocity with the "
+     "image "
+     "(v)"},
+    {"flip", 1, "yes|no", "a tilt beyond half of the edge gives way to an equivalent one (default: yes)"},
     {"units", 1, "lattice|box", "lengths are in lattice spacings (default) or in distance units"},
-    {"xy", -1, "<words>", "refused: boxes are not tilted"},
-    {"xz", -1, "<words>", "refused"},
-    {"yz", -1, "<words>", "refused"},
-    {"flip", 1, "yes|no", "refused"},
     {NULL, 0, NULL, NULL},
 };
 
@@ -53,93 +55,239 @@ static hs_status check_axis(const hs_fix *fix, const hs_args *args, int axis, hs
     return HS_OK;
 }
 
-/** An axis and what follows it, from word i on; *n_used words. */
-static hs_status read_axis(hs_fix *fix, const hs_args *args, int i, double unit, int *n_used, hs_error *err)
+static hs_status check_tilt(const hs_fix *fix, const hs_args *args, int tilt, hs_error *err)
 {
-    static const int n_numbers[] = {0, 2, 2, 1, 1, 1, 1, 0, 2, 2};
-    deform_state *state = fix->state;
-    deform_axis *a = &state->axis[args->word[i][0] - 'x'];
-    int style;
-    HS_TRY(check_axis(fix, args, args->word[i][0] - 'x', err));
-    HS_TRY(hs_arg_choice(args, i + 1, style_names, &style, err));
-    a->style = (deform_style)(style + 1);
-    const int n = n_numbers[a->style];
-    *n_used = 2 + n;
-    HS_TRY(hs_arg_need(args, i + 1 + n, "a number", err));
-    if (a->style == VARIABLE) { /* the second variable, a rate, is for remap v, which there is not */
-        if (strncmp(args->word[i + 2], "v_", 2) != 0)
-            return hs_arg_refuse(args, i + 2, "an equal-style variable (v_name)", NULL, err);
-        HS_FREE(a->variable);
-        return hs_memory_strdup(&a->variable, args->word[i + 2] + 2, err);
-    }
-    for (int k = 0; k < n; ++k) {
-        const bool is_length =
-            a->style == FINAL || a->style == DELTA || a->style == VELOCITY || (a->style == WIGGLE && k == 0);
-        HS_TRY(hs_arg_double(args, i + 2 + k, &a->number[k], err));
-        if (is_length) a->number[k] *= unit;
-    }
-    if (a->style == SCALE && !(a->number[0] > 0.0)) return hs_arg_refuse(args, i + 2, "a factor above 0", NULL, err);
-    if (a->style == WIGGLE && !(a->number[1] > 0.0)) return hs_arg_refuse(args, i + 3, "a period above 0", NULL, err);
-    return HS_OK;
-}
-
-static hs_status refuse(const hs_args *args, int i, hs_error *err)
-{
-    if (strcmp(args->word[i], "remap") == 0 && strcmp(args->word[i + 1], "v") == 0)
+    const hs_box *box = fix->env->box;
+    const int second = hs_tilt_second(tilt);
+    if (second >= box->dimension)
+        return hs_fail(err, HS_ERROR_INPUT, "%s: a 2d box can be tilted along xy only, not along %s", args->command,
+                       hs_tilt_names[tilt]);
+    if (!box->is_tilted)
+        return hs_fail(
+            err, HS_ERROR_INPUT,
+            "%s: the tilt %s of an orthogonal box cannot change; 'change_box all triclinic' makes the box one "
+            "that can be tilted, as does a region of style prism in create_box",
+            args->command, hs_tilt_names[tilt]);
+    if (!box->periodic[second])
         return hs_fail(err, HS_ERROR_INPUT,
-                       "%s: 'remap v' belongs to fix nvt/sllod, which this version does not have; 'remap x' moves the "
-                       "atoms with the box",
-                       args->command);
-    if (strcmp(args->word[i], "remap") == 0) return HS_OK;
-    return hs_fail(err, HS_ERROR_INPUT,
-                   "%s: '%s' is about tilted boxes, which this version does not have; x, y and z change the lengths of "
-                   "the box",
-                   args->command, args->word[i]);
+                       "%s: the tilt %s shifts what crosses the faces of %c, which must be periodic ('boundary')",
+                       args->command, hs_tilt_names[tilt], "xyz"[second]);
+    return HS_OK;
 }
 
 static hs_status check_volumes(const deform_state *state, const hs_args *args, hs_error *err)
 {
-    int n_volumes = 0, n_others = 0;
+    int n_volumes = 0, n_others = 0, n_tilts = 0;
     for (int axis = 0; axis < 3; ++axis) {
-        n_volumes += state->axis[axis].style == VOLUME;
-        n_others += state->axis[axis].style != NOT && state->axis[axis].style != VOLUME;
+        n_volumes += state->path[axis].style == HS_DEFORM_VOLUME;
+        n_others += state->path[axis].style != HS_DEFORM_NOT && state->path[axis].style != HS_DEFORM_VOLUME;
+        n_tilts += state->path[3 + axis].style != HS_DEFORM_NOT;
     }
-    if (n_volumes + n_others == 0)
-        return hs_fail(err, HS_ERROR_INPUT, "%s: what changes? 'x', 'y' or 'z' must follow", args->command);
+    if (n_volumes + n_others + n_tilts == 0)
+        return hs_fail(err, HS_ERROR_INPUT, "%s: what changes? 'x', 'y', 'z', 'xy', 'xz' or 'yz' must follow",
+                       args->command);
     if (n_volumes == 0 || n_others > 0) return HS_OK;
     return hs_fail(err, HS_ERROR_INPUT, "%s: 'volume' needs another axis whose change it makes up for", args->command);
 }
 
-static hs_status create(hs_fix *fix, const hs_args *args, hs_error *err)
+/** A length or tilt and what follows it, from word i on; *n_used words. */
+static hs_status read_path(hs_fix *fix, const hs_args *args, int i, bool is_box, int *n_used, hs_error *err)
 {
     deform_state *state = fix->state;
+    int k = 0;
+    while (strcmp(args->word[i], path_names[k]) != 0) ++k;
+    const bool is_tilt = k >= 3;
+    const int axis = is_tilt ? hs_tilt_first(k - 3) : k;
+    HS_TRY(is_tilt ? check_tilt(fix, args, k - 3, err) : check_axis(fix, args, k, err));
+    HS_TRY(hs_deform_path_read(&state->path[k], args, i + 1, is_tilt, is_box ? 1.0 : fix->env->lattice->spacing[axis],
+                               n_used, err));
+    ++*n_used;
+    return HS_OK;
+}
+
+static hs_status create(hs_fix *fix, const hs_args *args, hs_error *err)
+{
+    static const char *const remaps[] = {"x", "v", "none", NULL};
+    deform_state *state = fix->state;
+    const hs_box *box = fix->env->box;
     bool is_box = false;
-    state->moves_atoms = true;
+    state->has_flips = true;
+    state->flip_at = -1;
+    state->flow.moves_places = fix->mask;
     HS_TRY(hs_syntax_check(&fix->style->about.syntax, args, false, err));
     HS_TRY(hs_arg_int(args, 0, 1, INT64_MAX, &state->every, err));
     for (int i = 1; i + 1 < args->n; ++i)
         if (strcmp(args->word[i], "units") == 0) is_box = strcmp(args->word[i + 1], "box") == 0;
     for (int i = 1, n_used; i < args->n; i += n_used) {
         const char *word = args->word[i];
+        int remap;
         n_used = 2;
-        if (strlen(word) == 1) {
-            const int axis = word[0] - 'x';
-            HS_TRY(read_axis(fix, args, i, is_box ? 1.0 : fix->env->lattice->spacing[axis], &n_used, err));
+        if (strcmp(word, "remap") == 0) {
+            HS_TRY(hs_arg_choice(args, i + 1, remaps, &remap, err));
+            state->flow.moves_places = remap == 0 ? fix->mask : 0;
+            state->flow.moves_velocities = remap == 1 ? fix->mask : 0;
+        } else if (strcmp(word, "flip") == 0) {
+            HS_TRY(hs_arg_bool(args, i + 1, &state->has_flips, err));
         } else if (strcmp(word, "units") != 0) {
-            HS_TRY(refuse(args, i, err));
-            state->moves_atoms = strcmp(args->word[i + 1], "x") == 0;
+            HS_TRY(read_path(fix, args, i, is_box, &n_used, err));
         }
     }
     for (int axis = 0; axis < 3; ++axis) {
-        state->axis[axis].first[0] = fix->env->box->lo[axis];
-        state->axis[axis].first[1] = fix->env->box->hi[axis];
+        state->first[axis][0] = box->lo[axis];
+        state->first[axis][1] = box->hi[axis];
+        state->first_tilt[axis] = box->tilt[axis];
     }
-    return check_volumes(state, args, err);
+    HS_TRY(check_volumes(state, args, err));
+    fix->env->box_flow = &state->flow;
+    return HS_OK;
 }
 
 static void destroy(hs_fix *fix)
 {
-    for (int axis = 0; axis < 3; ++axis) HS_FREE(((deform_state *)fix->state)->axis[axis].variable);
+    deform_state *state = fix->state;
+    for (int k = 0; k < N_PATHS; ++k) hs_deform_path_fini(&state->path[k]);
+    if (fix->env->box_flow == &state->flow) fix->env->box_flow = NULL;
+}
+
+/* Where the paths lead */
+
+/** The box that the paths give at the present step, without flips, and how fast it changes. */
+typedef struct aim {
+    double lo[3], hi[3], tilt[3];
+    double length_rate[3], lo_rate[3], tilt_rate[3]; /**< velocity */
+} aim;
+
+static hs_status aim_axis(const hs_fix *fix, int axis, aim *to, hs_error *err)
+{
+    const deform_state *state = fix->state;
+    const hs_deform_path *path = &state->path[axis];
+    const double *begin = state->start[axis], length = begin[1] - begin[0];
+    double growth[2], rate[2];
+    to->lo[axis] = fix->env->box->lo[axis];
+    to->hi[axis] = fix->env->box->hi[axis];
+    to->lo_rate[axis] = to->length_rate[axis] = 0.0;
+    if (path->style == HS_DEFORM_NOT) return HS_OK;
+    if (path->style == HS_DEFORM_FINAL || path->style == HS_DEFORM_DELTA) {
+        for (int k = 0; k < 2; ++k) {
+            const hs_deform_start start = {.value = begin[k], .k = k};
+            HS_TRY(hs_deform_growth(path, fix->env, &start, &growth[k], &rate[k], err));
+        }
+    } else { /* the same at both ends */
+        const hs_deform_start start = {.length = length, .every = state->every};
+        HS_TRY(hs_deform_growth(path, fix->env, &start, &growth[1], &rate[1], err));
+        growth[1] *= 0.5, rate[1] *= 0.5;
+        growth[0] = -growth[1], rate[0] = -rate[1];
+    }
+    to->lo[axis] = begin[0] + growth[0];
+    to->hi[axis] = begin[1] + growth[1];
+    to->lo_rate[axis] = rate[0];
+    to->length_rate[axis] = rate[1] - rate[0];
+    if (to->hi[axis] > to->lo[axis]) return HS_OK;
+    return hs_fail(err, HS_ERROR_RUN, "fix '%s' (deform): at step %lld the box would reach from %g to %g in %c",
+                   fix->id, (long long)fix->env->step, to->lo[axis], to->hi[axis], "xyz"[axis]);
+}
+
+static hs_status aim_tilt(const hs_fix *fix, int tilt, aim *to, hs_error *err)
+{
+    const deform_state *state = fix->state;
+    const hs_deform_path *path = &state->path[3 + tilt];
+    const double *across = state->start[hs_tilt_second(tilt)], begin = state->start_tilt[tilt];
+    const hs_deform_start start = {.value = begin,
+                                   .length = path->style == HS_DEFORM_TRUE_RATE ? begin : across[1] - across[0],
+                                   .every = state->every};
+    double growth;
+    HS_TRY(hs_deform_growth(path, fix->env, &start, &growth, &to->tilt_rate[tilt], err));
+    to->tilt[tilt] = begin + growth;
+    return HS_OK;
+}
+
+/** The axes that keep the volume make up for the others; two of them share that. */
+static void keep_volume(const deform_state *state, aim *to)
+{
+    double ratio = 1.0,
+           growing = 0.0; /* volume at the start over that which the other axes would give; its rate, 1/time */
+    int n_volumes = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+        const double *begin = state->start[axis], length = to->hi[axis] - to->lo[axis];
+        const bool is_volume = state->path[axis].style == HS_DEFORM_VOLUME;
+        n_volumes += is_volume;
+        if (!is_volume) ratio *= (begin[1] - begin[0]) / length;
+        if (!is_volume) growing += to->length_rate[axis] / length;
+    }
+    for (int axis = 0; axis < 3; ++axis) {
+        const double *begin = state->start[axis];
+        if (state->path[axis].style != HS_DEFORM_VOLUME) continue;
+        const double middle = 0.5 * (begin[0] + begin[1]),
+                     half = 0.5 * (begin[1] - begin[0]) * (n_volumes == 2 ? sqrt(ratio) : ratio);
+        to->lo[axis] = middle - half;
+        to->hi[axis] = middle + half;
+        to->length_rate[axis] = -2.0 * half * growing / n_volumes;
+        to->lo_rate[axis] = -0.5 * to->length_rate[axis];
+    }
+}
+
+static hs_status find_aim(const hs_fix *fix, aim *to, hs_error *err)
+{
+    for (int axis = 0; axis < 3; ++axis) HS_TRY(aim_axis(fix, axis, to, err));
+    for (int tilt = 0; tilt < 3; ++tilt) HS_TRY(aim_tilt(fix, tilt, to, err));
+    keep_volume(fix->state, to);
+    return HS_OK;
+}
+
+/** How fast the edges and the lower corner change. */
+static void set_flow(hs_box_flow *flow, const aim *to)
+{
+    const double edge[3][3] = {{to->length_rate[0], 0.0, 0.0},
+                               {to->tilt_rate[0], to->length_rate[1], 0.0},
+                               {to->tilt_rate[1], to->tilt_rate[2], to->length_rate[2]}};
+    memcpy(flow->edge, edge, sizeof edge);
+    memcpy(flow->corner, to->lo_rate, sizeof flow->corner);
+}
+
+/* Hooks */
+
+/** Rates of some styles are known once the box has changed, as in LAMMPS: variables cannot be asked before a run. */
+static bool is_known_before(const hs_deform_path *path)
+{
+    return path->style != HS_DEFORM_TRUE_RATE && path->style != HS_DEFORM_WIGGLE && path->style != HS_DEFORM_VARIABLE;
+}
+
+/** The flow that a run begins with. */
+static hs_status begin_flow(const hs_fix *fix, hs_box_flow *flow, hs_error *err)
+{
+    const deform_state *state = fix->state;
+    aim to = {.lo = {0.0}};
+    for (int axis = 0; axis < 3; ++axis) {
+        to.lo[axis] = fix->env->box->lo[axis];
+        to.hi[axis] = fix->env->box->hi[axis];
+        to.length_rate[axis] = flow->edge[axis][axis];
+        to.lo_rate[axis] = flow->corner[axis];
+        if (is_known_before(&state->path[axis])) HS_TRY(aim_axis(fix, axis, &to, err));
+    }
+    for (int tilt = 0; tilt < 3; ++tilt) {
+        to.tilt_rate[tilt] = flow->edge[hs_tilt_second(tilt)][hs_tilt_first(tilt)];
+        if (is_known_before(&state->path[3 + tilt])) HS_TRY(aim_tilt(fix, tilt, &to, err));
+    }
+    keep_volume(state, &to);
+    set_flow(flow, &to);
+    return HS_OK;
+}
+
+static hs_status check_start(const hs_fix *fix, hs_error *err)
+{
+    const deform_state *state = fix->state;
+    char name[128];
+    snprintf(name, sizeof name, "fix '%.80s' (deform)", fix->id);
+    if (fix->env->box_flow != &state->flow)
+        return hs_fail(err, HS_ERROR_INPUT,
+                       "%s: another fix deform changes the box, too; one fix can change all lengths and tilts", name);
+    for (int k = 0; k < N_PATHS; ++k) HS_TRY(hs_deform_path_check(&state->path[k], fix->env, name, err));
+    for (int tilt = 0; tilt < 3; ++tilt)
+        if (state->path[3 + tilt].style == HS_DEFORM_TRUE_RATE && state->start_tilt[tilt] == 0.0)
+            return hs_fail(err, HS_ERROR_INPUT,
+                           "%s: '%s trate' multiplies the tilt, which is 0; 'erate' makes it grow from there", name,
+                           hs_tilt_names[tilt]);
+    return HS_OK;
 }
 
 /** A run starts from the present box; a series of runs (`run start`) from that when the fix was defined. */
@@ -147,98 +295,90 @@ static hs_status init(hs_fix *fix, hs_error *err)
 {
     deform_state *state = fix->state;
     const hs_env *env = fix->env;
+    const bool is_single = env->first_step == env->ramp_start;
     for (int axis = 0; axis < 3; ++axis) {
-        deform_axis *a = &state->axis[axis];
-        const bool is_single = env->first_step == env->ramp_start;
-        a->start[0] = is_single ? env->box->lo[axis] : a->first[0];
-        a->start[1] = is_single ? env->box->hi[axis] : a->first[1];
-        if (a->variable != NULL && (env->variable_kind == NULL || env->variable_kind(env->deck, a->variable) != 1))
-            return hs_fail(err, HS_ERROR_INPUT, "fix '%s' (deform): there is no equal-style variable '%s'", fix->id,
-                           a->variable);
+        state->start[axis][0] = is_single ? env->box->lo[axis] : state->first[axis][0];
+        state->start[axis][1] = is_single ? env->box->hi[axis] : state->first[axis][1];
+        state->start_tilt[axis] = is_single ? env->box->tilt[axis] : state->first_tilt[axis];
+        if (is_single) state->flips[axis] = 0;
     }
+    state->flip_at = -1;
+    HS_TRY(check_start(fix, err));
+    return begin_flow(fix, &state->flow, err);
+}
+
+/** Atoms that have crossed a face since the lists of the run before were made take the velocity of their image. */
+static hs_status pre_force(hs_fix *fix, bool is_setup, hs_error *err)
+{
+    deform_state *state = fix->state;
+    (void)err;
+    if (is_setup && state->flow.moves_velocities != 0)
+        hs_box_wrap_flowing(fix->env, state->flow.edge, state->flow.moves_velocities);
     return HS_OK;
 }
 
-/** How much longer an axis is than at the start, the same at both ends; 0 for final and delta, which have ends of their own. */
-static hs_status growth_of(const hs_env *env, const deform_axis *a, double *growth, hs_error *err)
+/** The tilts that the paths give, in terms of the edges that the box has after its flips. */
+static void add_flips(const deform_state *state, const hs_box *box, aim *to)
 {
-    const double length = a->start[1] - a->start[0], time = (double)(env->step - env->ramp_start) * env->dt;
-    switch (a->style) {
-    case SCALE:
-        *growth = hs_env_ramp(env) * (a->number[0] - 1.0) * length;
-        return HS_OK;
-    case VELOCITY:
-        *growth = time * a->number[0];
-        return HS_OK;
-    case RATE:
-        *growth = time * a->number[0] * length;
-        return HS_OK;
-    case TRUE_RATE:
-        *growth = length * (exp(a->number[0] * time) - 1.0);
-        return HS_OK;
-    case WIGGLE:
-        *growth = a->number[0] * sin(2.0 * M_PI * time / a->number[1]);
-        return HS_OK;
-    case VARIABLE:
-        return env->variable_value(env->deck, a->variable, growth, err);
-    default:
-        *growth = 0.0;
-        return HS_OK;
-    }
+    const double lx = to->hi[0] - to->lo[0], ly = to->hi[1] - to->lo[1], xy = to->tilt[0];
+    const double flipped[3] = {to->tilt[0] + (double)state->flips[0] * lx,
+                               to->tilt[1] + (double)state->flips[1] * lx + (double)state->flips[2] * xy,
+                               to->tilt[2] + (double)state->flips[2] * ly};
+    for (int tilt = 0; tilt < 3; ++tilt)
+        to->tilt[tilt] = state->path[3 + tilt].style == HS_DEFORM_NOT ? box->tilt[tilt] : flipped[tilt];
 }
 
-/** Bounds of an axis at the present step; not of those that keep the volume. */
-static hs_status bounds_of(const hs_env *env, const deform_axis *a, double *lo, double *hi, hs_error *err)
+/** Edges by which the tilt must be changed to be at most half of the length along its first axis. */
+static int64_t excess(const hs_box *box, int tilt, double value)
 {
-    const double done = hs_env_ramp(env);
-    double growth, end[2];
-    HS_TRY(growth_of(env, a, &growth, err));
-    for (int side = 0; side < 2; ++side) {
-        end[side] = a->start[side] + (side == 0 ? -0.5 : 0.5) * growth;
-        if (a->style == FINAL) end[side] = a->start[side] + done * (a->number[side] - a->start[side]);
-        if (a->style == DELTA) end[side] = a->start[side] + done * a->number[side];
-    }
-    *lo = end[0];
-    *hi = end[1];
-    return HS_OK;
+    const int axis = hs_tilt_first(tilt);
+    const double edges = value / hs_box_length(box, axis);
+    return box->periodic[axis] && fabs(edges) > 0.5 ? -(int64_t)round(edges) : 0;
 }
 
-/** The axes that keep the volume make up for the others; two of them share that. */
-static void keep_volume(const deform_state *state, double lo[3], double hi[3])
+/** Whether the box has become too skewed: then the next step begins in an equivalent one. As in LAMMPS yz comes first, for it changes
+ *  xz. */
+static void plan_flip(deform_state *state, const hs_env *env)
 {
-    double ratio = 1.0; /* volume at the start over that which the other axes would give */
-    int n_volumes = 0;
-    for (int axis = 0; axis < 3; ++axis) {
-        const deform_axis *a = &state->axis[axis];
-        n_volumes += a->style == VOLUME;
-        if (a->style != VOLUME) ratio *= (a->start[1] - a->start[0]) / (hi[axis] - lo[axis]);
-    }
-    for (int axis = 0; axis < 3; ++axis) {
-        const deform_axis *a = &state->axis[axis];
-        if (a->style != VOLUME) continue;
-        const double middle = 0.5 * (a->start[0] + a->start[1]),
-                     half = 0.5 * (a->start[1] - a->start[0]) * (n_volumes == 2 ? sqrt(ratio) : ratio);
-        lo[axis] = middle - half;
-        hi[axis] = middle + half;
-    }
+    const hs_box *box = env->box;
+    state->flip_now[2] = excess(box, 2, box->tilt[2]);
+    state->flip_now[1] = excess(box, 1, box->tilt[1] + (double)state->flip_now[2] * box->tilt[0]);
+    state->flip_now[0] = excess(box, 0, box->tilt[0]);
+    const bool is_flipped = state->flip_now[0] != 0 || state->flip_now[1] != 0 || state->flip_now[2] != 0;
+    state->flip_at = is_flipped ? env->step + 1 : -1;
 }
 
 static hs_status end_of_step(hs_fix *fix, hs_error *err)
 {
-    const deform_state *state = fix->state;
+    deform_state *state = fix->state;
     hs_env *env = fix->env;
-    double lo[3], hi[3];
+    aim to;
     if (env->step % state->every != 0) return HS_OK;
-    for (int axis = 0; axis < 3; ++axis) {
-        lo[axis] = env->box->lo[axis];
-        hi[axis] = env->box->hi[axis];
-        if (state->axis[axis].style != NOT) HS_TRY(bounds_of(env, &state->axis[axis], &lo[axis], &hi[axis], err));
-        if (!(hi[axis] > lo[axis]))
-            return hs_fail(err, HS_ERROR_RUN, "fix '%s' (deform): at step %lld the box would reach from %g to %g in %c",
-                           fix->id, (long long)env->step, lo[axis], hi[axis], "xyz"[axis]);
+    HS_TRY(find_aim(fix, &to, err));
+    add_flips(state, env->box, &to);
+    hs_box_change(env, to.lo, to.hi, to.tilt, state->flow.moves_places);
+    set_flow(&state->flow, &to);
+    if (env->box->is_tilted && state->has_flips) plan_flip(state, env);
+    return HS_OK;
+}
+
+static int64_t next_exchange(const hs_fix *fix) { return ((const deform_state *)fix->state)->flip_at; }
+
+static hs_status pre_exchange(hs_fix *fix, hs_error *err)
+{
+    deform_state *state = fix->state;
+    const bool is_flip = state->flip_at == fix->env->step;
+    (void)err;
+    if (is_flip) {
+        const int64_t *n = state->flip_now;
+        state->flips[1] += n[1] + n[2] * state->flips[0];
+        state->flips[0] += n[0];
+        state->flips[2] += n[2];
+        hs_box_flip(fix->env, (const int32_t[3]){(int32_t)n[0], (int32_t)n[1], (int32_t)n[2]});
+        state->flip_at = -1;
     }
-    keep_volume(state, lo, hi);
-    hs_box_change(env, lo, hi, NULL, state->moves_atoms ? fix->mask : 0);
+    if (is_flip || state->flow.moves_velocities != 0)
+        hs_box_wrap_flowing(fix->env, state->flow.edge, state->flow.moves_velocities);
     return HS_OK;
 }
 
@@ -248,42 +388,63 @@ static hs_status keep_state(hs_fix *fix, hs_state *kept, hs_error *err)
                                                                                             "start z"};
     deform_state *state = fix->state;
     for (int axis = 0; axis < 3; ++axis) {
-        HS_TRY(hs_state_double(kept, first[axis], state->axis[axis].first, 2, err));
-        HS_TRY(hs_state_double(kept, start[axis], state->axis[axis].start, 2, err));
+        HS_TRY(hs_state_double(kept, first[axis], state->first[axis], 2, err));
+        HS_TRY(hs_state_double(kept, start[axis], state->start[axis], 2, err));
     }
-    return HS_OK;
+    HS_TRY(hs_state_double(kept, "flow", &state->flow.edge[0][0], 9, err));
+    HS_TRY(hs_state_double(kept, "flow of the corner", state->flow.corner, 3, err));
+    if (!fix->env->box->is_tilted) return HS_OK;
+    HS_TRY(hs_state_double(kept, "first tilt", state->first_tilt, 3, err));
+    HS_TRY(hs_state_double(kept, "start tilt", state->start_tilt, 3, err));
+    HS_TRY(hs_state_int64(kept, "flips", state->flips, 3, err));
+    HS_TRY(hs_state_int64(kept, "step of the next flip", &state->flip_at, 1, err));
+    return hs_state_int64(kept, "next flip", state->flip_now, 3, err);
 }
 
 const hs_fix_style hs_fix_style_deform = {
     .about =
         {.name = "deform",
-         .syntax = {.usage = "<N> <x|y|z> <style> <numbers> [<x|y|z> ...] [keyword value ...]",
+         .syntax = {.usage = "<N> <x|y|z|xy|xz|yz> <style> <numbers> [<x|y|z|xy|xz|yz> ...] [keyword value ...]",
                     .n_min = 1,
                     .n_max = 1,
                     .keywords = keywords},
-         .summary = "change the lengths of the box during a run",
+         .summary = "change the lengths and tilts of the box during a run",
          .details =
-             "At multiples of N steps the box gets the lengths that the styles of its axes give; axes that are not "
-             "named "
-             "keep theirs. Over the run (or from `run start` to `stop`) `final <lo> <hi>` brings the bounds to these "
-             "places, `delta <dlo> <dhi>` moves them by so much, `scale <factor>` multiplies the length. At constant "
+             "At multiples of N steps the box gets the lengths and tilts that the styles of its axes give; axes that "
+             "are "
+             "not named keep theirs. Over the run (or from `run start` to `stop`) `final <lo> <hi>` brings the bounds "
+             "to "
+             "these places, `delta <dlo> <dhi>` moves them by so much, `scale <factor>` multiplies the length. At "
+             "constant "
              "velocity `vel <V>` makes the box longer by V a unit of time; `erate <R>` by R times the first length, "
              "`trate <R>` by R times the present length; `wiggle <A> <Tp>` by A sin(2 pi t/Tp); `variable v_name "
              "v_rate` by "
-             "the value of an equal-style variable (distance units; the second is not used). `volume` makes up for the "
-             "others, so that the volume stays; two such axes share that. All but final and delta keep the middle of "
-             "the box.\n\n"
+             "the value of an equal-style variable (distance units), the second of which is its rate. `volume` makes "
+             "up "
+             "for the others, so that the volume stays; two such axes share that. All but final and delta keep the "
+             "middle "
+             "of the box.\n\n"
+             "Tilts need a tilted (triclinic) box, which may have tilts of 0: of `create_box` with a prism, of "
+             "`read_data`, or of `change_box all triclinic`. `xy` has the styles `final <tilt>`, `delta <dtilt>`, `vel "
+             "<V>`, `erate <R>` (the tilt grows by R times the box's first length in y a unit of time: R is the shear "
+             "rate), `trate <R>` (by R times the tilt), `wiggle` and `variable`; so have `xz` and `yz`. A tilt of more "
+             "than half of the length in x (`yz`: in y) gives way to an equivalent one with the next neighbor lists, "
+             "unless `flip no` is said.\n\n"
              "With `remap x` the atoms of the group go along, each keeping its fractions of the box: velocities stay. "
-             "With "
-             "`remap none` they stay, and new pairs come about at periodic faces. The fix moves nothing else: use it "
-             "with "
-             "`fix nve` or another integrator, and do not let fix npt change the same axis. Tilted boxes are not "
-             "supported.",
-         .example = "fix 2 all deform 1 x erate 0.001 y volume z volume\nfix 3 all deform 10 z scale 0.5 units box"},
+             "With `remap v` atoms of the group that cross a periodic face take the velocity of their image: right for "
+             "flows, with `fix nvt/sllod` or `compute temp/deform`. With `remap none` nothing happens to them, and new "
+             "pairs come about at periodic faces. The fix moves nothing else: use it with `fix nve` or another "
+             "integrator, and do not let fix npt change the same axis. A deck has one fix deform.",
+         .example =
+             "fix 2 all deform 1 x erate 0.001 y volume z volume\nfix 3 all deform 10 z scale 0.5 units box\nfix 4 "
+             "all deform 1 xy erate 0.05 remap v"},
     .state_size = sizeof(deform_state),
     .create = create,
     .destroy = destroy,
     .init = init,
+    .pre_force = pre_force,
+    .next_exchange = next_exchange,
+    .pre_exchange = pre_exchange,
     .end_of_step = end_of_step,
     .keep_state = keep_state,
     .is_time_dependent = true,

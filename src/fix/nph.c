@@ -22,5 +22,6 @@ const hs_fix_style hs_fix_style_nph = {
          .reference = HS_NOSE_HOOVER_REFERENCE,
          .example = "fix 1 all nph iso 0.0 0.0 5.0\nfix 2 all langevin 1.0 1.0 1.0 4711"},
     HS_NOSE_HOOVER_HOOKS,
+    .init = hs_nose_hoover_init,
     HS_NOSE_HOOVER_PRESSURE_HOOKS,
 };

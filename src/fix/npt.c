@@ -22,5 +22,6 @@ const hs_fix_style hs_fix_style_npt = {
          .example = "fix 1 all npt temp 1.0 1.0 0.5 iso 0.0 0.0 5.0\nfix 2 all npt temp 300 300 100 x 1.0 1.0 1000 y "
                     "1.0 1.0 1000 couple xy"},
     HS_NOSE_HOOVER_HOOKS,
+    .init = hs_nose_hoover_init,
     HS_NOSE_HOOVER_PRESSURE_HOOKS,
 };

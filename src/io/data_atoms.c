@@ -70,8 +70,9 @@ static hs_status settle(const hs_box *box, double x[3], int32_t image[3], hs_err
 {
     const double far = 1000.0; /* box lengths; further away is a mistake */
     for (int axis = 0; axis < 3; ++axis) {
-        const double lo = box->lo[axis], hi = box->hi[axis], length = hi - lo, away = (x[axis] - lo) / length;
-        if (!box->periodic[axis] && (x[axis] < lo || x[axis] > hi))
+        const double lo = box->lo[axis], hi = box->hi[axis], length = hi - lo, place = hs_box_upright(box, x, axis),
+                     away = (place - lo) / length;
+        if (!box->periodic[axis] && (place < lo || place > hi))
             return hs_fail(err, HS_ERROR_INPUT,
                            "the atom's %c = %.10g is outside of the box, %.10g to %.10g, which is not periodic "
                            "there",
@@ -80,10 +81,12 @@ static hs_status settle(const hs_box *box, double x[3], int32_t image[3], hs_err
         if (!(fabs(away) < far))
             return hs_fail(err, HS_ERROR_INPUT, "the atom's %c = %.10g is more than %g box lengths outside of the box",
                            "xyz"[axis], x[axis], far);
+        if (box->is_tilted) continue;
         for (; x[axis] < lo; --image[axis]) x[axis] += length;
         for (; x[axis] >= hi; ++image[axis]) x[axis] -= length;
         if (x[axis] < lo) x[axis] = lo;
     }
+    if (box->is_tilted) hs_box_wrap(box, x, image);
     return HS_OK;
 }
 

@@ -16,6 +16,7 @@ typedef struct hs_data_options {
     int type_offset;   /**< offset */
     double shift[3];   /**< distance */
     int n_extra_types;
+    bool may_be_skewed;     /**< box tilt large */
     uint32_t mask;          /**< groups that new atoms join, besides all */
     bool no_coeffs;         /**< pass over the coefficients */
     const char *pair_style; /**< name of the present pair style, NULL without one */

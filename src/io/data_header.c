@@ -1,5 +1,6 @@
 /* Header of a data file: counts and box. */
 #include <ctype.h>
+#include <math.h>
 #include <string.h>
 
 #include "io/data_internal.h"
@@ -64,6 +65,16 @@ static hs_status read_bounds(hs_data_reader *reader, int axis, hs_error *err)
     return HS_OK;
 }
 
+static hs_status read_tilts(hs_data_reader *reader, hs_error *err)
+{
+    const hs_lines *lines = &reader->lines;
+    for (int k = 0; k < 3; ++k)
+        if (!hs_text_to_double(lines->word[k], &reader->tilt[k]) || !(fabs(reader->tilt[k]) < 1e150))
+            return hs_fail(err, HS_ERROR_INPUT, "tilts must be three finite numbers, and '%s' is none", lines->word[k]);
+    reader->is_tilted = true;
+    return HS_OK;
+}
+
 static hs_status take_line(hs_data_reader *reader, header_kind kind, const char *name, hs_error *err)
 {
     int64_t count;
@@ -80,7 +91,7 @@ static hs_status take_line(hs_data_reader *reader, header_kind kind, const char 
     case ZBOUNDS:
         return read_bounds(reader, (int)kind - XBOUNDS, err);
     case TILT:
-        return hs_fail(err, HS_ERROR_INPUT, "'xy xz yz' makes a triclinic box; only orthogonal boxes are supported");
+        return read_tilts(reader, err);
     default:
         HS_TRY(read_count(&reader->lines, &count, err));
         if (count == 0) return HS_OK;

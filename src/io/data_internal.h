@@ -24,6 +24,8 @@ typedef struct hs_data_reader {
     int64_t n_types; /**< header; 0: not given */
     double lo[3], hi[3];
     bool has_bounds[3];
+    bool is_tilted; /**< the line `xy xz yz` is there */
+    double tilt[3];
 
     int n_before; /**< local atoms there were */
     int64_t id_offset;

@@ -8,6 +8,21 @@
 #include "comm/domain.h"
 #include "core/atom_style.h"
 #include "io/data_internal.h"
+#include "style/box_shape.h"
+
+/** Atoms of another file go into a box of the same shape. */
+static hs_status check_same_shape(const hs_data_reader *reader, hs_error *err)
+{
+    const hs_box *box = reader->env->box;
+    bool is_same = box->is_tilted == reader->is_tilted;
+    for (int k = 0; k < 3; ++k) is_same = is_same && box->tilt[k] == reader->tilt[k];
+    if (is_same) return HS_OK;
+    return hs_fail(
+        err, HS_ERROR_INPUT,
+        "the file's tilts xy xz yz (%g %g %g) are not those of the present box (%g %g %g): atoms can be added "
+        "from files with the same ones only",
+        reader->tilt[0], reader->tilt[1], reader->tilt[2], box->tilt[0], box->tilt[1], box->tilt[2]);
+}
 
 /** Make the box and the types, or widen the box to hold the file's. */
 static hs_status make_box(hs_data_reader *reader, hs_error *err)
@@ -21,17 +36,20 @@ static hs_status make_box(hs_data_reader *reader, hs_error *err)
         if (!(box.lo[axis] < box.hi[axis]) || !isfinite(box.hi[axis] - box.lo[axis]))
             return hs_fail(err, HS_ERROR_INPUT, "the shift along %c leaves no box", "xyz"[axis]);
     }
-    if (!options->is_added)
-        hs_say(env->out, "  orthogonal box = (%#.8g %#.8g %#.8g) to (%#.8g %#.8g %#.8g)\n", box.lo[0], box.lo[1],
-               box.lo[2], box.hi[0], box.hi[1], box.hi[2]);
+    if (!options->is_added) {
+        box.is_tilted = reader->is_tilted;
+        memcpy(box.tilt, reader->tilt, sizeof box.tilt);
+        hs_box_say(env->out, "  ", &box);
+        HS_TRY(hs_box_check_shape(&box, options->may_be_skewed, env->out, "the header", err));
+    }
     hs_box_settle_faces(&box);
     if (options->is_added) {
+        HS_TRY(check_same_shape(reader, err));
         for (int axis = 0; axis < 3; ++axis) {
             box.lo[axis] = fmin(box.lo[axis], env->box->lo[axis]);
             box.hi[axis] = fmax(box.hi[axis], env->box->hi[axis]);
         }
-        hs_say(env->out, "  orthogonal box = (%#.8g %#.8g %#.8g) to (%#.8g %#.8g %#.8g)\n", box.lo[0], box.lo[1],
-               box.lo[2], box.hi[0], box.hi[1], box.hi[2]);
+        hs_box_say(env->out, "  ", &box);
         if (reader->n_types + options->type_offset > env->atoms->n_types)
             return hs_fail(err, HS_ERROR_INPUT,
                            "the file has %lld atom types (offset %d), but the system has %d; 'extra/atom/types' "

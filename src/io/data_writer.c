@@ -7,6 +7,7 @@
 #include "io/data_internal.h"
 #include "io/row_stream.h"
 #include "io/writer.h"
+#include "style/box_flow.h"
 
 const char *hs_data_shortest(double value, char text[HS_SHORTEST_SIZE])
 {
@@ -28,6 +29,9 @@ static hs_status write_header(const hs_env *env, hs_writer *writer, int64_t n_at
     for (int axis = 0; axis < 3; ++axis)
         HS_TRY(hs_writer_printf(writer, err, "%s %s %s\n", hs_data_shortest(env->box->lo[axis], lo),
                                 hs_data_shortest(env->box->hi[axis], hi), bounds[axis]));
+    if (env->box->is_tilted)
+        HS_TRY(hs_writer_printf(writer, err, "%s %s %s xy xz yz\n", hs_data_shortest(env->box->tilt[0], lo),
+                                hs_data_shortest(env->box->tilt[1], hi), hs_data_shortest(env->box->tilt[2], mass)));
     bool has_masses = true; /* masses of types are optional where atoms have their own */
     for (int type = 1; type <= atoms->n_types; ++type) has_masses = has_masses && atoms->mass[type] > 0.0;
     if (!has_masses) return HS_OK;
@@ -120,7 +124,11 @@ static hs_status append_velocity(const void *context, int64_t k, hs_text *row, h
     const row_source *source = context;
     const hs_atoms *atoms = source->env->atoms;
     const int i = source->order[k].index;
-    const double v[3] = {atoms->v[0][i], atoms->v[1][i], atoms->v[2][i]};
+    double x[3] = {atoms->x[0][i], atoms->x[1][i], atoms->x[2][i]},
+           v[3] = {atoms->v[0][i], atoms->v[1][i], atoms->v[2][i]};
+    int32_t crossed[3] = {0, 0, 0};
+    hs_box_wrap(source->env->box, x, crossed); /* as the places are */
+    hs_box_flow_cross(source->env, atoms->mask[i], crossed, v);
     HS_TRY(hs_text_printf(row, err, "%lld", (long long)atoms->id[i]));
     HS_TRY(append_values(row, v, 3, err));
     if (atoms->omega[0] != NULL) {

@@ -191,10 +191,15 @@ static hs_status write_item_header(hs_dump *dump, hs_writer *writer, hs_error *e
                                 env->time_origin + (double)(env->step - env->time_origin_step) * env->dt));
     HS_TRY(hs_writer_printf(writer, err, "ITEM: TIMESTEP\n%lld\nITEM: NUMBER OF ATOMS\n%lld\nITEM: BOX BOUNDS",
                             (long long)env->step, (long long)table->n_rows_all));
+    if (box->is_tilted) HS_TRY(hs_writer_printf(writer, err, " xy xz yz"));
     for (int axis = 0; axis < 3; ++axis)
         HS_TRY(hs_writer_printf(writer, err, " %c%c", box->boundary[axis][0], box->boundary[axis][1]));
-    for (int axis = 0; axis < 3; ++axis)
-        HS_TRY(hs_writer_printf(writer, err, "\n%-1.16e %-1.16e", box->lo[axis], box->hi[axis]));
+    double lo[3], hi[3];
+    hs_box_bounds(box, lo, hi);
+    for (int axis = 0; axis < 3; ++axis) {
+        HS_TRY(hs_writer_printf(writer, err, "\n%-1.16e %-1.16e", lo[axis], hi[axis]));
+        if (box->is_tilted) HS_TRY(hs_writer_printf(writer, err, " %-1.16e", box->tilt[axis]));
+    }
     return hs_writer_printf(writer, err, "\nITEM: ATOMS%s\n", hs_text_get(&table->header));
 }
 

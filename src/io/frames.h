@@ -51,6 +51,8 @@ typedef struct hs_snapshot {
     int64_t step; /**< XYZ files have none: numbers from 0 on */
     bool has_box;
     double lo[3], hi[3]; /**< distance */
+    bool is_tilted;      /**< the box has tilts: xy, xz, yz, which may be 0 */
+    double tilt[3];
     char boundary[3][2]; /**< p, f, s or m; 0: not told */
     char units[16];      /**< "" when not told */
     bool is_scaled;      /**< x, y, z are fractions of the box */

@@ -206,9 +206,10 @@ static hs_status read_steps(hs_frames *frames, int64_t *step, hs_error *err)
     return HS_OK;
 }
 
-/** Edges ([3], or [3][3] with nothing off the diagonal) or origin ([3]) of the box. */
-static hs_status read_vector(hs_frames *frames, const char *name, int64_t frame, double *values, bool *is_there,
-                             hs_error *err)
+/** Edges ([3], or [3][3] with an edge in each row) or origin ([3]) of the box; off, if not NULL, gets what stands off the diagonal:
+ *  xy, xz, yz, and is_tilted whether the edges are a matrix that has any. Edges that would have to be turned are refused. */
+static hs_status read_vector(hs_frames *frames, const char *name, int64_t frame, double *values, double *off,
+                             bool *is_there, hs_error *err)
 {
     bool is_fixed = false, is_fine = true;
     double all[9] = {0.0};
@@ -225,10 +226,19 @@ static hs_status read_vector(hs_frames *frames, const char *name, int64_t frame,
     for (int i = 0; i < 3; ++i) {
         values[i] = all[is_matrix ? 4 * i : i];
         is_fine = is_fine && isfinite(values[i]);
-        for (int j = 0; j < 3 && is_matrix; ++j) is_fine = is_fine && (i == j || all[3 * i + j] == 0.0);
+        for (int j = i + 1; j < 3 && is_matrix; ++j) is_fine = is_fine && all[3 * i + j] == 0.0;
+    }
+    const double below[3] = {all[3], all[6], all[7]};
+    for (int k = 0; k < 3 && is_matrix && off != NULL; ++k) {
+        off[k] = below[k];
+        is_fine = is_fine && isfinite(off[k]);
     }
     H5Dclose(dataset);
-    return is_fine ? HS_OK : fail(frames, "the box has no finite, orthogonal edges", err);
+    return is_fine ? HS_OK
+                   : fail(frames,
+                          "the box has no finite edges of which the first lies along x and the second in the plane "
+                          "of x and y",
+                          err);
 }
 
 static hs_status read_head(hs_frames *frames, hs_snapshot *snapshot, hs_error *err)
@@ -237,8 +247,10 @@ static hs_status read_head(hs_frames *frames, hs_snapshot *snapshot, hs_error *e
     double edges[3] = {0.0}, origin[3] = {0.0};
     bool has_origin;
     HS_TRY(read_steps(frames, &snapshot->step, err));
-    HS_TRY(read_vector(frames, "box/edges", h5->frame, edges, &snapshot->has_box, err));
-    HS_TRY(read_vector(frames, "box/offset", h5->frame, origin, &has_origin, err));
+    memset(snapshot->tilt, 0, sizeof snapshot->tilt);
+    HS_TRY(read_vector(frames, "box/edges", h5->frame, edges, snapshot->tilt, &snapshot->has_box, err));
+    HS_TRY(read_vector(frames, "box/offset", h5->frame, origin, NULL, &has_origin, err));
+    snapshot->is_tilted = snapshot->tilt[0] != 0.0 || snapshot->tilt[1] != 0.0 || snapshot->tilt[2] != 0.0;
     for (int axis = 0; axis < 3 && snapshot->has_box; ++axis) {
         snapshot->lo[axis] = origin[axis];
         snapshot->hi[axis] = origin[axis] + edges[axis];

@@ -67,27 +67,58 @@ static hs_status read_rows(hs_frames *frames, int *n, hs_error *err)
 
 /* ---- LAMMPS ---- */
 
+/** The present line: the bounds of an axis, and the tilt that stands behind them in a tilted box. */
+static hs_status read_axis(const hs_lines *lines, int axis, hs_snapshot *snapshot, hs_error *err)
+{
+    double *lo = &snapshot->lo[axis], *hi = &snapshot->hi[axis];
+    const int n_words = snapshot->is_tilted ? 3 : 2;
+    if (lines->n_words != n_words || !hs_text_to_double(lines->word[0], lo) || !hs_text_to_double(lines->word[1], hi) ||
+        (snapshot->is_tilted && !hs_text_to_double(lines->word[2], &snapshot->tilt[axis])))
+        return hs_fail(err, HS_ERROR_INPUT, "the bounds of the box in %c%s should stand here, %s finite numbers",
+                       "xyz"[axis], snapshot -> is_tilted ? " and a tilt" : "", snapshot->is_tilted ? "three" : "two");
+    if (!(*lo < *hi)) return hs_fail(err, HS_ERROR_INPUT, "the box is empty in %c", "xyz"[axis]);
+    return HS_OK;
+}
+
+/** A tilted box is given by what encloses it (hs_box_bounds). */
+static hs_status undo_bounds(hs_snapshot *snapshot, hs_error *err)
+{
+    hs_box box = {.is_tilted = true};
+    double lo[3], hi[3];
+    memcpy(box.tilt, snapshot->tilt, sizeof box.tilt);
+    hs_box_bounds(&box, lo, hi); /* of a box without size at the origin: how far the tilts reach */
+    for (int axis = 0; axis < 3; ++axis) {
+        snapshot->lo[axis] -= lo[axis];
+        snapshot->hi[axis] -= hi[axis];
+        if (!(snapshot->lo[axis] < snapshot->hi[axis]))
+            return hs_fail(err, HS_ERROR_INPUT, "the bounds of the tilted box leave it no length in %c", "xyz"[axis]);
+    }
+    return HS_OK;
+}
+
 static hs_status read_bounds(hs_frames *frames, hs_snapshot *snapshot, hs_error *err)
 {
     const hs_lines *lines = &frames->lines;
-    if (lines->n_words > 3 && strlen(lines->word[3]) == 2 && strstr("xy xz yz", lines->word[3]) != NULL)
-        return hs_fail(err, HS_ERROR_INPUT, "the snapshot has a tilted box; boxes must be orthogonal");
-    for (int axis = 0; axis < 3 && lines->n_words == 6; ++axis) {
-        const char *word = lines->word[3 + axis];
+    const int n_words = lines->n_words;
+    snapshot->is_tilted = n_words > 5 && strcmp(lines->word[3], "xy") == 0 && strcmp(lines->word[4], "xz") == 0 &&
+                          strcmp(lines->word[5], "yz") == 0;
+    const int first = snapshot->is_tilted ? 6 : 3;
+    for (int axis = 0; axis < 3 && n_words == first + 3; ++axis) {
+        const char *word = lines->word[first + axis];
         if (strlen(word) != 2 || strspn(word, "pfsm") != 2)
             return hs_fail(err, HS_ERROR_INPUT, "'%s' is no boundary (two of the letters p, f, s, m)", word);
         memcpy(snapshot->boundary[axis], word, 2);
     }
-    if (lines->n_words != 6 && lines->n_words != 3)
-        return hs_fail(err, HS_ERROR_INPUT, "'ITEM: BOX BOUNDS' is followed by three boundaries, or nothing");
+    if (n_words != first && n_words != first + 3)
+        return hs_fail(
+            err, HS_ERROR_INPUT,
+            "'ITEM: BOX BOUNDS' is followed by three boundaries, or nothing ('xy xz yz' before them in a tilted "
+            "box)");
     for (int axis = 0; axis < 3; ++axis) {
         HS_TRY(next_line(frames, err));
-        double *lo = &snapshot->lo[axis], *hi = &snapshot->hi[axis];
-        if (lines->n_words != 2 || !hs_text_to_double(lines->word[0], lo) || !hs_text_to_double(lines->word[1], hi))
-            return hs_fail(err, HS_ERROR_INPUT, "the bounds of the box in %c should stand here, two finite numbers",
-                           "xyz"[axis]);
-        if (!(*lo < *hi)) return hs_fail(err, HS_ERROR_INPUT, "the box is empty in %c", "xyz"[axis]);
+        HS_TRY(read_axis(lines, axis, snapshot, err));
     }
+    if (snapshot->is_tilted) HS_TRY(undo_bounds(snapshot, err));
     snapshot->has_box = true;
     return HS_OK;
 }

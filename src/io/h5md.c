@@ -245,8 +245,10 @@ hs_status hs_h5md_set_rows(hs_h5md *self, int64_t first, int64_t n, const hs_h5m
 hs_status hs_h5md_begin_frame(hs_h5md *self, int64_t step, double time, const hs_box *box, hs_error *err)
 {
     const hsize_t start[3] = {self->n_frames, 0, 0}, one[3] = {1, 3, 3};
-    double edges[3][3] = {{0.0}};
-    for (int axis = 0; axis < 3; ++axis) edges[axis][axis] = hs_box_length(box, axis);
+    const double *tilt = box->tilt; /* a row is an edge */
+    const double edges[3][3] = {{hs_box_length(box, 0), 0.0, 0.0},
+                                {tilt[0], hs_box_length(box, 1), 0.0},
+                                {tilt[1], tilt[2], hs_box_length(box, 2)}};
     hs_h5_quiet quiet = hs_h5_be_quiet();
     const bool is_fine = set_frames(self, self->n_frames + 1) &&
                          hs_h5_write_block(self->step, H5T_NATIVE_INT64, 1, start, one, &step) &&

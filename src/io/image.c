@@ -52,7 +52,11 @@ static void normalize(double a[3])
 static double half_extent(const hs_box *box, const double direction[3])
 {
     double sum = 0.0;
-    for (int axis = 0; axis < box->dimension; ++axis) sum += 0.5 * hs_box_length(box, axis) * fabs(direction[axis]);
+    for (int axis = 0; axis < box->dimension; ++axis) {
+        double edge[3];
+        hs_box_shift(box, (const int32_t[3]){axis == 0, axis == 1, axis == 2}, edge);
+        sum += 0.5 * fabs(dot(edge, direction));
+    }
     return sum;
 }
 
@@ -78,7 +82,7 @@ hs_image_view hs_image_look(const hs_image *image, const hs_box *box, double the
     const double width = image->width * image->sampling, height = image->height * image->sampling;
     const double x = width / (2.0 * half_extent(box, right)), y = height / (2.0 * half_extent(box, upward));
     view.scale = zoom * margin * (x < y ? x : y);
-    for (int axis = 0; axis < 3; ++axis) view.center[axis] = box->lo[axis] + center[axis] * hs_box_length(box, axis);
+    hs_box_place(box, center, view.center);
     view.middle[0] = 0.5 * width;
     view.middle[1] = 0.5 * height;
     return view;

@@ -102,6 +102,7 @@ static const compute_quantity computes[] = {
     {"temp", 1, 6, "kinetic energy tensor", ENERGY_TOTAL},
     {"temp/partial", 0, 0, "temperature", TEMPERATURE},
     {"temp/region", 0, 0, "temperature", TEMPERATURE},
+    {"temp/deform", 0, 0, "temperature", TEMPERATURE},
     {"temp/profile", 0, 0, "temperature", TEMPERATURE},
     {"pressure", 0, 0, "pressure", PRESSURE},
     {"pressure", 1, 3, "pressure tensor", PRESSURE},

@@ -53,6 +53,22 @@ static void set_box(const reading *self)
     }
 }
 
+/** As in LAMMPS a tilted box is for snapshots of tilted boxes and an orthogonal one for the others. */
+static hs_status take_tilts(const reading *self, hs_error *err)
+{
+    const hs_snapshot *snapshot = self->snapshot;
+    hs_box *box = self->env->box;
+    if (!self->options->box) return HS_OK;
+    const bool has_tilts = snapshot->tilt[0] != 0.0 || snapshot->tilt[1] != 0.0 || snapshot->tilt[2] != 0.0;
+    if (!box->is_tilted && has_tilts)
+        return hs_fail(
+            err, HS_ERROR_INPUT,
+            "the snapshot has a tilted box, the simulation an orthogonal one: 'change_box all triclinic' makes it "
+            "one that can be tilted, 'box no' keeps it");
+    memcpy(box->tilt, snapshot->tilt, sizeof box->tilt);
+    return hs_box_check_tilt(box, "read_dump", err);
+}
+
 static hs_status remove_atoms(reading *self, bool all, int64_t *n_removed, hs_error *err)
 {
     hs_atoms *atoms = self->env->atoms;
@@ -81,17 +97,24 @@ static hs_status begin(reading *self, hs_error *err)
 
 /* ---- Rows ---- */
 
-/** Bring a place into the box along the periodic axes. */
-static void wrap(const hs_box *box, double x[3], int32_t image[3])
+/** Coordinates that the row gives, into x. */
+static void read_place(const hs_snapshot *snapshot, const hs_frame_rows *rows, int k, double x[3])
 {
+    hs_box box = {.is_tilted = snapshot->is_tilted};
+    double fraction[3], place[3];
+    memcpy(box.lo, snapshot->lo, sizeof box.lo);
+    memcpy(box.hi, snapshot->hi, sizeof box.hi);
+    memcpy(box.tilt, snapshot->tilt, sizeof box.tilt);
+    if (snapshot->is_scaled && snapshot->is_tilted) hs_box_fractions(&box, x, fraction); /* those that are not given */
     for (int axis = 0; axis < 3; ++axis) {
-        const double lo = box->lo[axis], length = box->hi[axis] - lo;
-        if (!box->periodic[axis] || (x[axis] >= lo && x[axis] < box->hi[axis])) continue;
-        const double crossings = floor((x[axis] - lo) / length);
-        x[axis] -= crossings * length;
-        image[axis] += (int32_t)crossings;
+        const double *value = rows->value[HS_FIELD_X + axis];
+        if (value == NULL) continue;
+        fraction[axis] = value[k];
+        x[axis] = snapshot->is_scaled ? box.lo[axis] + value[k] * hs_box_length(&box, axis) : value[k];
     }
-    hs_box_wrap(box, x, image); /* what rounding has left outside */
+    if (!snapshot->is_scaled || !snapshot->is_tilted) return;
+    hs_box_place(&box, fraction, place);
+    memcpy(x, place, sizeof place);
 }
 
 /** Place and image flags as they will be, from the row and what the atom had. */
@@ -101,16 +124,15 @@ static hs_status place_atom(const reading *self, const hs_frame_rows *rows, int 
     const double farthest = 1e9; /* box lengths: image flags are of 32 bits */
     const hs_snapshot *snapshot = self->snapshot;
     const hs_box *box = self->env->box;
+    read_place(snapshot, rows, k, x);
     for (int axis = 0; axis < 3; ++axis) {
         const double *value = rows->value[HS_FIELD_X + axis], *flag = rows->value[HS_FIELD_IX + axis];
-        if (value != NULL)
-            x[axis] = snapshot->is_scaled ? snapshot->lo[axis] + value[k] * (snapshot->hi[axis] - snapshot->lo[axis])
-                                          : value[k];
         if (flag != NULL)
             image[axis] = (int32_t)flag[k];
         else if (value != NULL && !snapshot->is_wrapped)
             image[axis] = 0;
-        const double lo = box->lo[axis], length = box->hi[axis] - lo, away = (x[axis] - lo) / length;
+        const double lo = box->lo[axis], length = box->hi[axis] - lo,
+                     away = (hs_box_upright(box, x, axis) - lo) / length;
         const bool is_fixed =
             box->boundary[axis][0] == HS_BOUNDARY_FIXED || box->boundary[axis][1] == HS_BOUNDARY_FIXED;
         if (!(fabs(away) < farthest))
@@ -122,7 +144,7 @@ static hs_status place_atom(const reading *self, const hs_frame_rows *rows, int 
                            "periodic there",
                            (long long)rows->id[k], "xyz"[axis], x[axis], lo, box -> hi[axis]);
     }
-    wrap(box, x, image);
+    hs_box_wrap(box, x, image);
     return HS_OK;
 }
 
@@ -234,7 +256,7 @@ static void wrap_all(const hs_env *env)
             x[axis] = atoms->x[axis][i];
             image[axis] = atoms->image[axis][i];
         }
-        wrap(env->box, x, image);
+        hs_box_wrap(env->box, x, image);
         for (int axis = 0; axis < 3; ++axis) {
             atoms->x[axis][i] = x[axis];
             atoms->image[axis][i] = image[axis];
@@ -271,6 +293,7 @@ hs_status hs_read_snapshot(hs_env *env, hs_frames *frames, const hs_snapshot *sn
     if (snapshot->units[0] != '\0' && strcmp(snapshot->units, env->units->name) != 0)
         hs_warn(env->out, "the snapshot is in units %s, the simulation in %s", snapshot->units, env->units->name);
     set_box(&self);
+    HS_TRY(take_tilts(&self, err));
     const hs_status status = read_all(&self, err);
     finish(&self);
     HS_TRY(status);

@@ -78,7 +78,12 @@ hs_status hs_occupied_find(hs_occupied *o, const double lo[3], const double hi[3
     int n[3];
     double scale[3] = {0.0, 0.0, 0.0}, box_volume = 1.0;
     unsigned char *is_occupied;
-    for (int axis = 0; axis < 3; ++axis) bound(o, atoms, axis, lo[axis], hi[axis], edge);
+    for (int axis = 0; axis < dimension; ++axis) bound(o, atoms, axis, lo[axis], hi[axis], edge);
+    for (int axis = dimension; axis < 3;
+         ++axis) { /* flat: one box, however high the brick is above and below the plane */
+        o->lo[axis] = lo[axis];
+        o->hi[axis] = hi[axis];
+    }
     const size_t n_boxes = count_boxes(o, dimension, edge, atoms->n_local, n);
     for (int axis = 0; axis < 3; ++axis) {
         if (axis >= dimension) continue;

@@ -39,6 +39,7 @@ typedef struct hs_sim {
     hs_options options;
     hs_parallel parallel;
     hs_box box;
+    bool may_be_skewed; /**< box tilt large: tilts may be more than half of an edge */
     hs_atoms atoms;
     hs_groups groups;
     hs_lattice lattice;

@@ -37,6 +37,14 @@ static double remaining_s(const T *t)
     return elapsed_s(t) * (double)(env->last_step - env->step) / (double)(env->step - env->first_step);
 }
 
+static inline const hs_box *box(const T *t) { return &t->sim->box; }
+static double cell_c(const hs_box *box)
+{
+    return sqrt(box->tilt[1] * box->tilt[1] + box->tilt[2] * box->tilt[2] +
+                hs_box_length(box, 2) * hs_box_length(box, 2));
+}
+static double cell_angle(double cosine) { return acos(cosine) * 180.0 / M_PI; }
+
 VALUE(step, (double)t->sim->env.step)
 VALUE(elapsed, (double)(t->sim->env.step - t->sim->env.first_step))
 VALUE(elaplong, (double)(t->sim->env.step - t->sim->env.ramp_start))
@@ -58,7 +66,15 @@ VALUE(zhi, t->sim->box.hi[2])
 VALUE(xlat, t->sim->lattice.spacing[0])
 VALUE(ylat, t->sim->lattice.spacing[1])
 VALUE(zlat, t->sim->lattice.spacing[2])
-VALUE(angle, 90.0)
+VALUE(xy, t->sim->box.tilt[0])
+VALUE(xz, t->sim->box.tilt[1])
+VALUE(yz, t->sim->box.tilt[2])
+VALUE(cellb, hypot(hs_box_length(box(t), 1), box(t)->tilt[0]))
+VALUE(cellc, cell_c(box(t)))
+VALUE(cellalpha, cell_angle((box(t)->tilt[0] * box(t)->tilt[1] + hs_box_length(box(t), 1) * box(t)->tilt[2]) /
+                            (hypot(hs_box_length(box(t), 1), box(t)->tilt[0]) * cell_c(box(t)))))
+VALUE(cellbeta, cell_angle(box(t)->tilt[1] / cell_c(box(t))))
+VALUE(cellgamma, cell_angle(box(t)->tilt[0] / hypot(hs_box_length(box(t), 1), box(t)->tilt[0])))
 VALUE(vol, hs_box_volume(&t->sim->box))
 VALUE(nbuild, (double)t->sim->neighbor.counters.n_builds)
 VALUE(ndanger, (double)t->sim->neighbor.counters.n_dangerous)
@@ -259,9 +275,9 @@ static hs_status get_density(T *t, double *value, hs_error *err)
     KEYWORD(yhi, yhi, "Yhi", "distance", false, false, "upper box bound in y")                                         \
     KEYWORD(zlo, zlo, "Zlo", "distance", false, false, "lower box bound in z")                                         \
     KEYWORD(zhi, zhi, "Zhi", "distance", false, false, "upper box bound in z")                                         \
-    KEYWORD(xy, zero, "Xy", "distance", false, false, "tilt of the box: 0, it is orthogonal")                          \
-    KEYWORD(xz, zero, "Xz", "distance", false, false, "tilt of the box: 0")                                            \
-    KEYWORD(yz, zero, "Yz", "distance", false, false, "tilt of the box: 0")                                            \
+    KEYWORD(xy, xy, "Xy", "distance", false, false, "tilt of the box, of y along x")                                   \
+    KEYWORD(xz, xz, "Xz", "distance", false, false, "tilt of z along x")                                               \
+    KEYWORD(yz, yz, "Yz", "distance", false, false, "tilt of z along y")                                               \
     KEYWORD(xlat, xlat, "Xlat", "distance", false, false, "lattice spacing in x")                                      \
     KEYWORD(ylat, ylat, "Ylat", "distance", false, false, "lattice spacing in y")                                      \
     KEYWORD(zlat, zlat, "Zlat", "distance", false, false, "lattice spacing in z")                                      \
@@ -280,11 +296,11 @@ static hs_status get_density(T *t, double *value, hs_error *err)
     KEYWORD(nbuild, nbuild, "Nbuild", "count", true, false, "neighbor list builds of this run")                        \
     KEYWORD(ndanger, ndanger, "Ndanger", "count", true, false, "dangerous neighbor list builds of this run")           \
     KEYWORD(cella, lx, "Cella", "distance", false, false, "length of the cell vector a")                               \
-    KEYWORD(cellb, ly, "Cellb", "distance", false, false, "length of the cell vector b")                               \
-    KEYWORD(cellc, lz, "Cellc", "distance", false, false, "length of the cell vector c")                               \
-    KEYWORD(cellalpha, angle, "CellAlpha", NULL, false, false, "cell angle alpha, degrees")                            \
-    KEYWORD(cellbeta, angle, "CellBeta", NULL, false, false, "cell angle beta, degrees")                               \
-    KEYWORD(cellgamma, angle, "CellGamma", NULL, false, false, "cell angle gamma, degrees")
+    KEYWORD(cellb, cellb, "Cellb", "distance", false, false, "length of the cell vector b")                            \
+    KEYWORD(cellc, cellc, "Cellc", "distance", false, false, "length of the cell vector c")                            \
+    KEYWORD(cellalpha, cellalpha, "CellAlpha", NULL, false, false, "cell angle alpha, degrees")                        \
+    KEYWORD(cellbeta, cellbeta, "CellBeta", NULL, false, false, "cell angle beta, degrees")                            \
+    KEYWORD(cellgamma, cellgamma, "CellGamma", NULL, false, false, "cell angle gamma, degrees")
 
 #define ENTRY(name, getter, header, quantity, is_int, needs_energy, help)                                              \
     {#name, header, quantity, is_int, needs_energy, get_##getter},

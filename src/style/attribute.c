@@ -26,24 +26,34 @@ hs_status hs_attribute_check(hs_attribute attribute, const hs_atoms *atoms, hs_e
                    is_dipole ? "with dipoles" : "that are spheres", is_dipole ? "dipole" : "sphere");
 }
 
-/** Position along an axis and image. */
-static double position(const hs_env *env, bool is_wrapped, int axis, int i, int32_t *image)
+/** x, xs, xu, xsu, ix and those of y and z: position and images of atom i. */
+static double place_value(const hs_env *env, hs_attribute attribute, int axis, bool is_wrapped, int i)
 {
     const hs_atoms *atoms = env->atoms;
-    *image = atoms->image[axis][i];
-    if (!is_wrapped) return atoms->x[axis][i];
-    double x[3] = {atoms->x[0][i], atoms->x[1][i], atoms->x[2][i]};
-    int32_t images[3] = {atoms->image[0][i], atoms->image[1][i], atoms->image[2][i]};
-    hs_box_wrap(env->box, x, images);
-    *image = images[axis];
-    return x[axis];
+    const hs_box *box = env->box;
+    double x[3] = {atoms->x[0][i], atoms->x[1][i], atoms->x[2][i]}, fraction[3];
+    int32_t image[3] = {atoms->image[0][i], atoms->image[1][i], atoms->image[2][i]};
+    if (is_wrapped) hs_box_wrap(box, x, image);
+    switch (attribute - axis) {
+    case HS_ATTR_X:
+        return x[axis];
+    case HS_ATTR_XU:
+        return hs_box_unwrapped(box, x, image, axis);
+    case HS_ATTR_XS:
+    case HS_ATTR_XSU:
+        if (box->is_tilted)
+            hs_box_fractions(box, x, fraction);
+        else
+            fraction[axis] = (x[axis] - box->lo[axis]) * (1.0 / hs_box_length(box, axis));
+        return attribute - axis == HS_ATTR_XS ? fraction[axis] : fraction[axis] + image[axis];
+    default:
+        return image[axis];
+    }
 }
 
 double hs_attribute_value(const hs_env *env, hs_attribute attribute, bool is_wrapped, int i)
 {
     const hs_atoms *atoms = env->atoms;
-    const hs_box *box = env->box;
-    int32_t image;
     switch (attribute) {
     case HS_ATTR_ID:
         return (double)atoms->id[i];
@@ -78,17 +88,5 @@ double hs_attribute_value(const hs_env *env, hs_attribute attribute, bool is_wra
     default:
         break;
     }
-    const double x = position(env, is_wrapped, axis, i, &image), length = hs_box_length(box, axis);
-    switch (attribute - axis) {
-    case HS_ATTR_X:
-        return x;
-    case HS_ATTR_XS:
-        return (x - box->lo[axis]) * (1.0 / length);
-    case HS_ATTR_XU:
-        return x + image * length;
-    case HS_ATTR_XSU:
-        return (x - box->lo[axis]) * (1.0 / length) + image;
-    default:
-        return image;
-    }
+    return place_value(env, attribute, axis, is_wrapped, i);
 }

@@ -20,6 +20,7 @@ struct hs_fix;
 struct hs_region;
 struct hs_lattice;
 struct hs_domain;
+struct hs_box_flow;
 
 /** Owned by hs_sim, one per simulation; everything in it is borrowed by styles for as long as they live. */
 typedef struct hs_env {
@@ -28,6 +29,8 @@ typedef struct hs_env {
     const hs_units *units;
     hs_box *box;
     struct hs_domain *domain; /**< the box cut into the ranks' bricks */
+    /** How fast the box changes: fix deform's, for as long as that lives; NULL: nothing does. See style/box_flow.h. */
+    const struct hs_box_flow *box_flow;
     hs_atoms *atoms;
     hs_groups *groups;
     struct hs_lattice *lattice; /**< never NULL; `none` until the deck sets one */

@@ -7,6 +7,8 @@
 #include "base/memory.h"
 #include "core/atom_style.h"
 #include "style/box_change.h"
+#include "style/box_flow.h"
+#include "style/box_shape.h"
 
 /* The computes that the fix owns: fix->own. */
 enum { OWN_TEMPERATURE, OWN_PRESSURE };
@@ -20,7 +22,8 @@ static hs_status create_computes(hs_fix *fix, hs_error *err)
     static const char *const first[] = {"thermo_temp"};
     const hs_args with_temperature = {.command = "fix", .n = 1, .word = first};
     const int group = nh->has_barostat ? 0 : fix->group; /* the pressure is that of all atoms */
-    HS_TRY(hs_fix_own_compute(fix, OWN_TEMPERATURE, "temp", "temp", group, &none, err));
+    const char *style = nh->is_sllod ? "temp/deform" : "temp";
+    HS_TRY(hs_fix_own_compute(fix, OWN_TEMPERATURE, style, "temp", group, &none, err));
     if (!nh->has_barostat) return HS_OK;
     HS_TRY(hs_fix_own_compute(fix, OWN_PRESSURE, "pressure", "press", 0, &with_temperature, err));
     hs_compute *pressure = fix->own[OWN_PRESSURE];
@@ -119,6 +122,11 @@ hs_status hs_nose_hoover_init(hs_fix *fix, hs_error *err)
     const hs_env *env = fix->env;
     hs_compute *compute;
     HS_TRY(find_compute(fix, OWN_TEMPERATURE, &compute, err));
+    if (nh->is_sllod && compute->style->bias == NULL)
+        return hs_fail(
+            err, HS_ERROR_INPUT,
+            "fix '%s' (nvt/sllod): the temperature '%s' takes no flow off the velocities; compute temp/deform does",
+            fix->id, compute->id);
     if (nh->has_barostat) HS_TRY(find_compute(fix, OWN_PRESSURE, &compute, err));
     for (int k = 0; k < HS_FIX_OWN_MAX; ++k)
         if (fix->own[k] != NULL && fix->own[k]->style->init != NULL) HS_TRY(fix->own[k]->style->init(fix->own[k], err));
@@ -277,6 +285,37 @@ static hs_status scale_velocities(const hs_fix *fix, const double factor[3], hs_
     return HS_OK;
 }
 
+static void flow_share(const hs_fix *fix, const hs_compute *temperature, double factor, const double gradient[3][3])
+{
+    const hs_nose_hoover *nh = fix->state;
+    const hs_atoms *atoms = fix->env->atoms;
+#pragma omp for schedule(static) nowait
+    for (int i = 0; i < atoms->n_local; ++i) {
+        double bias[3], v[3];
+        if (!(atoms->mask[i] & fix->mask)) continue;
+        temperature->style->bias(temperature, i, bias);
+        const double lab[3] = {atoms->v[0][i], atoms->v[1][i], atoms->v[2][i]};
+        for (int axis = 0; axis < 3; ++axis) v[axis] = lab[axis] - bias[axis];
+        for (int axis = 0; axis < 3; ++axis) {
+            double pull = 0.0;
+            for (int k = axis; k < 3; ++k) pull += gradient[axis][k] * (nh->is_p_sllod ? lab[k] : v[k]);
+            atoms->v[axis][i] = bias[axis] + (factor * v[axis] - 0.5 * nh->dt * pull);
+        }
+    }
+}
+
+/** Scale the thermal velocities and let the flow act on them, for half a step. */
+static hs_status flow_velocities(const hs_fix *fix, double factor, hs_error *err)
+{
+    hs_compute *temperature;
+    double gradient[3][3];
+    HS_TRY(find_compute(fix, OWN_TEMPERATURE, &temperature, err));
+    hs_box_flow_gradient(fix->env, gradient);
+    HS_ON_THREADS(flow_share(fix, temperature, factor, gradient));
+    hs_env_changed(fix->env);
+    return HS_OK;
+}
+
 /** The chain acts on the atoms. */
 static hs_status advance_thermostat(const hs_fix *fix, hs_error *err)
 {
@@ -287,7 +326,7 @@ static hs_status advance_thermostat(const hs_fix *fix, hs_error *err)
     const double s = hs_nh_chain_advance(&nh->chain, k * nh->t_target, nh->n_dof * k * nh->t_target,
                                          nh->n_dof * k * nh->t_now, nh->dt);
     nh->t_now *= s * s;
-    return scale_velocities(fix, (const double[3]){s, s, s}, err);
+    return nh->is_sllod ? flow_velocities(fix, s, err) : scale_velocities(fix, (const double[3]){s, s, s}, err);
 }
 
 /** The barostat's chain acts on the strain rates. */
@@ -352,8 +391,8 @@ static void strain_box(const hs_fix *fix)
         lo[axis] = (lo[axis] - point) * growth + point;
         hi[axis] = (hi[axis] - point) * growth + point;
         /* tilts keep their ratio to the length that they tilt */
-        if (axis == 1) tilt[0] *= growth;
-        if (axis == 2) tilt[1] *= growth, tilt[2] *= growth;
+        for (int k = 0; k < 3; ++k)
+            if (nh->scales_tilt[k] && hs_tilt_second(k) == axis) tilt[k] *= growth;
     }
     hs_box_change(env, lo, hi, tilt, nh->dilate);
 }

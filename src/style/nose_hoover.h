@@ -6,7 +6,8 @@
  *      v' = f/m - (w + tr(w)/(d N)) v - (p_eta/Q) v
  *      W w' = V (P - P0) + (kinetic energy term) - (chain)
  *
- *  with the strain rates w of the axes. Every step is a product of exactly solved parts, symmetric in time. Sources:
+ *  with the strain rates w of the axes. In a flow (SLLOD) v' = f/m - G (v - u) - (p_eta/Q) (v - u) with the velocity u of the place and
+ *  its gradient G (D. J. Evans, G. P. Morriss, Phys. Rev. A 30, 1528 (1984), doi:10.1103/PhysRevA.30.1528). Every step is a product of exactly solved parts, symmetric in time. Sources:
  *  G. J. Martyna, D. J. Tobias, M. L. Klein, J. Chem. Phys. 101, 4177 (1994), doi:10.1063/1.467468;
  *  G. J. Martyna et al., Mol. Phys. 87, 1117 (1996), doi:10.1080/00268979600100761;
  *  M. E. Tuckerman et al., J. Phys. A 39, 5629 (2006), doi:10.1088/0305-4470/39/19/S18. */
@@ -22,6 +23,8 @@ typedef enum { HS_NH_NONE, HS_NH_XYZ, HS_NH_XY, HS_NH_YZ, HS_NH_XZ } hs_nh_coupl
 /** State of such a fix. */
 typedef struct hs_nose_hoover {
     bool has_thermostat, has_barostat;
+    bool is_sllod;   /**< the velocities follow a box that changes; set by the style before hs_nose_hoover_create */
+    bool is_p_sllod; /**< G v instead of G (v - u): the variant p-SLLOD */
     char *temperature_id, *pressure_id; /**< owned; of fix_modify temp, press; NULL: the fix's own */
     double dt;
 
@@ -49,11 +52,12 @@ typedef struct hs_nose_hoover {
     double v_reference, inv_reference[3]; /**< volume and 1/lengths of the reference box; 0: not set yet */
     bool has_fixed_point;
     double fixed_point[3];
-    uint32_t dilate; /**< group bits of the atoms that follow the box */
+    uint32_t dilate;     /**< group bits of the atoms that follow the box */
+    bool scales_tilt[3]; /**< xy, xz, yz keep their ratio to the length along their second axis */
 } hs_nose_hoover;
 
-/** Keywords of nvt, and of npt and nph. */
-extern const hs_keyword hs_nose_hoover_nvt_keywords[], hs_nose_hoover_npt_keywords[];
+/** Keywords of nvt, of nvt/sllod, and of npt and nph. */
+extern const hs_keyword hs_nose_hoover_nvt_keywords[], hs_nose_hoover_sllod_keywords[], hs_nose_hoover_npt_keywords[];
 
 HS_MUST_USE hs_status hs_nose_hoover_create(hs_fix *fix, const hs_args *args, bool has_thermostat, bool has_barostat,
                                             hs_error *err);
@@ -74,7 +78,7 @@ bool hs_nose_hoover_needs_energy(const hs_fix *fix, int64_t step);
 /** The hooks that all three descriptors have, and their reference. */
 #define HS_NOSE_HOOVER_HOOKS                                                                                           \
     .state_size = sizeof(hs_nose_hoover), .create = create, .destroy = hs_nose_hoover_destroy,                         \
-    .init = hs_nose_hoover_init, .dt_changed = hs_nose_hoover_take_dt, .setup = hs_nose_hoover_setup,                  \
+    .dt_changed = hs_nose_hoover_take_dt, .setup = hs_nose_hoover_setup,                                               \
     .initial_integrate = hs_nose_hoover_initial_integrate, .final_integrate = hs_nose_hoover_final_integrate,          \
     .keep_state = hs_nose_hoover_keep_state, .scalar = hs_nose_hoover_scalar, .vector = hs_nose_hoover_vector,         \
     .set_temperature = hs_nose_hoover_set_temperature, .is_extensive = true, .is_integrator = true,                    \
@@ -89,12 +93,15 @@ bool hs_nose_hoover_needs_energy(const hs_fix *fix, int64_t step);
 #define HS_NOSE_HOOVER_PRESSURE_DETAILS                                                                                \
     "`iso` changes all lengths of the box alike, by the scalar pressure; `aniso` (one target) and `x`, "               \
     "`y`, `z` (each its own, and only those axes) let them change on their own; `couple` gives some of "               \
-    "those the mean of their pressures. The box must be periodic along axes that change. Pdamp is the "                \
+    "those the mean of their pressures. The box must be periodic along axes that change. In a tilted box a "           \
+    "tilt is scaled with the length along its second axis (xy with y, xz and yz with z), so that angles between "      \
+    "edges "                                                                                                           \
+    "stay, unless `scalexy no` or the like is said; pressures that change tilts are not supported. Pdamp is the "      \
     "time in which the pressure relaxes, usually some thousand timesteps. Atoms of the group `dilate` "                \
     "follow the box as their fractions of it, around `fixedpoint`.\n\nWhere targets are unequal, the "                 \
     "stress that the difference does work against refers to the box at the start (Parrinello and "                     \
-    "Rahman), or to that of the last `nreset`. `mtk no` leaves out two terms of order 1/N. Tilted boxes "              \
-    "are not supported.\n\nThe fix makes the computes `ID_temp` and `ID_press`, both of all atoms; "                   \
+    "Rahman), or to that of the last `nreset`. `mtk no` leaves out two terms of order 1/N.\n\n"                        \
+    "The fix makes the computes `ID_temp` and `ID_press`, both of all atoms; "                                         \
     "`fix_modify temp` and `press` take others. Energies and virials are computed at every step, which "               \
     "costs some speed.\n\nThe scalar `f_ID` is the energy given to thermostat and barostat: with that of "             \
     "the atoms it is constant (`econserve` in thermo output). The vector `f_ID[i]` has, in this order: "               \

@@ -5,14 +5,14 @@
 #include "style/nose_hoover.h"
 
 #define COMMON_KEYWORDS                                                                                                \
-    {"tchain", 1, "<N>", "thermostats in the chain (default: 3)"},                                                     \
+    {"tchain", 1, "<N>", "thermostats in the chain (default: 3; nvt/sllod: 1)"},                                       \
         {"tloop", 1, "<M>", "parts into which a step of the chain is cut (default: 1)"},                               \
         {"drag", 1, "<Df>", "damps oscillations of the chains; 0: not at all (default)"},
 
 #define TEMPERATURE_KEYWORDS                                                                                           \
     {"temp", 3, "<Tstart> <Tstop> <Tdamp>", "temperature at the start and end of a run, and damping time"},
 
-/* LAMMPS's keywords for tilted boxes are known, so that the refusal can say why. */
+/* LAMMPS's keywords for pressures that change tilts are known, so that the refusal can say why. */
 #define PRESSURE_KEYWORDS                                                                                              \
     {"iso", 3, "<Pstart> <Pstop> <Pdamp>", "one pressure for the whole box, whose shape stays"},                       \
         {"aniso", 3, "<Pstart> <Pstop> <Pdamp>", "the same pressure for each axis, which change on their own"},        \
@@ -27,15 +27,20 @@
         {"ptemp", 1, "<T>", "temperature that sets the masses of the barostat (default: that of temp, or the first)"}, \
         {"dilate", 1, "<group-ID>", "atoms that follow the box (default: all)"},                                       \
         {"fixedpoint", 3, "<x> <y> <z>", "place that stays where it is (default: the center of the box)"},             \
-        {"tri", 3, "<Pstart> <Pstop> <Pdamp>", "refused: boxes are not tilted"},                                       \
+        {"scalexy", 1, "yes|no", "the tilt xy keeps its ratio to the length in y (default: yes)"},                     \
+        {"scalexz", 1, "yes|no", "xz that to the length in z"},                                                        \
+        {"scaleyz", 1, "yes|no", "yz that to the length in z"},                                                        \
+        {"tri", 3, "<Pstart> <Pstop> <Pdamp>", "refused: no pressure changes tilts"},                                  \
         {"xy", 3, "<Pstart> <Pstop> <Pdamp>", "refused"}, {"xz", 3, "<Pstart> <Pstop> <Pdamp>", "refused"},            \
-        {"yz", 3, "<Pstart> <Pstop> <Pdamp>", "refused"}, {"scalexy", 1, "yes|no", "refused"},                         \
-        {"scalexz", 1, "yes|no", "refused"}, {"scaleyz", 1, "yes|no", "refused"},                                      \
+        {"yz", 3, "<Pstart> <Pstop> <Pdamp>", "refused"},                                                              \
     {                                                                                                                  \
         "flip", 1, "yes|no", "refused"                                                                                 \
     }
 
 const hs_keyword hs_nose_hoover_nvt_keywords[] = {TEMPERATURE_KEYWORDS COMMON_KEYWORDS{NULL, 0, NULL, NULL}};
+const hs_keyword hs_nose_hoover_sllod_keywords[] = {
+    TEMPERATURE_KEYWORDS COMMON_KEYWORDS{"psllod", 1, "yes|no", "the variant p-SLLOD (default: no)"},
+    {NULL, 0, NULL, NULL}};
 const hs_keyword hs_nose_hoover_npt_keywords[] = {TEMPERATURE_KEYWORDS COMMON_KEYWORDS PRESSURE_KEYWORDS,
                                                   {NULL, 0, NULL, NULL}};
 
@@ -65,14 +70,14 @@ static hs_status read_pressure(hs_nose_hoover *nh, const hs_args *args, int i, i
     return HS_OK;
 }
 
-static hs_status refuse_tilted(const hs_args *args, int i, hs_error *err)
+static hs_status refuse_shear(const hs_args *args, int i, hs_error *err)
 {
-    static const char *const words[] = {"tri", "xy", "xz", "yz", "scalexy", "scalexz", "scaleyz", "flip", NULL};
+    static const char *const words[] = {"tri", "xy", "xz", "yz", "flip", NULL};
     for (int k = 0; words[k] != NULL; ++k)
         if (strcmp(args->word[i], words[k]) == 0)
             return hs_fail(err, HS_ERROR_INPUT,
-                           "%s: '%s' is about tilted boxes, which this version does not have; iso, aniso, x, y and z "
-                           "change the lengths of the box",
+                           "%s: '%s' is about pressures that change the tilts of the box, which this version does not "
+                           "have; iso, aniso, x, y and z change its lengths, and tilts in proportion",
                            args->command, words[k]);
     return HS_OK;
 }
@@ -104,6 +109,7 @@ static hs_status read_fixed_point(hs_nose_hoover *nh, const hs_args *args, int i
 static hs_status read_keyword(hs_fix *fix, const hs_args *args, int i, int *n_used, hs_error *err)
 {
     static const char *const couplings[] = {"none", "xyz", "xy", "yz", "xz", NULL};
+    static const char *const scalings[] = {"scalexy", "scalexz", "scaleyz"};
     hs_nose_hoover *nh = fix->state;
     const char *word = args->word[i];
     int coupling;
@@ -113,10 +119,13 @@ static hs_status read_keyword(hs_fix *fix, const hs_args *args, int i, int *n_us
     if (strcmp(word, "pchain") == 0) return read_count(args, i, 0, &nh->barostat_chain.n, err);
     if (strcmp(word, "ploop") == 0) return read_count(args, i, 1, &nh->barostat_chain.n_loops, err);
     if (strcmp(word, "drag") == 0) return hs_arg_not_negative(args, i + 1, &nh->drag, err);
+    if (strcmp(word, "psllod") == 0) return hs_arg_bool(args, i + 1, &nh->is_p_sllod, err);
     if (strcmp(word, "mtk") == 0) return hs_arg_bool(args, i + 1, &nh->is_mtk, err);
     if (strcmp(word, "nreset") == 0) return hs_arg_int(args, i + 1, 0, INT64_MAX, &nh->reset_every, err);
     if (strcmp(word, "ptemp") == 0) return hs_arg_positive(args, i + 1, &nh->t_fixed, err);
     if (strcmp(word, "dilate") == 0) return read_group(fix, args, i, err);
+    for (int k = 0; k < 3; ++k)
+        if (strcmp(word, scalings[k]) == 0) return hs_arg_bool(args, i + 1, &nh->scales_tilt[k], err);
     if (strcmp(word, "couple") == 0) {
         HS_TRY(hs_arg_choice(args, i + 1, couplings, &coupling, err));
         nh->coupling = (hs_nh_coupling)coupling;
@@ -190,12 +199,14 @@ static hs_status check_axes(const hs_fix *fix, const hs_args *args, hs_error *er
 hs_status hs_nose_hoover_read(hs_fix *fix, const hs_args *args, hs_error *err)
 {
     hs_nose_hoover *nh = fix->state;
-    nh->chain.n = nh->barostat_chain.n = 3;
+    nh->chain.n = nh->is_sllod ? 1 : 3; /* as in LAMMPS: longer chains take long to become steady in a flow */
+    nh->barostat_chain.n = 3;
+    nh->scales_tilt[0] = nh->scales_tilt[1] = nh->scales_tilt[2] = true;
     nh->chain.n_loops = nh->barostat_chain.n_loops = 1;
     nh->is_mtk = true;
     nh->dilate = hs_group_mask(0);
     for (int i = 0, n_used; i < args->n; i += n_used) {
-        HS_TRY(refuse_tilted(args, i, err));
+        HS_TRY(refuse_shear(args, i, err));
         HS_TRY(read_keyword(fix, args, i, &n_used, err));
     }
     const bool has_temperature = nh->t_start != 0.0;

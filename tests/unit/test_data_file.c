@@ -154,7 +154,9 @@ START_TEST(test_bad_headers)
     expect_error_with("0 10 xlo", "0 1e999 xlo", 6, "finite numbers");
     expect_error_with("0 10 ylo", "0 inf ylo", 7, "unknown line 'inf ylo yhi'");
     expect_error_with("0 10 ylo yhi\n", "", 0, "no line '<lo> <hi> ylo yhi'");
-    expect_error_with("0 bonds", "0 0 0 xy xz yz", 5, "only orthogonal boxes");
+    expect_error_with("0 bonds", "0 0 1e999 xy xz yz", 5, "tilts must be three finite numbers, and '1e999' is none");
+    expect_error_with("0 bonds", "0 0 xy xz yz", 5, "'xy xz yz' needs 3 numbers before it, not 2");
+    expect_error_with("0 bonds", "6 0 0 xy xz yz", 0, "the tilt xy, 6, is more than half of the box's length in x, 10");
     leave_directory();
 }
 END_TEST
