@@ -80,7 +80,11 @@ static void add_along(const hs_fix *fix, int axis, const int32_t *found, int n, 
 {
     const hs_applied_force *force = &((const addforce_state *)fix->state)->force;
     const hs_atoms *atoms = fix->env->atoms;
-    const double *of_atom = force->of_atom[axis], value = force->value[axis];
+    const hs_box *box = fix->env->box;
+    const double *of_atom = force->of_atom[axis], *x = atoms->x[axis], value = force->value[axis];
+    const double length = hs_box_length(box, axis);
+    const int32_t *image = atoms->image[axis];
+    const bool is_tilted = box->is_tilted;
     double *restrict f = atoms->f[axis];
     for (int k = 0; k < n; ++k) {
         const int i = found[k];
@@ -90,7 +94,8 @@ static void add_along(const hs_fix *fix, int axis, const int32_t *found, int n, 
     if (of_atom == NULL && value == 0.0) return;
     for (int k = 0; k < n; ++k) {
         const int i = found[k];
-        energy[k] -= (of_atom != NULL ? of_atom[i] : value) * hs_unwrapped(fix->env, axis, i);
+        const double place = is_tilted ? hs_unwrapped(fix->env, axis, i) : x[i] + image[i] * length;
+        energy[k] -= (of_atom != NULL ? of_atom[i] : value) * place;
     }
 }
 

@@ -43,23 +43,62 @@ static void change_bounds(hs_env *env, const double lo[3], const double hi[3], u
     }
 }
 
-/** Move a place along from one tilted box to another, as its image in the box does. */
-static void follow(const hs_box *from, const hs_box *to, double magic, double x[3])
+/** A tilted box that becomes another. */
+typedef struct reshape {
+    hs_box from, to;
+    double inv_length[3];      /**< of the box before */
+    double corner[3];          /**< by which the lower corner moves, */
+    double length[3], tilt[3]; /**< and by which the edges grow, distance */
+} reshape;
+
+static reshape make_reshape(const hs_box *from, const hs_box *to)
 {
-    double fraction[3], shift[3];
-    int32_t n[3] = {0, 0, 0};
-    (void)hs_box_wrap_tilted(from, HS_BOX_FARTHEST, x, n);
-    hs_box_shift(to, n, shift);
-    hs_box_fractions(from, x, fraction);
+    reshape r = {.from = *from, .to = *to};
     for (int axis = 0; axis < 3; ++axis) {
-        /* of the lower corner, and of the edges, as far as they lead to the place */
-        double moved =
-            to->lo[axis] - from->lo[axis] + fraction[axis] * (hs_box_length(to, axis) - hs_box_length(from, axis));
-        if (axis == 0)
-            moved += fraction[1] * (to->tilt[0] - from->tilt[0]) + fraction[2] * (to->tilt[1] - from->tilt[1]);
-        if (axis == 1) moved += fraction[2] * (to->tilt[2] - from->tilt[2]);
-        x[axis] = hs_moved(x[axis], moved, magic) + shift[axis];
+        r.inv_length[axis] = 1.0 / hs_box_length(from, axis);
+        r.corner[axis] = to->lo[axis] - from->lo[axis];
+        r.length[axis] = hs_box_length(to, axis) - hs_box_length(from, axis);
+        r.tilt[axis] = to->tilt[axis] - from->tilt[axis];
     }
+    return r;
+}
+
+static inline void find_fractions(const reshape *r, const double x[3], double fraction[3])
+{
+    const double *lo = r->from.lo, *tilt = r->from.tilt;
+    fraction[2] = (x[2] - lo[2]) * r->inv_length[2];
+    fraction[1] = (x[1] - lo[1] - tilt[2] * fraction[2]) * r->inv_length[1];
+    fraction[0] = (x[0] - lo[0] - tilt[0] * fraction[1] - tilt[1] * fraction[2]) * r->inv_length[0];
+}
+
+static inline bool is_part(double fraction) { return fraction >= 0.0 && fraction < 1.0; }
+
+/** The edges between a place and its image in the box: taken off. */
+static void take_off_images(const reshape *r, double x[3], double fraction[3], int32_t n[3])
+{
+    double shift[3];
+    for (int axis = 0; axis < 3; ++axis)
+        if (r->from.periodic[axis] && fabs(fraction[axis]) < HS_BOX_FARTHEST) n[axis] = (int32_t)floor(fraction[axis]);
+    hs_box_shift(&r->from, n, shift);
+    for (int axis = 0; axis < 3; ++axis) x[axis] -= shift[axis];
+    find_fractions(r, x, fraction);
+}
+
+/** Move a place along, as its image in the box does. */
+static inline void follow(const reshape *r, double magic, double x[3])
+{
+    double fraction[3], shift[3] = {0.0, 0.0, 0.0};
+    find_fractions(r, x, fraction);
+    if (!(is_part(fraction[0]) && is_part(fraction[1]) && is_part(fraction[2]))) {
+        int32_t n[3] = {0, 0, 0};
+        take_off_images(r, x, fraction, n);
+        hs_box_shift(&r->to, n, shift);
+    }
+    const double moved[3] = {r->corner[0] + fraction[0] * r->length[0] + fraction[1] * r->tilt[0] +
+                                 fraction[2] * r->tilt[1],
+                             r->corner[1] + fraction[1] * r->length[1] + fraction[2] * r->tilt[2],
+                             r->corner[2] + fraction[2] * r->length[2]};
+    for (int axis = 0; axis < 3; ++axis) x[axis] = hs_moved(x[axis], moved[axis], magic) + shift[axis];
 }
 
 static void change_tilted(hs_env *env, const double lo[3], const double hi[3], const double tilt[3], uint32_t mask)
@@ -72,11 +111,12 @@ static void change_tilted(hs_env *env, const double lo[3], const double hi[3], c
         to.hi[axis] = rounded(hi[axis], env->position_magic);
         if (tilt != NULL) to.tilt[axis] = rounded(tilt[axis], env->position_magic);
     }
+    const reshape change = make_reshape(&from, &to);
 #pragma omp parallel for schedule(static)
     for (int i = 0; i < atoms->n_local; ++i) {
         double x[3] = {atoms->x[0][i], atoms->x[1][i], atoms->x[2][i]};
         if (!(atoms->mask[i] & mask)) continue;
-        follow(&from, &to, env->position_magic, x);
+        follow(&change, env->position_magic, x);
         for (int axis = 0; axis < 3; ++axis) atoms->x[axis][i] = x[axis];
     }
     *env->box = to;

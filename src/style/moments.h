@@ -8,9 +8,11 @@
 static inline double hs_unwrapped(const hs_env *env, int axis, int i)
 {
     const hs_atoms *atoms = env->atoms;
-    const double x[3] = {atoms->x[0][i], atoms->x[1][i], atoms->x[2][i]};
-    const int32_t n[3] = {atoms->image[0][i], atoms->image[1][i], atoms->image[2][i]};
-    return hs_box_unwrapped(env->box, x, n, axis);
+    const hs_box *box = env->box;
+    double unwrapped = atoms->x[axis][i] + atoms->image[axis][i] * hs_box_length(box, axis);
+    for (int edge = axis + 1; edge < 3 && box->is_tilted; ++edge)
+        unwrapped += atoms->image[edge][i] * box->tilt[axis + edge - 1];
+    return unwrapped;
 }
 
 /** The same for the atoms [begin, end). */

@@ -16,9 +16,11 @@ neighbor 0.3 bin
 fix 1 all nve
 run 0
 D
-for n in 2 8; do
-    ranks 0 check -ranks "$n" in.gas >predicted
-    ranks "$n" in.gas -log log -screen none
+sed 's/block 0 20 0 17 0 13/prism 0 20 0 17 0 13 9 -8 7/' in.gas >in.tilted
+for run in "2 gas" "8 gas" "4 tilted"; do
+    read -r n deck <<<"$run"
+    ranks 0 check -ranks "$n" "in.$deck" >predicted
+    ranks "$n" "in.$deck" -log log -screen none
     read -r _ grid local halo _ < <(grep -A99 '^Prediction' predicted | grep "^ *$n ")
     grep -q "  ${grid//x/ by } MPI processor grid" log || fail "$n ranks: $grid bricks predicted, not those of the log"
     [ "$local" = $((8000 / n)) ] || fail "$n ranks: $local atoms predicted"
