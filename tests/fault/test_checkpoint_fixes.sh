@@ -63,6 +63,21 @@ compute d all msd
 fix a all ave/time 2 3 10 c_d[4] file a.txt
 D
 
+# edges flip before the checkpoint and after it
+check flowing "prism 0 4 0 4 0 4 2 0 -1" <<'D'
+fix 1 all nvt/sllod temp 1.5 1.5 0.2
+fix d all deform 1 xy erate 1.5 yz erate -1.5 remap v
+compute d all msd
+variable xy equal xy
+variable yz equal yz
+fix a all ave/time 2 3 10 c_d[4] v_xy v_yz file a.txt
+D
+
+check strained "prism 0 4 0 4 0 4 2 0 -1" <<'D'
+fix 1 all nve
+fix d all deform 3 xy erate 1.5 yz trate 1.5 remap x
+D
+
 check tilted_npt "prism 0 4 0 4 0 4 2 -1 1" <<'D'
 fix 1 all npt temp 1.0 1.2 0.5 aniso 5.0 0.0 0.7
 D

@@ -25,12 +25,14 @@ static const struct deck {
     {"one tilt", FCC "-2 3 0 4 -1 3 0 0 2\n", 320},
     {"negative", FCC "0 5 0 4 0 4 -2 -1 -2\n", 320},
     {"half of the lengths", FCC "0 4 0 4 0 4 2 2 2\n", 256},
+    {"steep", "box tilt large\n" FCC "0 4 0 3 0 3 7 -6 5\n", 144},
     {"rhombohedral", FCC "0 4 0 2 0 2 2 2 0\n", 64},
     {"thin", FCC "0 8 0 1 0 2 3 -4 0.5\n", 64},
-    {"smaller than the cutoff", FCC "0 1 0 1 0 0.5 -1 0.5 0\n", 2},
+    {"smaller than the cutoff", "box tilt large\n" FCC "0 1 0 1 0 0.5 -1 0.5 0\n", 2},
     {"shrink-wrapped along x", "boundary s p p\n" FCC "0 5 0 4 0 4 2 1 -1\n", 324},
     {"disks", HEX "0 18 0 10 -0.1 0.1 7 0 0\n", 360},
     {"disks, negative", HEX "0 12 0 7 -0.1 0.1 -6 0 0\n", 168},
+    {"steep disks", "box tilt large\n" HEX "0 12 0 6 -0.1 0.1 31 0 0\n", 144},
     {"disks in a thin box", HEX "0 30 0 1 -0.1 0.1 15 0 0\n", 60},
 };
 enum { N_DECKS = sizeof decks / sizeof decks[0] };

@@ -219,6 +219,33 @@ $liquid
 neigh_modify every 4 delay 0 check no
 fix 1 all nve
 D
+    # edges b and c flip on the way
+    system flowing 40 'c_f_temp xy xz yz c_m[1]' 'ix iy iz' <<D
+lattice fcc 0.8
+region box prism 0 4 0 4 0 4 1 0 -1.8
+create_box 1 box
+create_atoms 1 box
+mass 1 1.0
+velocity all create 1.5 4
+$liquid
+neigh_modify every 1 delay 0 check yes
+fix f all nvt/sllod temp 1.5 1.5 0.2
+fix d all deform 1 xy erate 1.5 yz erate -0.8 remap v
+compute m all msd
+D
+    system strained 20 'lx xy xz' <<D
+lattice fcc 0.8
+region box prism 0 4 0 4 0 4 1.8 0 -1
+create_box 1 box
+create_atoms 1 box
+mass 1 1.0
+velocity all create 1.5 4
+$liquid
+neigh_modify every 5 delay 0 check no
+fix 1 all nve
+fix d all deform 2 xy erate 2.0 xz vel -3 x trate 0.05 remap x
+fix b all balance 10 1.0 shift xyz 10 1.0
+D
     system swelling 20 'lx xy xz yz c_q[4][2]' <<D
 lattice fcc 0.8
 region box prism 0 4 0 4 0 4 -2 1 2
@@ -258,7 +285,7 @@ D
 
 bits bits 0 1
 bits more 0 1
-[ "$(cat bits/thermo more/thermo | wc -l)" -eq 51 ] || fail "$(cat bits/thermo more/thermo | wc -l) rows"
+[ "$(cat bits/thermo more/thermo | wc -l)" -eq 59 ] || fail "$(cat bits/thermo more/thermo | wc -l) rows"
 bits minimize 0 1
 [ "$(wc -l <minimize/thermo)" -eq 14 ] || fail "$(wc -l <minimize/thermo) rows of minimize"
 for threads in 1 2; do
