@@ -434,7 +434,8 @@ const hs_fix_style hs_fix_style_deform = {
              "With `remap v` atoms of the group that cross a periodic face take the velocity of their image: right for "
              "flows, with `fix nvt/sllod` or `compute temp/deform`. With `remap none` nothing happens to them, and new "
              "pairs come about at periodic faces. The fix moves nothing else: use it with `fix nve` or another "
-             "integrator, and do not let fix npt change the same axis. A deck has one fix deform.",
+             "integrator, and do not let fix npt change the same axis. docs/shear-flow.md has an example. A deck has "
+             "one fix deform.",
          .example =
              "fix 2 all deform 1 x erate 0.001 y volume z volume\nfix 3 all deform 10 z scale 0.5 units box\nfix 4 "
              "all deform 1 xy erate 0.05 remap v"},

@@ -99,6 +99,13 @@ fix 2 all deform 2 x erate 0.2 y volume z volume
 fix p all print 10 "$(lx:%.17g) $(ly:%.17g)" file p.txt screen no
 D
 
+# the box flips before and after the checkpoint
+check sheared "prism 0 4 0 4 0 4 1.95 0.5 -0.5" <<'D'
+fix 1 all nvt/sllod temp 1.0 1.0 0.5
+fix 2 all deform 1 xy wiggle 8 0.6 yz vel -6 x trate 0.3 remap v
+fix p all print 10 "$(xy:%.17g) $(xz:%.17g) $(yz:%.17g) $(c_1_temp:%.17g) $(f_1:%.17g)" file p.txt screen no
+D
+
 check heat <<'D'
 fix 1 all nve
 region hot block INF INF INF INF 0 1.5

@@ -101,6 +101,18 @@ group half id <= 150
 fix 1 all nve
 fix 2 half deform 2 x erate 0.5 y volume z wiggle 0.1 0.2
 D
+    system sheared 30 'xy xz yz c_1_temp f_1' <<D
+lattice fcc 0.7
+region box prism 0 5 0 4 0 4 2 -1 0.5
+create_box 1 box
+create_atoms 1 box
+mass 1 1.0
+velocity all create 1.5 12345
+$liquid
+neigh_modify every 6 delay 0 check no
+fix 1 all nvt/sllod temp 1.0 1.0 0.5
+fix 2 all deform 1 xy erate 1.0 xz vel -3 yz wiggle 20 1 remap v
+D
     system heated 20 'f_h f_l' <<D
 lattice fcc 0.7
 region box block 0 5 0 4 0 4
@@ -153,7 +165,7 @@ D
 } >in.fixes
 
 bits fixes 0 1
-[ "$(wc -l <fixes/thermo)" -eq 30 ] || fail "$(wc -l <fixes/thermo) rows"
+[ "$(wc -l <fixes/thermo)" -eq 34 ] || fail "$(wc -l <fixes/thermo) rows"
 bits fixes 0 3 -neigh cell
 bits fixes 2 2 -neigh verlet
 bits fixes 3 1 -neigh linked

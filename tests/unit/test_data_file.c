@@ -161,6 +161,30 @@ START_TEST(test_bad_headers)
 }
 END_TEST
 
+START_TEST(test_tilted_box)
+{
+    enter_directory();
+    hs_error err;
+    char text[8192];
+    const char *at = strstr(good, "0 bonds");
+    snprintf(text, sizeof text, "%.*s-2.5 0.1 1e-3 xy xz yz%s", (int)(at - good), good, at + strlen("0 bonds"));
+    hs_test_write_file("tilted.data", text);
+    char *log = run("pair_style lj/cut 2.5\nread_data tilted.data\nwrite_data out.data pair ij\nclear\n"
+                    "pair_style lj/cut 2.5\nread_data out.data\nwrite_data again.data pair ij\n",
+                    &err);
+    ck_assert_msg(err.status == HS_OK, "%s", err.text);
+    ck_assert_ptr_nonnull(strstr(log, "  triclinic box = (0.0000000 0.0000000 -5.5000000) to (10.000000 10.000000 5.0000000) "
+                                      "with tilt (-2.5000000 0.10000000 0.0010000000)\n"));
+    free(log);
+    char *out = hs_test_read_file("out.data"), *again = hs_test_read_file("again.data");
+    ck_assert_ptr_nonnull(strstr(out, "\n-5.5 5 zlo zhi\n-2.5 0.1 0.001 xy xz yz\n\nMasses\n"));
+    ck_assert_str_eq(out, again);
+    free(out);
+    free(again);
+    leave_directory();
+}
+END_TEST
+
 START_TEST(test_bad_sections)
 {
     enter_directory();
@@ -293,5 +317,5 @@ START_TEST(test_shortest)
 }
 END_TEST
 
-HS_TEST_MAIN("data_file", test_read_and_write, test_add, test_bad_headers, test_bad_sections, test_box_edges,
+HS_TEST_MAIN("data_file", test_read_and_write, test_add, test_bad_headers, test_tilted_box, test_bad_sections, test_box_edges,
              test_truncated, test_garbage, test_shortest)

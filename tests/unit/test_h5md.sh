@@ -176,3 +176,61 @@ assert v.trajectory.n_frames == 7
 END
     "$python" -W ignore mda.py 2>mda.err || { cat mda.err >&2; exit 1; }
 fi
+
+# a tilted box: edges, angles and fractions as the readers see them
+cat >tilted.in <<END
+units lj
+lattice fcc 0.8442
+region box prism -1 2 0 3 0 4 0.5 -1 0.75
+create_box 1 box
+create_atoms 1 box
+mass 1 1.0
+velocity all create 1.0 87287 loop geom
+pair_style lj/cut 2.5
+pair_coeff * * 1.0 1.0
+fix 1 all nve
+fix 2 all deform 1 xy erate 0.5
+dump t all h5md 20 tilted.h5md position
+dump s all custom 20 tilted.dump id type x y z xs ys zs
+dump_modify s sort id format float %.17g
+thermo_style custom step lx ly lz xy xz yz cella cellb cellc cellalpha cellbeta cellgamma
+thermo_modify format float %.15g
+thermo 20
+run 40
+write_data tilted.data
+END
+"$HALFSHELL" tilted.in -log tilted.log >/dev/null
+cat >tilted.py <<END
+import h5py, numpy as np
+rows = [list(map(float, w)) for w in map(str.split, open('tilted.log')) if len(w) == 13 and w[0].isdigit()]
+p = h5py.File('tilted.h5md', 'r')['particles/all']
+items = open('tilted.dump').read().split('ITEM: TIMESTEP')[1:]
+assert len(rows) == 3 and len(items) == 3 and rows[2][4] > rows[0][4]
+for k in range(3):
+    lx, ly, lz, xy, xz, yz = rows[k][1:7]
+    edges, offset = p['box/edges/value'][k], p['box/offset/value'][k]
+    # 15 digits in the log
+    assert abs(edges - [[lx, 0, 0], [xy, ly, 0], [xz, yz, lz]]).max() < 1e-13, edges
+    atoms = np.array([list(map(float, line.split())) for line in items[k].split('ATOMS')[2].splitlines()[1:]])
+    x = p['position/value'][k]
+    # places in the text dump are those of the last wrap, here wrapped again: a whole edge may lie between
+    away = np.linalg.solve(edges.T, (x - atoms[:, 2:5]).T)
+    assert abs(away - np.rint(away)).max() < 1e-12
+    assert abs(atoms[:, 2:5] - (offset + atoms[:, 5:8] @ edges)).max() < 1e-12
+try:
+    import warnings
+    warnings.simplefilter('ignore')
+    import MDAnalysis
+except ImportError:
+    raise SystemExit
+data = MDAnalysis.Universe('tilted.data', atom_style='id type x y z')
+text = MDAnalysis.Universe('tilted.data', 'tilted.dump', atom_style='id type x y z', format='LAMMPSDUMP')
+h5md = MDAnalysis.Universe('tilted.data', atom_style='id type x y z')
+h5md.load_new('tilted.h5md', convert_units=False)
+for universe in (text, h5md):
+    for k in range(3):
+        # single precision
+        assert abs(universe.trajectory[k].dimensions - rows[k][7:]).max() < 2e-5, universe.trajectory[k].dimensions
+assert abs(data.dimensions - rows[2][7:]).max() < 2e-5, data.dimensions
+END
+"$python" -W ignore tilted.py 2>tilted.err || { cat tilted.err >&2; exit 1; }
