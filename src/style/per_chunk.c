@@ -23,11 +23,11 @@ static hs_status set_rows(hs_compute *compute, int64_t n, hs_error *err)
         state->capacity = (size_t)n + 1;
         HS_TRY(HS_GROW(state->sum, 0, state->capacity, err));
         if (compute->has_array) HS_TRY(HS_GROW(compute->array, 0, state->capacity * n_columns, err));
-        if (compute->has_vector) HS_TRY(HS_GROW(compute->vector, 0, state->capacity, err));
+        if (!compute->has_array) HS_TRY(HS_GROW(compute->vector, 0, state->capacity, err));
     }
     state->n = n;
     if (compute->has_array) compute->n_rows = (int)n;
-    if (compute->has_vector) compute->n_vector = (int)n;
+    if (!compute->has_array) compute->n_vector = (int)n;
     return HS_OK;
 }
 
