@@ -316,9 +316,10 @@ const hs_command hs_commands_neighbor[] = {
               "pairs are added "
               "as 64-bit integers, sums over atoms are exact. The SSE2 and portable kernels, which have no fused "
               "multiply-add, are "
-              "reproducible among themselves. `off` adds in floating point, a tenth faster. It is off in mixed "
-              "precision, where `on` "
-              "is refused. The command line's `-reproducible` wins over the deck.",
+              "reproducible among themselves. `off` adds in floating point, a tenth faster; on several threads, which "
+              "take "
+              "work from each other, the last bits then differ from run to run. It is off in mixed precision, where "
+              "`on` is refused. The command line's `-reproducible` wins over the deck.",
           .example = "reproducible off"},
      .run = run_reproducible,
      .check = check_reproducible},

@@ -232,7 +232,7 @@ static hs_status work_cluster(hs_force_space *space, const hs_force_job *job, hs
     chunk_work w = {.space = space, .job = job, .out = &buffer->out, .kernel = choose_kernel(job)};
     bool is_cut;
     if (job->counter != NULL) buffer->out.histogram = &job->counter->thread[thread];
-    for (int k; (k = hs_list_take(space, job, stage, thread, &is_cut)) >= 0;) {
+    for (int k; (k = hs_list_take(space, stage, thread, &is_cut)) >= 0;) {
         w.chunk = &list->chunk[k];
         hs_block_list_touch(&w.chunk->blocks, buffer, job);
         if (!is_cut)

@@ -62,12 +62,11 @@ void hs_list_share(hs_force_space *space, const void *list, int64_t (*weight)(co
     }
 }
 
-int hs_list_take(hs_force_space *space, const hs_force_job *job, hs_force_stage stage, int thread, bool *is_cut)
+int hs_list_take(hs_force_space *space, hs_force_stage stage, int thread, bool *is_cut)
 {
     hs_share *share = space->share + (int)stage * space->n_threads;
     int owner = thread;
-    const int chunk = job->precision == HS_PRECISION_FIXED ? hs_share_take_any(share, space->n_threads, thread, &owner)
-                                                           : hs_share_take(&share[thread], false);
+    const int chunk = hs_share_take_any(share, space->n_threads, thread, &owner);
     const hs_force_buffer *buffer = &space->buffer[owner];
     *is_cut = stage != HS_STAGE_ALL && (chunk < buffer->uncut_begin || chunk >= buffer->uncut_end);
     return chunk;

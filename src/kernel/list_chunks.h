@@ -24,10 +24,10 @@ void hs_list_chunk_range(int n_clusters, int n_chunks, int chunk, int *begin, in
  *  @p weight of(list, chunk) is its length. To be called before each evaluation, outside of parallel regions. */
 void hs_list_share(hs_force_space *space, const void *list, int64_t (*weight)(const void *list, int chunk),
                    int n_chunks);
-/** The next chunk for a thread in a stage, -1 when there is none. In fixed point, where the order of sums does not matter, a thread
- *  whose share is done takes chunks of others; in floating point runs of as many threads shall have the same bits.
+/** The next chunk for a thread in a stage, -1 when there is none. A thread whose share is done takes chunks of others, so the order of
+ *  sums differs from run to run; fixed point does not feel it.
  *  @p is_cut: of this chunk stages BEFORE and AFTER do the inner clusters, MAIN the outer ones; else MAIN does it all. */
-int hs_list_take(hs_force_space *space, const hs_force_job *job, hs_force_stage stage, int thread, bool *is_cut);
+int hs_list_take(hs_force_space *space, hs_force_stage stage, int thread, bool *is_cut);
 
 /** Copy the blocks that are marked in touched[n_blocks]. */
 HS_MUST_USE hs_status hs_block_list_set(hs_block_list *list, const unsigned char *touched, int64_t n_blocks,

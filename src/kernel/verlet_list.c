@@ -1,7 +1,7 @@
 #include "kernel/verlet_list.h"
 
-#include <math.h>
 #include <assert.h>
+#include <math.h>
 #include <string.h>
 
 #include "base/memory.h"
@@ -237,7 +237,7 @@ static hs_status work_verlet(hs_force_space *space, const hs_force_job *job, hs_
     const hs_verlet_kernel kernel = set->verlet[job->with_energy][by_type];
     const hs_pairs_kernel pairs_kernel = set->pairs[job->with_energy][by_type];
     bool is_cut; /* never: there are no stages */
-    for (int k; (k = hs_list_take(space, job, stage, thread, &is_cut)) >= 0;) {
+    for (int k; (k = hs_list_take(space, stage, thread, &is_cut)) >= 0;) {
         const hs_verlet_chunk *chunk = &list->chunk[k];
         if (n_pairs_of(chunk) == 0) continue;
         hs_block_list_touch(&chunk->blocks, buffer, job);
