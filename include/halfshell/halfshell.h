@@ -98,6 +98,8 @@ HS_API int64_t hs_simulation_n_atoms(const hs_simulation *simulation);
 HS_API int hs_simulation_n_types(const hs_simulation *simulation);
 /** The box: lower and upper corner, and which axes are periodic (1 or 0). Any pointer may be NULL. */
 HS_API hs_code hs_simulation_box(hs_simulation *simulation, double lo[3], double hi[3], int periodic[3]);
+/** Its tilts xy, xz, yz, all 0 in an orthogonal box: the edges are (lx, 0, 0), (xy, ly, 0) and (xz, yz, lz), with lx = hi[0] - lo[0]. */
+HS_API hs_code hs_simulation_tilt(hs_simulation *simulation, double tilt[3]);
 
 /** A value of the thermo output by its keyword ("temp", "pe", "press", "lx", ...), normed as the deck's thermo output is.
  *  Computes forces first when they are not up to date. */

@@ -3,6 +3,12 @@
 #include "style/box_flow.h"
 #include "style/temperature.h"
 
+typedef struct deform_temperature {
+    hs_temperature temperature;
+    hs_box_flow_map map;
+    uint64_t map_at; /**< revision of the map; 0: none */
+} deform_temperature;
+
 static hs_status create(hs_compute *compute, const hs_args *args, hs_error *err)
 {
     HS_TRY(hs_syntax_check(&compute->style->about.syntax, args, false, err));
@@ -23,10 +29,37 @@ static hs_status init(hs_compute *compute, hs_error *err)
     return hs_temperature_init(compute, err);
 }
 
+/** Keep the map of this revision: one for all atoms. */
+static void look_at_flow(const hs_compute *compute)
+{
+    deform_temperature *state = compute->state;
+    state->map = hs_box_flow_now(compute->env);
+    state->map_at = compute->env->revision;
+}
+
+static hs_status scalar(hs_compute *compute, double *value, hs_error *err)
+{
+    look_at_flow(compute);
+    return hs_temperature_scalar(compute, value, err);
+}
+
+static hs_status vector(hs_compute *compute, hs_error *err)
+{
+    look_at_flow(compute);
+    return hs_temperature_vector(compute, err);
+}
+
 static void bias(const hs_compute *compute, int i, double v[3])
 {
+    const deform_temperature *state = compute->state;
     const hs_atoms *atoms = compute->env->atoms;
-    hs_box_flow_at(compute->env, (const double[3]){atoms->x[0][i], atoms->x[1][i], atoms->x[2][i]}, v);
+    const double x = atoms->x[0][i], y = atoms->x[1][i], z = atoms->x[2][i];
+    if (state->map_at == compute->env->revision) {
+        hs_box_flow_at(&state->map, x, y, z, v);
+        return;
+    }
+    const hs_box_flow_map map = hs_box_flow_now(compute->env);
+    hs_box_flow_at(&map, x, y, z, v);
 }
 
 const hs_compute_style hs_compute_style_temp_deform = {
@@ -46,12 +79,12 @@ const hs_compute_style hs_compute_style_temp_deform = {
              "whether they do.",
          .reference = "D. J. Evans, G. P. Morriss, Phys. Rev. A 30, 1528 (1984), doi:10.1103/PhysRevA.30.1528",
          .example = "fix 2 all deform 1 xy erate 0.1 remap v\ncompute t all temp/deform\nthermo_modify temp t"},
-    .state_size = sizeof(hs_temperature),
+    .state_size = sizeof(deform_temperature),
     .create = create,
     .destroy = hs_temperature_destroy,
     .init = init,
-    .scalar = hs_temperature_scalar,
-    .vector = hs_temperature_vector,
+    .scalar = scalar,
+    .vector = vector,
     .modify = hs_temperature_modify,
     .bias = bias,
     .is_vector_extensive = true,

@@ -209,3 +209,11 @@ hs_code hs_simulation_box(hs_simulation *simulation, double lo[3], double hi[3],
     }
     return hs_api_finish(simulation, status);
 }
+
+hs_code hs_simulation_tilt(hs_simulation *simulation, double tilt[3])
+{
+    hs_status status = hs_api_begin(simulation);
+    if (status == HS_OK) status = hs_sim_need_box(simulation->deck->sim, "hs_simulation_tilt", &simulation->error);
+    if (status == HS_OK) memcpy(tilt, simulation->deck->sim->box.tilt, 3 * sizeof *tilt);
+    return hs_api_finish(simulation, status);
+}

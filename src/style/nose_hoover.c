@@ -285,33 +285,37 @@ static hs_status scale_velocities(const hs_fix *fix, const double factor[3], hs_
     return HS_OK;
 }
 
-static void flow_share(const hs_fix *fix, const hs_compute *temperature, double factor, const double gradient[3][3])
+/** @p temperature is NULL when it is the fix's own, which takes off the flow and nothing else. */
+static void flow_share(const hs_fix *fix, const hs_compute *temperature, double factor, const hs_box_flow_map *flow)
 {
     const hs_nose_hoover *nh = fix->state;
     const hs_atoms *atoms = fix->env->atoms;
+    const double(*gradient)[3] = flow->gradient, half_dt = 0.5 * nh->dt;
 #pragma omp for schedule(static) nowait
     for (int i = 0; i < atoms->n_local; ++i) {
-        double bias[3], v[3];
+        double u[3], c[3];
         if (!(atoms->mask[i] & fix->mask)) continue;
-        temperature->style->bias(temperature, i, bias);
-        const double lab[3] = {atoms->v[0][i], atoms->v[1][i], atoms->v[2][i]};
-        for (int axis = 0; axis < 3; ++axis) v[axis] = lab[axis] - bias[axis];
-        for (int axis = 0; axis < 3; ++axis) {
-            double pull = 0.0;
-            for (int k = axis; k < 3; ++k) pull += gradient[axis][k] * (nh->is_p_sllod ? lab[k] : v[k]);
-            atoms->v[axis][i] = bias[axis] + (factor * v[axis] - 0.5 * nh->dt * pull);
-        }
+        if (temperature == NULL)
+            hs_box_flow_at(flow, atoms->x[0][i], atoms->x[1][i], atoms->x[2][i], u);
+        else
+            temperature->style->bias(temperature, i, u);
+        for (int axis = 0; axis < 3; ++axis) c[axis] = atoms->v[axis][i] - u[axis];
+        double pulled[3] = {c[0], c[1], c[2]};
+        for (int axis = 0; axis < 3 && nh->is_p_sllod; ++axis) pulled[axis] = atoms->v[axis][i];
+        const double pull[3] = {gradient[0][0] * pulled[0] + gradient[0][1] * pulled[1] + gradient[0][2] * pulled[2],
+                                gradient[1][1] * pulled[1] + gradient[1][2] * pulled[2], gradient[2][2] * pulled[2]};
+        for (int axis = 0; axis < 3; ++axis) atoms->v[axis][i] = u[axis] + (factor * c[axis] - half_dt * pull[axis]);
     }
 }
 
 /** Scale the thermal velocities and let the flow act on them, for half a step. */
 static hs_status flow_velocities(const hs_fix *fix, double factor, hs_error *err)
 {
+    const hs_box_flow_map flow = hs_box_flow_now(fix->env);
     hs_compute *temperature;
-    double gradient[3][3];
     HS_TRY(find_compute(fix, OWN_TEMPERATURE, &temperature, err));
-    hs_box_flow_gradient(fix->env, gradient);
-    HS_ON_THREADS(flow_share(fix, temperature, factor, gradient));
+    if (temperature == fix->own[OWN_TEMPERATURE]) temperature = NULL;
+    HS_ON_THREADS(flow_share(fix, temperature, factor, &flow));
     hs_env_changed(fix->env);
     return HS_OK;
 }

@@ -182,6 +182,37 @@ START_TEST(test_reversal)
 }
 END_TEST
 
+/** The melt in a box that is sheared: a translation by whole edges changes nothing, and comes back unwrapped. */
+START_TEST(test_tilted_box)
+{
+    static double x[3 * N_ATOMS], back[3 * N_ATOMS];
+    hs_simulation *simulation = create_melt();
+    double before, after, lo[3], hi[3], tilt[3];
+    need(simulation, hs_simulation_tilt(simulation, tilt));
+    ck_assert(tilt[0] == 0.0 && tilt[1] == 0.0 && tilt[2] == 0.0);
+    need(simulation,
+         hs_simulation_command(simulation, "change_box all triclinic xy final 2.0 yz final -1.0 remap units box"));
+    need(simulation, hs_simulation_thermo(simulation, "pe", &before));
+    need(simulation, hs_simulation_box(simulation, lo, hi, NULL));
+    need(simulation, hs_simulation_tilt(simulation, tilt));
+    /* a reproducible run rounds them to some 1e-14 */
+    ck_assert_double_eq_tol(tilt[0], 2.0, 1e-12);
+    ck_assert_double_eq_tol(tilt[1], 0.0, 1e-12);
+    ck_assert_double_eq_tol(tilt[2], -1.0, 1e-12);
+    need(simulation, hs_simulation_get_positions(simulation, HS_ORDER_ID, N_ATOMS, x));
+    const double edge[3][3] = {
+        {hi[0] - lo[0], 0.0, 0.0}, {tilt[0], hi[1] - lo[1], 0.0}, {tilt[1], tilt[2], hi[2] - lo[2]}};
+    for (int i = 0; i < N_ATOMS; ++i)
+        for (int axis = 0; axis < 3; ++axis) x[3 * i + axis] += 3.0 * edge[1][axis] - 2.0 * edge[2][axis];
+    need(simulation, hs_simulation_set_positions(simulation, HS_ORDER_ID, N_ATOMS, x));
+    need(simulation, hs_simulation_thermo(simulation, "pe", &after));
+    ck_assert_double_eq_tol(after, before, 1e-9);
+    need(simulation, hs_simulation_get_unwrapped(simulation, HS_ORDER_ID, N_ATOMS, back));
+    for (int i = 0; i < 3 * N_ATOMS; ++i) ck_assert_double_eq_tol(back[i], x[i], 1e-12 * 60.0);
+    hs_simulation_destroy(&simulation);
+}
+END_TEST
+
 START_TEST(test_set_positions)
 {
     static double x[3 * N_ATOMS], back[3 * N_ATOMS];
@@ -285,5 +316,5 @@ START_TEST(test_stop)
 }
 END_TEST
 
-HS_TEST_MAIN("api", test_empty, test_options, test_thermo, test_arrays, test_reversal, test_set_positions,
-             test_two_at_a_time, test_variables_and_errors, test_stop)
+HS_TEST_MAIN("api", test_empty, test_options, test_thermo, test_arrays, test_reversal, test_tilted_box,
+             test_set_positions, test_two_at_a_time, test_variables_and_errors, test_stop)

@@ -173,8 +173,9 @@ START_TEST(test_tilted_box)
                     "pair_style lj/cut 2.5\nread_data out.data\nwrite_data again.data pair ij\n",
                     &err);
     ck_assert_msg(err.status == HS_OK, "%s", err.text);
-    ck_assert_ptr_nonnull(strstr(log, "  triclinic box = (0.0000000 0.0000000 -5.5000000) to (10.000000 10.000000 5.0000000) "
-                                      "with tilt (-2.5000000 0.10000000 0.0010000000)\n"));
+    ck_assert_ptr_nonnull(
+        strstr(log, "  triclinic box = (0.0000000 0.0000000 -5.5000000) to (10.000000 10.000000 5.0000000) "
+                    "with tilt (-2.5000000 0.10000000 0.0010000000)\n"));
     free(log);
     char *out = hs_test_read_file("out.data"), *again = hs_test_read_file("again.data");
     ck_assert_ptr_nonnull(strstr(out, "\n-5.5 5 zlo zhi\n-2.5 0.1 0.001 xy xz yz\n\nMasses\n"));
@@ -317,5 +318,5 @@ START_TEST(test_shortest)
 }
 END_TEST
 
-HS_TEST_MAIN("data_file", test_read_and_write, test_add, test_bad_headers, test_tilted_box, test_bad_sections, test_box_edges,
-             test_truncated, test_garbage, test_shortest)
+HS_TEST_MAIN("data_file", test_read_and_write, test_add, test_bad_headers, test_tilted_box, test_bad_sections,
+             test_box_edges, test_truncated, test_garbage, test_shortest)
