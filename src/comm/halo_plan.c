@@ -17,8 +17,16 @@ static bool is_near(const hs_domain *domain, const hs_box *box, int axis, int k,
     return hs_domain_plane(domain, box, axis, first + a) - hs_domain_plane(domain, box, axis, first + 1) < reach;
 }
 
-static hs_status refuse_layers(const hs_domain *domain, const hs_box *box, int axis, double reach, hs_error *err)
+/** @p along is the reach in the coordinate of hs_box_upright. */
+static hs_status refuse_layers(const hs_domain *domain, const hs_box *box, int axis, double along, hs_error *err)
 {
+    const double thickness = hs_box_thickness(box, axis), reach = along * thickness / hs_box_length(box, axis);
+    if (domain->n[axis] == 1 && box->is_tilted)
+        return hs_fail(err, HS_ERROR_RUN,
+                       "the box is tilted so much that its faces across %c are %g apart, less than a hundredth of the "
+                       "reach %g of the forces: smaller tilts give the same periodic images (xy less whole lengths "
+                       "in x, yz less whole lengths in y)",
+                       "xyz"[axis], thickness, reach);
     if (domain->n[axis] == 1)
         return hs_fail(err, HS_ERROR_RUN,
                        "the box is %g long in %c, less than a hundredth of the reach %g of the "

@@ -52,12 +52,23 @@ static bool wrap_tilted(const hs_box *box, hs_atoms *atoms, double *const listed
     return true;
 }
 
+/** Box lengths that atoms may be away from a tilted box: a short way crosses many edges where faces lie close to each other. */
+static double farthest_tilted(const hs_box *box, bool has_moved)
+{
+    double leaning = 0.0;
+    if (!has_moved) return farthest_placed;
+    for (int axis = 0; axis < 3; ++axis)
+        leaning = fmax(leaning, hs_box_length(box, axis) / hs_box_thickness(box, axis));
+    return farthest_moved + leaning;
+}
+
 static void wrap_share(hs_sim *sim, bool *is_wrapped)
 {
     hs_atoms *atoms = &sim->atoms;
-    const double farthest = sim->is_initialized ? farthest_moved : farthest_placed;
+    double farthest = sim->is_initialized ? farthest_moved : farthest_placed;
     bool is_share_wrapped = true;
     if (sim->box.is_tilted) {
+        farthest = farthest_tilted(&sim->box, sim->is_initialized);
 #pragma omp for schedule(static) nowait
         for (int i = 0; i < atoms->n_local; ++i)
             is_share_wrapped = wrap_tilted(&sim->box, atoms, sim->neighbor.x_listed, i, farthest) && is_share_wrapped;

@@ -26,6 +26,7 @@ static const struct deck {
     {"negative", FCC "0 5 0 4 0 4 -2 -1 -2\n", 320},
     {"half of the lengths", FCC "0 4 0 4 0 4 2 2 2\n", 256},
     {"steep", "box tilt large\n" FCC "0 4 0 3 0 3 7 -6 5\n", 144},
+    {"steeper still", "box tilt large\n" FCC "0 3 0 2 0 2 80 0 0\n", 48},
     {"rhombohedral", FCC "0 4 0 2 0 2 2 2 0\n", 64},
     {"thin", FCC "0 8 0 1 0 2 3 -4 0.5\n", 64},
     {"smaller than the cutoff", "box tilt large\n" FCC "0 1 0 1 0 0.5 -1 0.5 0\n", 2},
