@@ -125,6 +125,12 @@ const char *hs_text_nearest(const char *word, const char *const *words, size_t n
         int distance = edit_distance(word, words[i], limit);
         if (distance < best) best = distance, nearest = words[i];
     }
+    size_t longest = 0; /* of variants, such as nvt/uef, the style they vary */
+    for (size_t i = 0; i < n && best == limit; ++i) {
+        const size_t length = strlen(words[i]);
+        if (length > longest && strncmp(word, words[i], length) == 0 && word[length] == '/')
+            longest = length, nearest = words[i];
+    }
     return nearest;
 }
 

@@ -5,9 +5,7 @@
 #include <string.h>
 
 #include "base/memory.h"
-#include "core/atom_style.h"
 #include "style/box_change.h"
-#include "style/box_flow.h"
 #include "style/box_shape.h"
 
 /* The computes that the fix owns: fix->own. */
@@ -260,62 +258,15 @@ hs_status hs_nose_hoover_setup(hs_fix *fix, hs_error *err)
 
 /* Parts of a step */
 
-static void scale_share(const hs_fix *fix, const hs_compute *temperature, const double factor[3])
-{
-    const hs_atoms *atoms = fix->env->atoms;
-    void (*const bias_of)(const hs_compute *, int, double *) = temperature->style->bias;
-#pragma omp for schedule(static) nowait
-    for (int i = 0; i < atoms->n_local; ++i) {
-        double bias[3] = {0.0};
-        if (!(atoms->mask[i] & fix->mask)) continue;
-        if (bias_of != NULL) bias_of(temperature, i, bias);
-        for (int axis = 0; axis < 3; ++axis)
-            atoms->v[axis][i] = bias_of != NULL ? bias[axis] + factor[axis] * (atoms->v[axis][i] - bias[axis])
-                                                : factor[axis] * atoms->v[axis][i];
-    }
-}
-
-/** Scale the thermal velocities of the group. */
-static hs_status scale_velocities(const hs_fix *fix, const double factor[3], hs_error *err)
+/** Scale the thermal velocities of the group, all axes alike where they flow. */
+static hs_status scale_velocities(const hs_fix *fix, const double factor[3], bool is_flowing, hs_error *err)
 {
     hs_compute *temperature;
     HS_TRY(find_compute(fix, OWN_TEMPERATURE, &temperature, err));
-    HS_ON_THREADS(scale_share(fix, temperature, factor));
-    hs_env_changed(fix->env);
-    return HS_OK;
-}
-
-/** @p temperature is NULL when it is the fix's own, which takes off the flow and nothing else. */
-static void flow_share(const hs_fix *fix, const hs_compute *temperature, double factor, const hs_box_flow_map *flow)
-{
-    const hs_nose_hoover *nh = fix->state;
-    const hs_atoms *atoms = fix->env->atoms;
-    const double(*gradient)[3] = flow->gradient, half_dt = 0.5 * nh->dt;
-#pragma omp for schedule(static) nowait
-    for (int i = 0; i < atoms->n_local; ++i) {
-        double u[3], c[3];
-        if (!(atoms->mask[i] & fix->mask)) continue;
-        if (temperature == NULL)
-            hs_box_flow_at(flow, atoms->x[0][i], atoms->x[1][i], atoms->x[2][i], u);
-        else
-            temperature->style->bias(temperature, i, u);
-        for (int axis = 0; axis < 3; ++axis) c[axis] = atoms->v[axis][i] - u[axis];
-        double pulled[3] = {c[0], c[1], c[2]};
-        for (int axis = 0; axis < 3 && nh->is_p_sllod; ++axis) pulled[axis] = atoms->v[axis][i];
-        const double pull[3] = {gradient[0][0] * pulled[0] + gradient[0][1] * pulled[1] + gradient[0][2] * pulled[2],
-                                gradient[1][1] * pulled[1] + gradient[1][2] * pulled[2], gradient[2][2] * pulled[2]};
-        for (int axis = 0; axis < 3; ++axis) atoms->v[axis][i] = u[axis] + (factor * c[axis] - half_dt * pull[axis]);
-    }
-}
-
-/** Scale the thermal velocities and let the flow act on them, for half a step. */
-static hs_status flow_velocities(const hs_fix *fix, double factor, hs_error *err)
-{
-    const hs_box_flow_map flow = hs_box_flow_now(fix->env);
-    hs_compute *temperature;
-    HS_TRY(find_compute(fix, OWN_TEMPERATURE, &temperature, err));
-    if (temperature == fix->own[OWN_TEMPERATURE]) temperature = NULL;
-    HS_ON_THREADS(flow_share(fix, temperature, factor, &flow));
+    if (is_flowing)
+        hs_nose_hoover_flow(fix, temperature != fix->own[OWN_TEMPERATURE] ? temperature : NULL, factor[0]);
+    else
+        hs_nose_hoover_scale(fix, temperature, factor);
     hs_env_changed(fix->env);
     return HS_OK;
 }
@@ -330,7 +281,7 @@ static hs_status advance_thermostat(const hs_fix *fix, hs_error *err)
     const double s = hs_nh_chain_advance(&nh->chain, k * nh->t_target, nh->n_dof * k * nh->t_target,
                                          nh->n_dof * k * nh->t_now, nh->dt);
     nh->t_now *= s * s;
-    return nh->is_sllod ? flow_velocities(fix, s, err) : scale_velocities(fix, (const double[3]){s, s, s}, err);
+    return scale_velocities(fix, (const double[3]){s, s, s}, nh->is_sllod, err);
 }
 
 /** The barostat's chain acts on the strain rates. */
@@ -375,7 +326,7 @@ static hs_status strain_velocities(const hs_fix *fix, hs_error *err)
     const hs_nose_hoover *nh = fix->state;
     double factor[3];
     for (int axis = 0; axis < 3; ++axis) factor[axis] = exp(-0.5 * nh->dt * (nh->strain_rate[axis] + nh->kinetic_term));
-    return scale_velocities(fix, factor, err);
+    return scale_velocities(fix, factor, false, err);
 }
 
 /** The strain rates act on box and positions for half a step. */
@@ -401,44 +352,6 @@ static void strain_box(const hs_fix *fix)
     hs_box_change(env, lo, hi, tilt, nh->dilate);
 }
 
-static void kick_share(const hs_fix *fix)
-{
-    const hs_nose_hoover *nh = fix->state;
-    const hs_atoms *atoms = fix->env->atoms;
-    const double half_dt = 0.5 * nh->dt * fix->env->units->ftm2v;
-#pragma omp for schedule(static) nowait
-    for (int i = 0; i < atoms->n_local; ++i) {
-        if (!(atoms->mask[i] & fix->mask)) continue;
-        const double size = half_dt / hs_atom_mass(atoms, i);
-        for (int axis = 0; axis < 3; ++axis) atoms->v[axis][i] += size * atoms->f[axis][i];
-    }
-}
-
-static void kick(const hs_fix *fix)
-{
-    HS_ON_THREADS(kick_share(fix));
-    hs_env_changed(fix->env);
-}
-
-static void drift_share(const hs_fix *fix)
-{
-    const hs_nose_hoover *nh = fix->state;
-    const hs_atoms *atoms = fix->env->atoms;
-    const double magic = fix->env->position_magic;
-#pragma omp for schedule(static) nowait
-    for (int i = 0; i < atoms->n_local; ++i) {
-        if (!(atoms->mask[i] & fix->mask)) continue;
-        for (int axis = 0; axis < 3; ++axis)
-            atoms->x[axis][i] = hs_moved(atoms->x[axis][i], nh->dt * atoms->v[axis][i], magic);
-    }
-}
-
-static void drift(const hs_fix *fix)
-{
-    HS_ON_THREADS(drift_share(fix));
-    hs_env_changed(fix->env);
-}
-
 hs_status hs_nose_hoover_initial_integrate(hs_fix *fix, hs_error *err)
 {
     hs_nose_hoover *nh = fix->state;
@@ -453,9 +366,9 @@ hs_status hs_nose_hoover_initial_integrate(hs_fix *fix, hs_error *err)
         HS_TRY(kick_barostat(fix, err));
         HS_TRY(strain_velocities(fix, err));
     }
-    kick(fix);
+    hs_nose_hoover_kick(fix);
     if (nh->has_barostat) strain_box(fix);
-    drift(fix);
+    hs_nose_hoover_drift(fix);
     if (nh->has_barostat) strain_box(fix);
     return HS_OK;
 }
@@ -463,7 +376,7 @@ hs_status hs_nose_hoover_initial_integrate(hs_fix *fix, hs_error *err)
 hs_status hs_nose_hoover_final_integrate(hs_fix *fix, hs_error *err)
 {
     hs_nose_hoover *nh = fix->state;
-    kick(fix);
+    hs_nose_hoover_kick(fix);
     if (nh->has_barostat) HS_TRY(strain_velocities(fix, err));
     HS_TRY(measure_temperature(fix, err));
     if (nh->has_barostat) {

@@ -117,6 +117,13 @@ double hs_nose_hoover_deviatoric(const hs_nose_hoover *nh, const hs_box *box, in
 double hs_nose_hoover_barostat_target(const hs_nose_hoover *nh, double kt);
 /** Length of the vector f_ID. */
 int hs_nose_hoover_n_vector(const hs_nose_hoover *nh);
+/** Scale the thermal velocities of the group: by the bias of @p temperature. */
+void hs_nose_hoover_scale(const hs_fix *fix, const hs_compute *temperature, const double factor[3]);
+/** Scale them and let the flow act on them, for half a step. @p temperature NULL: the flow itself is the bias. */
+void hs_nose_hoover_flow(const hs_fix *fix, const hs_compute *temperature, double factor);
+/** Half a step of the velocities, and a step of the places. */
+void hs_nose_hoover_kick(const hs_fix *fix);
+void hs_nose_hoover_drift(const hs_fix *fix);
 /** Read the words; part of create. */
 HS_MUST_USE hs_status hs_nose_hoover_read(hs_fix *fix, const hs_args *args, hs_error *err);
 
