@@ -57,6 +57,17 @@ check nvt <<'D'
 fix 1 all nvt temp 1.0 1.2 0.5 tchain 2
 D
 
+check flowing <<'D'
+group one type 1
+fix 1 all nve
+fix g one flow/gauss 1 1 0 energy yes
+compute m one momentum
+variable g equal f_g
+variable gx equal f_g[1]
+variable mx equal c_m[1]
+fix p all print 10 "$(step) ${g} ${gx} ${mx}" file p.txt screen no
+D
+
 check tilted "prism 0 4 0 4 0 4 2 -1 1" <<'D'
 fix 1 all nve
 compute d all msd

@@ -88,6 +88,19 @@ compute s all stress/atom NULL virial
 compute j all heat/flux k p s
 compute r all temp/ramp vx 0 1.5 z 1 5
 D
+    system flowing 20 'f_g f_g[1] f_g[2] c_m[2]' <<D
+lattice fcc 0.7
+region box block 0 5 0 4 0 4
+create_box 1 box
+create_atoms 1 box
+mass 1 1.0
+velocity all create 1.5 12345
+$liquid
+group half id <= 150
+compute m half momentum
+fix 1 all nve
+fix g half flow/gauss 1 1 0 energy yes
+D
     system stretched 30 '' <<D
 lattice fcc 0.7
 region box block 0 5 0 4 0 4
@@ -165,7 +178,7 @@ D
 } >in.fixes
 
 bits fixes 0 1
-[ "$(wc -l <fixes/thermo)" -eq 34 ] || fail "$(wc -l <fixes/thermo) rows"
+[ "$(wc -l <fixes/thermo)" -eq 37 ] || fail "$(wc -l <fixes/thermo) rows"
 bits fixes 0 3 -neigh cell
 bits fixes 2 2 -neigh verlet
 bits fixes 3 1 -neigh linked
