@@ -136,6 +136,7 @@ static hs_status create(hs_fix *fix, const hs_args *args, hs_error *err)
         state->first[axis][0] = box->lo[axis];
         state->first[axis][1] = box->hi[axis];
         state->first_tilt[axis] = box->tilt[axis];
+        state->flow.sets_length[axis] = state->path[axis].style != HS_DEFORM_NOT;
     }
     HS_TRY(check_volumes(state, args, err));
     fix->env->box_flow = &state->flow;
@@ -434,7 +435,8 @@ const hs_fix_style hs_fix_style_deform = {
              "With `remap v` atoms of the group that cross a periodic face take the velocity of their image: right for "
              "flows, with `fix nvt/sllod` or `compute temp/deform`. With `remap none` nothing happens to them, and new "
              "pairs come about at periodic faces. The fix moves nothing else: use it with `fix nve` or another "
-             "integrator, and do not let fix npt change the same axis. docs/shear-flow.md has an example. A deck has "
+             "integrator; a barostat may act on the axes that it leaves alone. docs/shear-flow.md has an example. A "
+             "deck has "
              "one fix deform.",
          .example =
              "fix 2 all deform 1 x erate 0.001 y volume z volume\nfix 3 all deform 10 z scale 0.5 units box\nfix 4 "

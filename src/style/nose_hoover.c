@@ -6,6 +6,7 @@
 
 #include "base/memory.h"
 #include "style/box_change.h"
+#include "style/box_flow.h"
 #include "style/box_shape.h"
 
 /* The computes that the fix owns: fix->own. */
@@ -125,6 +126,12 @@ hs_status hs_nose_hoover_init(hs_fix *fix, hs_error *err)
             err, HS_ERROR_INPUT,
             "fix '%s' (nvt/sllod): the temperature '%s' takes no flow off the velocities; compute temp/deform does",
             fix->id, compute->id);
+    for (int axis = 0; axis < 3; ++axis)
+        if (nh->axis[axis] && env->box_flow != NULL && env->box_flow->sets_length[axis])
+            return hs_fail(
+                err, HS_ERROR_INPUT,
+                "fix '%s' (%s): the length in %c is what fix deform makes it, and cannot follow a pressure, too",
+                fix->id, fix->style->about.name, "xyz"[axis]);
     if (nh->has_barostat) HS_TRY(find_compute(fix, OWN_PRESSURE, &compute, err));
     for (int k = 0; k < HS_FIX_OWN_MAX; ++k)
         if (fix->own[k] != NULL && fix->own[k]->style->init != NULL) HS_TRY(fix->own[k]->style->init(fix->own[k], err));
