@@ -137,7 +137,7 @@ hs_status hs_chunk_bins_lay(hs_chunk_bins *bins, const hs_env *env, const char *
 {
     const hs_box *box = env->box;
     const bool is_reduced = bins->units == HS_BINS_REDUCED;
-    if (box->is_tilted && (!is_reduced || bins->shells.n > 0))
+    if (box->is_tilted && ((bins->n_axes > 0 && !is_reduced) || bins->shells.n > 0))
         return hs_fail(err, HS_ERROR_INPUT, "%s: in a tilted box bins must be slabs in units reduced", command);
     *n = 1;
     *volume = 1.0;
