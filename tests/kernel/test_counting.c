@@ -79,7 +79,9 @@ static void check(system_t *s, hs_isa isa, hs_precision precision, int n_bins, c
         ck_assert_msg(counting.anew[k] == right[k], "%s: by a pass of its own %lld pairs in bin %d, not %lld", name,
                       (long long)counting.anew[k], k, (long long)right[k]);
     }
-    for (int axis = 0; axis < 3; ++axis)
+    /* in floating point threads that take each other's work add in any order */
+    const bool is_same = precision == HS_PRECISION_FIXED || hs_threads_get() == 1;
+    for (int axis = 0; axis < 3 && is_same; ++axis)
         ck_assert_msg(s->atoms.n_local == 0 ||
                           memcmp(counted.f[axis], plain.f[axis], (size_t)s->atoms.n_local * sizeof *plain.f[axis]) == 0,
                       "%s: counting changes forces along %c", name, "xyz"[axis]);
@@ -98,6 +100,7 @@ static void check_system(int dimension, const double length[3], const char *boun
     static const hs_precision precisions[] = {HS_PRECISION_DOUBLE, HS_PRECISION_FIXED};
     system_t s;
     int64_t right[HS_HISTOGRAM_BINS_MAX], n_pairs = 0;
+    int n_runs = 0;
     begin_system(&s, dimension, length, boundary);
     add_random(&s, n, least, 77);
     round_places(&s);
@@ -106,7 +109,7 @@ static void check_system(int dimension, const double length[3], const char *boun
         n_pairs = count_plainly(&s, bins[b], right);
         for (int isa = 0; isa <= (int)hs_isa_best(); ++isa)
             for (int p = 0; p < 2; ++p) {
-                hs_threads_set(1 + (isa + p + (int)b) % 3);
+                hs_threads_set(1 + n_runs++ % 3);
                 check(&s, (hs_isa)isa, precisions[p], bins[b], right, &forces, what);
             }
     }
