@@ -10,6 +10,7 @@
 #include "deck/marsaglia.h"
 #include "deck/set_styles.h"
 #include "deck/subset.h"
+#include "style/custom_atom.h"
 
 typedef enum { SET_ATOM, SET_TYPE, SET_GROUP, SET_REGION } set_style;
 static const char *const set_styles[] = {"atom", "type", "group", "region", NULL};
@@ -26,6 +27,9 @@ static const hs_keyword set_keywords[] = {
     {"vy", 1, "<vy>", "velocity"},
     {"vz", 1, "<vz>", "velocity"},
     HS_SET_STYLE_KEYWORDS,
+    {"i_<name>", 1, "<value>",
+     "whole number of fix property/atom; values of an atom-style variable v_name are cut off"},
+    {"d_<name>", 1, "<value>", "real number of fix property/atom"},
     {"image", 3, "<ix> <iy> <iz>", "numbers of periodic images; NULL leaves one as it is"},
     {NULL, 0, NULL, NULL},
 };
@@ -131,7 +135,7 @@ static int words_of(const char *keyword)
 {
     for (const hs_keyword *k = set_keywords; k->name != NULL; ++k)
         if (strcmp(k->name, keyword) == 0) return k->n_values;
-    return 0;
+    return hs_custom_atom_is_name(keyword) ? 1 : 0;
 }
 
 /** The value of every local atom from word i: a number, or v_name: (*values)[n_local], owned by the caller. */
@@ -175,6 +179,21 @@ static hs_status set_plain(const selection *s, const hs_args *args, int i, hs_er
         for (int k = 0; k < atoms->n_local; ++k)
             if (s->flag[k]) target[k] = values[k];
     }
+    HS_FREE(values);
+    return status;
+}
+
+/** i_name, d_name. */
+static hs_status set_custom(const selection *s, const hs_args *args, int i, hs_error *err)
+{
+    const hs_atom_field *field;
+    double *values;
+    int64_t whole;
+    HS_TRY(hs_custom_atom_get(&s->sim->atoms, args->word[i], "set", &field, err));
+    if (args->word[i][0] == 'i' && strncmp(args->word[i + 1], "v_", 2) != 0)
+        HS_TRY(hs_arg_int(args, i + 1, INT32_MIN, INT32_MAX, &whole, err));
+    hs_status status = read_values(s, args, i + 1, &values, err);
+    if (status == HS_OK) status = hs_custom_atom_write(&s->sim->atoms, field, s->flag, values, "set", err);
     HS_FREE(values);
     return status;
 }
@@ -304,6 +323,8 @@ static hs_status set_keyword(const selection *s, const hs_args *args, int i, hs_
         else
             HS_TRY(set_exact(s, args, i, (int)type, &n, err));
         hs_parallel_sum_int64(&s->sim->parallel, &n, 1);
+    } else if (hs_custom_atom_is_name(keyword)) {
+        HS_TRY(set_custom(s, args, i, err));
     } else if (strcmp(keyword, "image") == 0) {
         HS_TRY(set_image(s, args, i, err));
     } else if (hs_set_is_style_keyword(keyword)) {
@@ -377,6 +398,7 @@ const hs_command hs_commands_set[] = {
                     "one rank (before the first run of a deck; after it LAMMPS has reordered its atoms), whatever the "
                     "number of ranks.\n"
                     "Image numbers must be 0 along axes that are not periodic.\n\n"
+                    "`i_<name>` and `d_<name>` are values of your own, which fix property/atom has added.\n\n"
                     "`diameter`, `density`, `density/disc`, `mass` and `omega` need spheres, `dipole` and "
                     "`dipole/random` need "
                     "dipoles (atom_style). `density` uses the present diameter, so set the diameter first. "

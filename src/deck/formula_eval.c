@@ -203,7 +203,11 @@ static hs_status eval_reference(const hs_formula *formula, const hs_node *node, 
     hs_sim *sim = deck->sim;
     hs_env *env = &sim->env;
     char word[160];
-    hs_value value = {.kind = node->kind == HS_NODE_COMPUTE ? 'c' : 'f', .id = node->text, .n_indices = node->n_args};
+    hs_value value = {.kind = node->kind == HS_NODE_COMPUTE ? 'c'
+                              : node->kind == HS_NODE_FIX   ? 'f'
+                                                            : (char)node->attribute,
+                      .id = node->text,
+                      .n_indices = node->n_args};
     int length = snprintf(word, sizeof word, "%c_%.80s", value.kind, node->text);
     value.word = word;
     for (int k = 0; k < node->n_args; ++k) {
@@ -323,6 +327,7 @@ static hs_status eval_node(const hs_formula *formula, int n, hs_deck *deck, bool
         return eval_variable(node, deck, per_atom, results, out, err);
     case HS_NODE_COMPUTE:
     case HS_NODE_FIX:
+    case HS_NODE_CUSTOM:
         return eval_reference(formula, node, deck, per_atom, results, out, err);
     case HS_NODE_KEYWORD:
         return eval_keyword(node, deck, &out->number, err);

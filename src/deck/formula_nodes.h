@@ -27,6 +27,7 @@ typedef enum {
     HS_NODE_VARIABLE,   /**< v_text */
     HS_NODE_COMPUTE,    /**< c_text with index nodes arg[0 .. n_args) */
     HS_NODE_FIX,        /**< f_text, the same */
+    HS_NODE_CUSTOM,     /**< i_text or d_text, by attribute 'i' or 'd', the same */
     HS_NODE_KEYWORD,    /**< thermo keyword text */
     HS_NODE_ATTRIBUTE,  /**< per-atom attribute */
     HS_NODE_ATOM_VALUE, /**< attribute of the atom whose ID is arg[0] */

@@ -143,10 +143,14 @@ static hs_status parse_index(parser *p, int *node)
     return expect(p, ']', "expected ']'");
 }
 
-/** c_ID, f_ID or v_name with indices; p->at is behind the prefix. */
+/** c_ID, f_ID, v_name, i_name or d_name with indices; p->at is behind the prefix. */
 static hs_status parse_reference(parser *p, char prefix, int *node)
 {
-    hs_node reference = {.kind = prefix == 'v' ? HS_NODE_VARIABLE : prefix == 'c' ? HS_NODE_COMPUTE : HS_NODE_FIX};
+    hs_node reference = {.kind = prefix == 'v'   ? HS_NODE_VARIABLE
+                                 : prefix == 'c' ? HS_NODE_COMPUTE
+                                 : prefix == 'f' ? HS_NODE_FIX
+                                                 : HS_NODE_CUSTOM,
+                         .attribute = prefix};
     HS_TRY(take_name(p, &reference.text));
     hs_status status = HS_OK;
     if (reference.text[0] == '\0') {
@@ -306,9 +310,9 @@ static hs_status parse_plain_name(parser *p, char *name, int *node)
 
 static hs_status parse_name(parser *p, int *node)
 {
-    if (strchr("cCfFvd", p->at[0]) != NULL && p->at[1] == '_') {
+    if (strchr("cCfFvid", p->at[0]) != NULL && p->at[1] == '_') {
         const char prefix = p->at[0];
-        if (strchr("cfv", prefix) == NULL)
+        if (strchr("cfvid", prefix) == NULL)
             return fail_here(
                 p, "per-atom and grid references of other LAMMPS versions are not supported; use c_ID, f_ID or v_name");
         p->at += 2;

@@ -63,6 +63,7 @@ void hs_dump_fini_column(hs_dump_column *column)
 
 bool hs_dump_is_int(const hs_dump_column *column)
 {
+    if (column->attribute == HS_ATTR_VARIABLE && column->reference.kind == 'i') return true;
     switch (column->attribute) {
     case HS_ATTR_ID:
     case HS_ATTR_TYPE:

@@ -17,8 +17,12 @@ static bool has_variable(const char *word) { return strchr(word, '$') != NULL; }
 static const hs_keyword *find_keyword(const hs_syntax *syntax, const char *word)
 {
     if (syntax->keywords == NULL) return NULL;
-    for (const hs_keyword *keyword = syntax->keywords; keyword->name != NULL; ++keyword)
-        if (strcmp(keyword->name, word) == 0) return keyword;
+    for (const hs_keyword *keyword = syntax->keywords; keyword->name != NULL; ++keyword) {
+        const size_t n = strcspn(keyword->name, "<");
+        const bool is_open = keyword->name[n] == '<';
+        if (is_open ? strncmp(keyword->name, word, n) == 0 && word[n] != '\0' : strcmp(keyword->name, word) == 0)
+            return keyword;
+    }
     return NULL;
 }
 

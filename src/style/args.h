@@ -11,7 +11,7 @@
 
 /** A keyword of a command and what follows it. */
 typedef struct hs_keyword {
-    const char *name;
+    const char *name;   /**< "d_<name>": every longer word that begins with "d_" */
     int n_values;       /**< words after the keyword; -1: one (whatever it is) and any more up to the next keyword */
     const char *values; /**< what they are: "yes|no" lists the only words allowed (for n_values = 1);
                                 otherwise names for people, "<steps>" or "<lo> <hi>" */

@@ -4,16 +4,17 @@
 
 #include "base/memory.h"
 #include "base/text.h"
+#include "style/custom_atom.h"
 
 static const char id_letters[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_";
 
 bool hs_value_is_reference(const char *word)
 {
-    if (word[0] == '\0' || strchr("cfv", word[0]) == NULL || word[1] != '_') return false;
+    if (word[0] == '\0' || strchr("cfvid", word[0]) == NULL || word[1] != '_') return false;
     const size_t n_id = strspn(word + 2, id_letters);
     const char *rest = word + 2 + n_id;
     if (n_id == 0) return false;
-    for (int k = 0; k < 2 && *rest == '[' && word[0] != 'v'; ++k) {
+    for (int k = 0; k < 2 && *rest == '[' && strchr("cf", word[0]) != NULL; ++k) {
         const size_t n_index = strspn(rest + 1, "0123456789*");
         if (n_index == 0 || rest[1 + n_index] != ']') return false;
         rest += n_index + 2;
@@ -52,6 +53,12 @@ static hs_fix *fix_of(hs_env *env, const hs_value *value)
     return value->kind == 'f' ? env->find_fix(env, value->id) : NULL;
 }
 
+/** The value per atom i_name or d_name. */
+static const hs_atom_field *custom_of(const hs_env *env, const hs_value *value)
+{
+    return value->kind == 'i' || value->kind == 'd' ? hs_custom_atom_find(env->atoms, value->kind, value->id) : NULL;
+}
+
 /** How many elements, columns or rows an index may count: of index 0, or 1 (the second). 0: the shape has none. */
 static int limit_of(hs_env *env, const hs_value *value, hs_value_shape shape, int which)
 {
@@ -87,6 +94,7 @@ bool hs_value_has(hs_env *env, const hs_value *value, hs_value_shape shape)
         const int kind = env->variable_kind != NULL ? env->variable_kind(env->deck, value->id) : 0;
         return shape == HS_VALUE_NUMBER ? kind == 1 : shape == HS_VALUE_ATOMS && kind > 0;
     }
+    if (custom_of(env, value) != NULL) return shape == HS_VALUE_ATOMS && value->n_indices == 0;
     const hs_compute *compute = compute_of(env, value);
     const hs_fix *fix = fix_of(env, value);
     if (compute == NULL && fix == NULL) return false;
@@ -144,6 +152,12 @@ hs_status hs_value_check(hs_env *env, const hs_value *value, hs_value_shape shap
                            value->word);
         return hs_fail(err, HS_ERROR_INPUT, "%s: %s is needed here, and the variable %s has %s", command, wanted[shape],
                        value->word, shape == HS_VALUE_VECTOR ? "no vector" : "one for each atom");
+    }
+    if (value->kind == 'i' || value->kind == 'd') {
+        const hs_atom_field *field;
+        HS_TRY(hs_custom_atom_get(env->atoms, value->word, command, &field, err));
+        return hs_fail(err, HS_ERROR_INPUT, "%s: %s is needed here, and %s is one for each atom", command,
+                       wanted[shape], value->word);
     }
     if (compute_of(env, value) == NULL && fix_of(env, value) == NULL)
         return hs_fail(err, HS_ERROR_INPUT, "%s: there is no %s '%s' for %s: the command '%s' makes one", command, kind,
@@ -227,6 +241,11 @@ hs_status hs_value_atoms(hs_env *env, const hs_value *value, double *out, hs_err
 {
     if (value->kind == 'v' && env->variable_atoms != NULL) return env->variable_atoms(env->deck, value->id, out, err);
     HS_TRY(hs_value_check(env, value, HS_VALUE_ATOMS, value->word, err));
+    const hs_atom_field *custom = custom_of(env, value);
+    if (custom != NULL) {
+        hs_custom_atom_read(env->atoms, custom, out);
+        return HS_OK;
+    }
     const int column = value->n_indices > 0 ? (int)value->index[0] - 1 : 0;
     hs_fix *fix = fix_of(env, value);
     if (fix != NULL) return fix->style->per_atom(fix, column, out, err);
@@ -281,6 +300,7 @@ hs_status hs_value_all(hs_env *env, const hs_value *value, const hs_value_extent
 bool hs_value_needs_energy(hs_env *env, const hs_value *value)
 {
     const hs_compute *compute = compute_of(env, value);
+    if (value->kind == 'i' || value->kind == 'd') return false;
     return value->kind != 'c' || compute == NULL || compute->style->needs_energy || compute->may_need_energy;
 }
 

@@ -1,4 +1,4 @@
-/** Values that a deck names: c_ID, c_ID[i], c_ID[i][j] of computes, f_ID... of fixes, v_name of variables. Thermo output,
+/** Values that a deck names: c_ID, c_ID[i], c_ID[i][j] of computes, f_ID... of fixes, v_name of variables, i_name and d_name of atoms. Thermo output,
  *  formulas, dumps, averages and reductions read them all through here.
  *
  *  What a reference means depends on who asks, as in LAMMPS:
@@ -14,14 +14,14 @@
 typedef enum { HS_VALUE_NUMBER, HS_VALUE_VECTOR, HS_VALUE_ATOMS } hs_value_shape;
 
 typedef struct hs_value {
-    char kind;  /**< 'c', 'f', 'v' */
+    char kind;  /**< 'c', 'f', 'v', 'i', 'd' */
     char *word; /**< owned; as in the deck, with ranges expanded */
     char *id;   /**< owned */
     int n_indices;
     int64_t index[2]; /**< from 1 */
 } hs_value;
 
-/** Whether a word has the form of a reference: c_ID, f_ID with up to two [i] (each a number, or a range with *), or v_name.
+/** Whether a word has the form of a reference: c_ID, f_ID with up to two [i] (each a number, or a range with *), v_name, i_name or d_name.
  *  For the first pass over a deck. */
 bool hs_value_is_reference(const char *word);
 /** Length of the longest beginning of @p words that all are references (words with `$` count too). */

@@ -57,6 +57,19 @@ check nvt <<'D'
 fix 1 all nvt temp 1.0 1.2 0.5 tchain 2
 D
 
+check marked <<'D'
+fix 1 all nve
+fix p all property/atom i_n d_w ghost yes
+fix l all property/atom d_last
+variable n atom id-50
+variable w atom d_w*0.5+vx
+set group all i_n v_n d_w v_n
+compute s all reduce sum i_n d_w
+thermo_style custom step c_s[*]
+dump 1 all custom 40 d.dump id i_n d_w v_w
+dump_modify 1 sort id format float %.17g
+D
+
 check flowing <<'D'
 group one type 1
 fix 1 all nve

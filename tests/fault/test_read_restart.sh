@@ -14,12 +14,16 @@ fix tie all spring/self 2.0
 fix mean all ave/time 2 3 10 c_thermo_temp c_thermo_pe ave running
 fix list all vector 20 c_thermo_press
 variable sum equal trap(f_list)
+fix own all property/atom i_n d_w
+variable w atom id*0.5
+variable one equal d_w[7]
+compute own all reduce sum i_n d_w
 group some id 1:200:3
 compute far all msd
 compute near some msd com yes
 compute mean all msd average yes
 compute turn all vacf
-thermo_style custom step temp pe f_mean[1] f_mean[2] f_tie v_sum c_far[4] c_near[4] c_mean[4] c_turn[4]
+thermo_style custom step temp pe f_mean[1] f_mean[2] f_tie v_sum c_far[4] c_near[4] c_mean[4] c_turn[4] v_one c_own[*]
 thermo_modify format float %.17g
 thermo 10
 END
@@ -34,6 +38,7 @@ velocity all create 1.44 87287
 pair_style lj/cut 2.5
 pair_coeff 1 1 1.0 1.0
 include fixes.in
+set group all i_n v_w d_w v_w
 run 100
 write_restart middle.h5
 run 60
@@ -45,8 +50,9 @@ rows() { awk '/^ *Step /{++on;next} /^Loop time/{on=0} on && /^ *[0-9]/ && $1 >=
 "$HALFSHELL" second.in -log second.log >out 2>err || fail "$(cat err)"
 rows first.log >expected
 [ "$(wc -l <expected)" -eq 7 ] || fail "rows: $(cat expected)"
+[ "$(awk 'END { print $12 }' expected)" = 3.5 ] || fail "d_w[7] is not what was set: $(cat expected)"
 rows second.log | cmp - expected >&2 || { rows second.log; cat expected; fail "fixes did not go on from their states"; } >&2
-[ "$(grep -c 'fix style: .*, fix ID: ' out)" -eq 4 ] || fail "not told: $(cat out)"
+[ "$(grep -c 'fix style: .*, fix ID: ' out)" -eq 5 ] || fail "not told: $(cat out)"
 for compute in "msd, compute ID: far" "msd, compute ID: near" "vacf, compute ID: turn"; do
     grep -q "compute style: $compute\$" out || fail "not told of $compute: $(cat out)"
 done

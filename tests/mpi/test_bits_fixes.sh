@@ -88,6 +88,22 @@ compute s all stress/atom NULL virial
 compute j all heat/flux k p s
 compute r all temp/ramp vx 0 1.5 z 1 5
 D
+    system marked 20 'c_m[1] c_m[2]' 'i_n d_w v_w' <<D
+lattice fcc 0.7
+region box block 0 5 0 4 0 4
+create_box 2 box
+create_atoms 1 box
+mass * 1.0
+velocity all create 2.5 12345
+$liquid
+neigh_modify every 2 delay 0 check no
+fix p all property/atom i_n d_w ghost yes
+variable n atom id-50
+set group all i_n v_n d_w v_n
+variable w atom d_w*i_n+x
+compute m all reduce sum d_w v_w
+fix 1 all nve
+D
     system flowing 20 'f_g f_g[1] f_g[2] c_m[2]' <<D
 lattice fcc 0.7
 region box block 0 5 0 4 0 4
@@ -178,7 +194,7 @@ D
 } >in.fixes
 
 bits fixes 0 1
-[ "$(wc -l <fixes/thermo)" -eq 37 ] || fail "$(wc -l <fixes/thermo) rows"
+[ "$(wc -l <fixes/thermo)" -eq 40 ] || fail "$(wc -l <fixes/thermo) rows"
 bits fixes 0 3 -neigh cell
 bits fixes 2 2 -neigh verlet
 bits fixes 3 1 -neigh linked
