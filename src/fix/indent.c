@@ -272,6 +272,7 @@ const hs_fix_style hs_fix_style_indent = {
     .destroy = destroy,
     .init = init,
     .post_force = post_force,
+    .acts_in_minimize = true,
     .keep_state = keep_state,
     .scalar = scalar,
     .vector = vector,
