@@ -17,7 +17,7 @@ typedef struct balance_state {
 } balance_state;
 
 static const hs_keyword keywords[] = {
-    {"weight", -1, "group <n> <group-ID> <factor> ... | var <name> | time <factor>",
+    {"weight", -1, "group <n> <group-ID> <factor> ... | var <name> | time <factor> | neigh <factor> | store <name>",
      "what atoms cost; may be repeated"},
     {"out", 1, "<file>", "LAMMPS writes the bricks to a file; refused"},
     {NULL, 0, NULL, NULL},
@@ -79,9 +79,8 @@ static void destroy(hs_fix *fix) { hs_balance_weight_fini(&((balance_state *)fix
 static hs_status init(hs_fix *fix, hs_error *err)
 {
     balance_state *state = fix->state;
-    (void)err;
     state->pair_s = fix->env->timer->phase_s[HS_PHASE_PAIR];
-    return HS_OK;
+    return hs_balance_weight_check(&state->weight, fix->env, "fix balance", err);
 }
 
 static int64_t next_exchange(const hs_fix *fix)
@@ -175,4 +174,5 @@ const hs_fix_style hs_fix_style_balance = {
     .scalar = scalar,
     .vector = vector,
     .n_vector = 3,
+    .changes_box = true, /* it does not, but in LAMMPS, too, the default thermo output has the volume with it */
 };

@@ -54,6 +54,7 @@ static hs_status create(hs_sim *sim, const hs_options *options, hs_sink *out, hs
                         .box = &sim->box,
                         .domain = &sim->domain,
                         .timer = &sim->timer,
+                        .n_listed_pairs = &sim->neighbor.counters.n_pairs,
                         .atoms = &sim->atoms,
                         .groups = &sim->groups,
                         .lattice = &sim->lattice,

@@ -38,7 +38,9 @@ typedef struct hs_env {
     hs_isa isa; /**< instruction set of kernels */
 
     const hs_timer *timer; /**< what this rank has spent its time on since the run began */
-    double reach;          /**< largest cutoff and skin, distance; 0 without forces */
+    /** Pairs in this rank's neighbor lists; 0 before the first run, and with methods that keep none. */
+    const int64_t *n_listed_pairs;
+    double reach; /**< largest cutoff and skin, distance; 0 without forces */
 
     /** Commands are repeated to make styles anew before their state comes from a checkpoint: files that were written before
      *  are to be added to, not emptied, and nothing is to be written. */

@@ -244,7 +244,8 @@ $liquid
 neigh_modify every 5 delay 0 check no
 fix 1 all nve
 fix d all deform 2 xy erate 2.0 xz vel -3 x trate 0.05 remap x
-fix b all balance 10 1.0 shift xyz 10 1.0
+fix w all property/atom d_cost
+fix b all balance 10 1.0 shift xyz 10 1.0 weight neigh 0.8 weight store cost
 D
     system swelling 20 'lx xy xz yz c_q[4][2]' <<D
 lattice fcc 0.8
