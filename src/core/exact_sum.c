@@ -49,6 +49,7 @@ enum { STREAMS = 8 }; /* sums side by side */
 /** Eight doubles, in as many registers as the machine needs: compilers make poor code of loops over arrays here. */
 typedef double streams __attribute__((vector_size(STREAMS * sizeof(double))));
 typedef int64_t stream_bits __attribute__((vector_size(STREAMS * sizeof(double))));
+typedef uint64_t stream_sums __attribute__((vector_size(STREAMS * sizeof(double)))); /**< wrap around */
 
 /** Sizes: the signs go. No function, for such a value is returned in one way with AVX-512 and in another without. */
 #define SIZES(x) ((streams)((stream_bits)(x)&INT64_MAX))
@@ -68,8 +69,9 @@ static double cutter(int place) { return ldexp(1.5, place + 52); }
 HS_WIDE static cut_sums cut(const double *x, int n, int place)
 {
     const double first = cutter(place), second = cutter(place - 51);
-    stream_bits high = {0}, low = {0}, beyond = {0}, rest = {0};
-    int64_t first_bits, second_bits, rest_bits = 0, beyond_bits = 0;
+    /* of terms that are too large the sums mean nothing, but they must be let wrap around */
+    stream_sums high = {0}, low = {0}, beyond = {0}, rest = {0};
+    uint64_t first_bits, second_bits, rest_bits = 0, beyond_bits = 0, high_sum = 0, low_sum = 0;
     memcpy(&first_bits, &first, sizeof first);
     memcpy(&second_bits, &second, sizeof second);
     for (int i = 0; i < n; i += STREAMS) {
@@ -79,21 +81,21 @@ HS_WIDE static cut_sums cut(const double *x, int n, int place)
         else
             memcpy(&term, x + i, (size_t)(n - i) * sizeof *x);
         const streams a = term + first, b = term - (a - first), c = b + second;
-        high += (stream_bits)a - first_bits;
-        low += (stream_bits)c - second_bits;
-        beyond |= (stream_bits)a ^ first_bits;
-        rest |= (stream_bits)(b - (c - second));
+        high += (stream_sums)a - first_bits;
+        low += (stream_sums)c - second_bits;
+        beyond |= (stream_sums)a ^ first_bits;
+        rest |= (stream_sums)(b - (c - second));
     }
-    cut_sums sums = {0};
     for (int k = 0; k < STREAMS; ++k) {
-        sums.high += high[k];
-        sums.low += low[k];
+        high_sum += high[k];
+        low_sum += low[k];
         beyond_bits |= beyond[k];
         rest_bits |= rest[k];
     }
-    sums.is_within = beyond_bits >> 52 == 0;    /* no exponent is another one */
-    sums.is_all = (rest_bits & INT64_MAX) == 0; /* +0 or -0 */
-    return sums;
+    return (cut_sums){.high = (int64_t)high_sum,
+                      .low = (int64_t)low_sum,
+                      .is_within = beyond_bits >> 52 == 0,     /* no exponent is another one */
+                      .is_all = (rest_bits & INT64_MAX) == 0}; /* +0 or -0 */
 }
 
 /** What lies beyond the second cut. */
