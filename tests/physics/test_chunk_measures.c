@@ -1,12 +1,6 @@
 /* What is known of groups and chunks beforehand: a body that turns as a whole has that angular velocity, a group with itself has the
  * energy of all, two groups pull at each other with opposite forces, and a thermostat leaves the motion of chunks alone. */
-#include <math.h>
-#include <stdio.h>
-#include <string.h>
-
-#include "style/value.h"
-#include "support/harness.h"
-#include "support/run_deck.h"
+#include "physics/measured.h"
 
 #define LIQUID(region)                                                                                                 \
     "units lj\nlattice fcc 0.8442\nregion b " region "\ncreate_box 2 b\ncreate_atoms 1 box\n"                          \
@@ -17,30 +11,6 @@ static const char *const liquids[] = {
     LIQUID("block 0 4 0 5 0 4"), LIQUID("prism 0 4 0 5 0 4 1.5 -1 0.7"), /* no two edges at right angles */
 };
 enum { N_LIQUIDS = 2 };
-
-/** Run the system and then more lines, with the check at the end. */
-static void run_after(const char *system, const char *lines, void (*check)(hs_deck *deck, void *context))
-{
-    hs_error err = {0};
-    char deck[4096];
-    const hs_options options = {.n_threads = 2};
-    snprintf(deck, sizeof deck, "%s%s", system, lines);
-    free(hs_test_run_deck_with(deck, &options, check, NULL, &err));
-    ck_assert_msg(err.status == HS_OK, "%s", err.text);
-}
-
-static double number(hs_deck *deck, const char *word)
-{
-    hs_error err = {0};
-    hs_value value = {0};
-    double out;
-    hs_env *env = &deck->sim->env;
-    const hs_args args = {.command = "test", .n = 1, .word = &word};
-    ck_assert_hs_ok(hs_value_init(&value, env, &args, 0, HS_VALUE_NUMBER, &err), err);
-    ck_assert_hs_ok(hs_value_number(env, &value, &out, &err), err);
-    hs_value_fini(&value);
-    return out;
-}
 
 /* Sums of some hundred terms of up to 100, rounded in the last of 16 digits. */
 static const double tolerance = 1e-11;
