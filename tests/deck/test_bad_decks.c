@@ -2,11 +2,9 @@
  *
  * With HALFSHELL_PRINT_MESSAGES set, the table is printed with the messages of today: to be read, not just copied. */
 #define _GNU_SOURCE
-#include <ftw.h>
 #include <glob.h>
 #include <stdio.h>
 #include <string.h>
-#include <unistd.h>
 
 #include "base/text.h"
 #include "deck/deck.h"
@@ -40,28 +38,6 @@ static char *read_tables(void)
     ck_assert_ptr_nonnull(table);
     hs_text_fini(&text);
     return table;
-}
-
-static char folder[] = "/tmp/halfshell_bad_XXXXXX";
-
-static void go_to_empty_folder(void)
-{
-    ck_assert_ptr_nonnull(mkdtemp(folder));
-    ck_assert_int_eq(chdir(folder), 0);
-}
-
-static int remove_one(const char *path, const struct stat *info, int type, struct FTW *place)
-{
-    (void)info;
-    (void)type;
-    (void)place;
-    return remove(path);
-}
-
-static void remove_folder(void)
-{
-    ck_assert_int_eq(chdir("/"), 0);
-    ck_assert_int_eq(nftw(folder, remove_one, 8, FTW_DEPTH | FTW_PHYS), 0);
 }
 
 /** What the program says of in.bad: "in.bad:LINE: error: TEXT". */
@@ -104,7 +80,7 @@ START_TEST(every_deck_is_refused_with_its_message)
     const bool is_printing = getenv("HALFSHELL_PRINT_MESSAGES") != NULL;
     int n = 0, n_wrong = 0;
     hs_text message = {0};
-    go_to_empty_folder();
+    hs_test_enter_folder();
     for (char *at = strstr(table, "\n== "); at != NULL; at = strstr(at, "\n== ")) {
         char *name = at + 4, *line = strchr(name, '\n');
         *line++ = '\0';
@@ -132,7 +108,7 @@ START_TEST(every_deck_is_refused_with_its_message)
     }
     hs_text_fini(&message);
     free(table);
-    remove_folder();
+    hs_test_leave_folder();
     ck_assert_int_eq(n_wrong, 0);
     ck_assert_int_ge(n, N_MIN);
 }

@@ -73,9 +73,7 @@ static char *keep_results(const char *log, bool with_lists)
 static char *run_with(const char *text, const char *method, int n_threads, hs_isa isa)
 {
     hs_error err;
-    hs_options options = {.n_threads = n_threads};
-    snprintf(options.neighbor_method, sizeof options.neighbor_method, "%s", method);
-    snprintf(options.isa, sizeof options.isa, "%s", hs_isa_names[isa]);
+    const hs_options options = hs_test_options(n_threads, method, isa);
     char *log = hs_test_run_deck_with(text, &options, NULL, NULL, &err);
     ck_assert_msg(err.status == HS_OK, "%s: %s", method, err.text);
     return log;
@@ -154,9 +152,7 @@ START_TEST(precision_changed_between_runs)
             double energy[2] = {0.0, 0.0};
             for (int k = 0; k < 2; ++k) {
                 hs_error err;
-                hs_options options = {.n_threads = 1};
-                snprintf(options.neighbor_method, sizeof options.neighbor_method, "%s", hs_neighbor_methods[method]);
-                snprintf(options.isa, sizeof options.isa, "%s", hs_isa_names[isa]);
+                const hs_options options = hs_test_options(1, hs_neighbor_methods[method], isa);
                 free(hs_test_run_deck_with(texts[k], &options, get_energy, &energy[k], &err));
                 ck_assert_msg(err.status == HS_OK, "%s: %s", hs_neighbor_methods[method], err.text);
             }
@@ -276,9 +272,7 @@ START_TEST(exclusions_and_cutoffs)
         for (int method = 0; method < HS_N_METHODS; ++method)
             for (int isa = 0; isa <= (method == HS_METHOD_NSQ ? 0 : (int)hs_isa_best()); ++isa) {
                 hs_error err;
-                hs_options options = {.n_threads = 1 + (method + isa) % 3};
-                snprintf(options.neighbor_method, sizeof options.neighbor_method, "%s", hs_neighbor_methods[method]);
-                snprintf(options.isa, sizeof options.isa, "%s", hs_isa_names[isa]);
+                const hs_options options = hs_test_options(1 + (method + isa) % 3, hs_neighbor_methods[method], isa);
                 free(hs_test_run_deck_with(text, &options, compare_with_plain_sum, &exclusion, &err));
                 ck_assert_msg(err.status == HS_OK, "%s: %s", hs_neighbor_methods[method], err.text);
             }
@@ -286,19 +280,6 @@ START_TEST(exclusions_and_cutoffs)
 }
 END_TEST
 
-int main(void)
-{
-    Suite *suite = suite_create("methods");
-    TCase *tcase = tcase_create("all");
-    tcase_set_timeout(tcase, 0);
-    tcase_add_loop_test(tcase, same_tables, 0, (int)(sizeof decks / sizeof decks[0]));
-    tcase_add_test(tcase, exact_pairs);
-    tcase_add_test(tcase, precision_changed_between_runs);
-    tcase_add_loop_test(tcase, exclusions_and_cutoffs, 0, (int)(sizeof exclusions / sizeof exclusions[0]));
-    suite_add_tcase(suite, tcase);
-    SRunner *runner = srunner_create(suite);
-    srunner_run_all(runner, CK_NORMAL);
-    const int n_failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return n_failed == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
-}
+HS_LOOP_TEST_MAIN("methods", {same_tables, (int)(sizeof decks / sizeof decks[0])}, {exact_pairs, 1},
+                  {precision_changed_between_runs, 1},
+                  {exclusions_and_cutoffs, (int)(sizeof exclusions / sizeof exclusions[0])})

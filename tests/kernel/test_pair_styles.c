@@ -230,20 +230,5 @@ START_TEST(exact_values)
 }
 END_TEST
 
-int main(void)
-{
-    Suite *suite = suite_create("pair styles");
-    TCase *tcase = tcase_create("all");
-    tcase_set_timeout(tcase, 0);
-    tcase_add_loop_test(tcase, all_methods, 0, N_USAGES);
-    tcase_add_loop_test(tcase, force_is_minus_slope, 0, N_USAGES);
-    tcase_add_loop_test(tcase, at_the_cutoff, 0, N_USAGES);
-    tcase_add_test(tcase, every_style_is_here);
-    tcase_add_test(tcase, exact_values);
-    suite_add_tcase(suite, tcase);
-    SRunner *runner = srunner_create(suite);
-    srunner_run_all(runner, CK_NORMAL);
-    const int n_failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return n_failed == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
-}
+HS_LOOP_TEST_MAIN("pair styles", {all_methods, N_USAGES}, {force_is_minus_slope, N_USAGES}, {at_the_cutoff, N_USAGES},
+                  {every_style_is_here, 1}, {exact_values, 1})

@@ -148,16 +148,4 @@ static void check(int dimension, bool is_periodic, bool is_mixed, double density
 START_TEST(all_methods) { check(2 + _i % 2, _i / 2 % 2, _i / 4 % 2, densities[_i / 8]); }
 END_TEST
 
-int main(void)
-{
-    Suite *suite = suite_create("textbook methods");
-    TCase *tcase = tcase_create("all");
-    tcase_set_timeout(tcase, 0);
-    tcase_add_loop_test(tcase, all_methods, 0, 8 * N_DENSITIES);
-    suite_add_tcase(suite, tcase);
-    SRunner *runner = srunner_create(suite);
-    srunner_run_all(runner, CK_NORMAL);
-    const int n_failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return n_failed == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
-}
+HS_LOOP_TEST_MAIN("textbook methods", {all_methods, 8 * N_DENSITIES})

@@ -136,9 +136,7 @@ START_TEST(forces_of_every_method)
         for (int isa = 0; isa <= (method == HS_METHOD_NSQ ? 0 : (int)hs_isa_best()); ++isa) {
             const int form = (method + isa) % 3;
             hs_error err;
-            hs_options options = {.n_threads = 1 + (method + isa) % 3};
-            snprintf(options.neighbor_method, sizeof options.neighbor_method, "%s", hs_neighbor_methods[method]);
-            snprintf(options.isa, sizeof options.isa, "%s", hs_isa_names[isa]);
+            const hs_options options = hs_test_options(1 + (method + isa) % 3, hs_neighbor_methods[method], isa);
             snprintf(what, sizeof what, "%s, %s, form %d", hs_neighbor_methods[method], hs_isa_names[isa], form);
             snprintf(text, sizeof text, "%s%s%srun 20\nrun 0\n", forms[form], deck->text, ATOMS);
             check c = {deck, what, relative[form]};
@@ -207,17 +205,4 @@ START_TEST(wrapped_places)
 }
 END_TEST
 
-int main(void)
-{
-    Suite *suite = suite_create("tilted");
-    TCase *tcase = tcase_create("all");
-    tcase_set_timeout(tcase, 0);
-    tcase_add_loop_test(tcase, forces_of_every_method, 0, N_DECKS);
-    tcase_add_test(tcase, wrapped_places);
-    suite_add_tcase(suite, tcase);
-    SRunner *runner = srunner_create(suite);
-    srunner_run_all(runner, CK_NORMAL);
-    const int n_failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return n_failed == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
-}
+HS_LOOP_TEST_MAIN("tilted", {forces_of_every_method, N_DECKS}, {wrapped_places, 1})

@@ -1,7 +1,6 @@
 /* Reproducible runs: the same bits of thermo output, positions, velocities and forces from every neighbor method, number of
  * threads, and instruction set with a fused multiply-add. Nothing here has a tolerance. */
 #include <sys/wait.h>
-#include <unistd.h>
 
 #include "kernel/kernel.h"
 #include "physics.h"
@@ -101,9 +100,7 @@ START_TEST(test_same_bits)
     const size_t n = sizeof options / sizeof options[0];
     /* the plain kernels, which a test of the whole suite may ask for, round products and sums one by one */
     const bool has_wide = hs_isa_best() >= HS_ISA_AVX2 && getenv("HALFSHELL_ISA") == NULL;
-    char folder[] = "/tmp/halfshell-bits-XXXXXX";
-    ck_assert_ptr_nonnull(mkdtemp(folder));
-    ck_assert_int_eq(chdir(folder), 0);
+    hs_test_enter_folder();
     FILE *deck = fopen("in.deck", "w");
     ck_assert_ptr_nonnull(deck);
     fprintf(deck, "%s%s", systems[_i].text, tail);
@@ -115,22 +112,8 @@ START_TEST(test_same_bits)
         free(other);
     }
     free(first);
-    ck_assert_int_eq(system("rm -f in.deck out.txt final.dump log.halfshell"), 0);
-    ck_assert_int_eq(chdir("/"), 0);
-    ck_assert_int_eq(rmdir(folder), 0);
+    hs_test_leave_folder();
 }
 END_TEST
 
-int main(void)
-{
-    Suite *suite = suite_create("reproducible");
-    TCase *tcase = tcase_create("all");
-    tcase_set_timeout(tcase, 0);
-    tcase_add_loop_test(tcase, test_same_bits, 0, (int)(sizeof systems / sizeof systems[0]));
-    suite_add_tcase(suite, tcase);
-    SRunner *runner = srunner_create(suite);
-    srunner_run_all(runner, CK_NORMAL);
-    const int n_failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return n_failed == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
-}
+HS_LOOP_TEST_MAIN("reproducible", {test_same_bits, (int)(sizeof systems / sizeof systems[0])})

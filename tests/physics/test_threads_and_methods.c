@@ -92,16 +92,4 @@ START_TEST(test_same_table)
 }
 END_TEST
 
-int main(void)
-{
-    Suite *suite = suite_create("threads and methods");
-    TCase *tcase = tcase_create("all");
-    tcase_set_timeout(tcase, 0);
-    tcase_add_loop_test(tcase, test_same_table, 0, (int)(sizeof systems / sizeof systems[0]));
-    suite_add_tcase(suite, tcase);
-    SRunner *runner = srunner_create(suite);
-    srunner_run_all(runner, CK_NORMAL);
-    const int n_failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return n_failed == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
-}
+HS_LOOP_TEST_MAIN("threads and methods", {test_same_table, (int)(sizeof systems / sizeof systems[0])})

@@ -30,6 +30,30 @@ char *hs_test_run_deck_with(const char *deck_text, const hs_options *options,
     return log;
 }
 
+hs_options hs_test_options(int n_threads, const char *method, hs_isa isa)
+{
+    hs_options options = {.n_threads = n_threads};
+    snprintf(options.neighbor_method, sizeof options.neighbor_method, "%s", method);
+    snprintf(options.isa, sizeof options.isa, "%s", hs_isa_names[isa]);
+    return options;
+}
+
+hs_deck *hs_test_new_deck(void)
+{
+    static hs_sink nowhere;
+    hs_error err = {0};
+    hs_deck *deck = NULL;
+    const hs_options options = {.n_threads = 1};
+    ck_assert_hs_ok(hs_deck_create(&deck, &options, &nowhere, &err), err);
+    return deck;
+}
+
+void hs_test_command(hs_deck *deck, const char *line)
+{
+    hs_error err = {0};
+    ck_assert_hs_ok(hs_deck_command(deck, line, &err), err);
+}
+
 char *hs_test_read_file(const char *path)
 {
     char *text = NULL, piece[4096];

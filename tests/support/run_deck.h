@@ -11,6 +11,14 @@ char *hs_test_run_deck(const char *deck, hs_error *err);
 char *hs_test_run_deck_with(const char *deck, const hs_options *options, void (*at_end)(hs_deck *deck, void *context),
                             void *context, hs_error *err);
 
+/** Options of the command line: that many threads, a neighbor method, an instruction set. */
+hs_options hs_test_options(int n_threads, const char *method, hs_isa isa);
+
+/** A new simulation without any output, for commands one by one; the caller destroys it. */
+hs_deck *hs_test_new_deck(void);
+/** Carry out one line, which must succeed. */
+void hs_test_command(hs_deck *deck, const char *line);
+
 /** The file as a string, zero-terminated; the caller frees it with free; NULL when there is none. */
 char *hs_test_read_file(const char *path);
 void hs_test_write_file(const char *path, const char *text);

@@ -270,19 +270,5 @@ START_TEST(memory_goes_by_particles)
 }
 END_TEST
 
-int main(void)
-{
-    Suite *suite = suite_create("cell list");
-    TCase *tcase = tcase_create("all");
-    tcase_set_timeout(tcase, 0);
-    tcase_add_loop_test(tcase, pairs_and_queries, 0, 24);
-    tcase_add_test(tcase, edges_of_use);
-    tcase_add_test(tcase, bad_input);
-    tcase_add_test(tcase, memory_goes_by_particles);
-    suite_add_tcase(suite, tcase);
-    SRunner *runner = srunner_create(suite);
-    srunner_run_all(runner, CK_NORMAL);
-    const int n_failed = srunner_ntests_failed(runner);
-    srunner_free(runner);
-    return n_failed == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
-}
+HS_LOOP_TEST_MAIN("cell list", {pairs_and_queries, 24}, {edges_of_use, 1}, {bad_input, 1},
+                  {memory_goes_by_particles, 1})

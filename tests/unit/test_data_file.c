@@ -10,23 +10,6 @@
 #include "support/harness.h"
 #include "support/run_deck.h"
 
-static char directory[64];
-
-static void enter_directory(void)
-{
-    strcpy(directory, "/tmp/halfshell-data-XXXXXX");
-    ck_assert_ptr_nonnull(mkdtemp(directory));
-    ck_assert_int_eq(chdir(directory), 0);
-}
-
-static void leave_directory(void)
-{
-    char command[128];
-    snprintf(command, sizeof command, "rm -rf '%s'", directory);
-    ck_assert_int_eq(chdir("/"), 0);
-    ck_assert_int_eq(system(command), 0);
-}
-
 static const char good[] =
     "title # with a comment\n\n2 atoms\n2 atom types\n0 bonds\n0 10 xlo xhi   # box\n0 10 ylo yhi\n"
     "-5.5 0.5e1 zlo zhi\n\nMasses\n\n1 1.5\n2 2.5 # heavy\n\nPair Coeffs # lj/cut\n\n1 1.0 1.0 3.0\n2 0.5 "
@@ -66,7 +49,7 @@ static void expect_error_with(const char *old, const char *new, long line, const
 
 START_TEST(test_read_and_write)
 {
-    enter_directory();
+    hs_test_enter_folder();
     hs_test_write_file("good.data", good);
     hs_error err;
     char *log = run("pair_style lj/cut 2.5\nread_data good.data\nwrite_data out.data pair ij\nwrite_data ii.*.data\n"
@@ -97,13 +80,13 @@ START_TEST(test_read_and_write)
     ck_assert_int_eq(system("gzip -k out.data"), 0);
     run_good("pair_style lj/cut 2.5\nread_data out.data.gz\nwrite_data third.data.gz pair ij\n");
     ck_assert_int_eq(system("zcat third.data.gz | cmp - out.data"), 0);
-    leave_directory();
+    hs_test_leave_folder();
 }
 END_TEST
 
 START_TEST(test_add)
 {
-    enter_directory();
+    hs_test_enter_folder();
     hs_test_write_file("good.data", good);
     run_good("pair_style lj/cut 2.5\nread_data good.data extra/atom/types 2 nocoeff\n"
              "read_data good.data add append shift 20 0 0 offset 2 0 0 0 0 group new nocoeff\n"
@@ -131,13 +114,13 @@ START_TEST(test_add)
         free(run(bad[k][0], &err));
         ck_assert_msg(strstr(err.text, bad[k][1]) != NULL, "expected '%s' in '%s'", bad[k][1], err.text);
     }
-    leave_directory();
+    hs_test_leave_folder();
 }
 END_TEST
 
 START_TEST(test_bad_headers)
 {
-    enter_directory();
+    hs_test_enter_folder();
     expect_error("", 0, "no line '<N> atoms'");
     expect_error("only a title", 0, "no line '<N> atoms'");
     expect_error_with("2 atoms", "-2 atoms", 3, "'-2' is not a count");
@@ -157,13 +140,13 @@ START_TEST(test_bad_headers)
     expect_error_with("0 bonds", "0 0 1e999 xy xz yz", 5, "tilts must be three finite numbers, and '1e999' is none");
     expect_error_with("0 bonds", "0 0 xy xz yz", 5, "'xy xz yz' needs 3 numbers before it, not 2");
     expect_error_with("0 bonds", "6 0 0 xy xz yz", 0, "the tilt xy, 6, is more than half of the box's length in x, 10");
-    leave_directory();
+    hs_test_leave_folder();
 }
 END_TEST
 
 START_TEST(test_tilted_box)
 {
-    enter_directory();
+    hs_test_enter_folder();
     hs_error err;
     char text[8192];
     const char *at = strstr(good, "0 bonds");
@@ -182,13 +165,13 @@ START_TEST(test_tilted_box)
     ck_assert_str_eq(out, again);
     free(out);
     free(again);
-    leave_directory();
+    hs_test_leave_folder();
 }
 END_TEST
 
 START_TEST(test_bad_sections)
 {
-    enter_directory();
+    hs_test_enter_folder();
     expect_error_with("Masses", "Massses", 10, "unknown section 'Massses'; did you mean 'Masses'?");
     expect_error_with("Masses", "Bonds", 10, "'Bonds' is not for atoms of the supported styles");
     expect_error_with("1 1.5", "1 0", 12, "is not a mass");
@@ -222,13 +205,13 @@ START_TEST(test_bad_sections)
     expect_error_with("2 atom types", "1 atom types", 0, "section");
     expect_error("t\n\n1 atoms\n1 atom types\n0 1 xlo xhi\n0 1 ylo yhi\n0 1 zlo zhi\n\nMasses\n\n1 1\n", 0,
                  "no section Atoms");
-    leave_directory();
+    hs_test_leave_folder();
 }
 END_TEST
 
 START_TEST(test_box_edges)
 {
-    enter_directory();
+    hs_test_enter_folder();
     hs_error err;
     hs_test_write_file(
         "out.data", "t\n\n1 atoms\n1 atom types\n0 1 xlo xhi\n0 1 ylo yhi\n0 1 zlo zhi\n\nAtoms\n\n1 1 0.5 1.5 0.5\n");
@@ -246,14 +229,14 @@ START_TEST(test_box_edges)
         "boundary p m s\npair_style lj/cut 2.5\nread_data good.data nocoeff\npair_coeff * * 1 1\nfix 1 all nve\nrun 3\n"
         "write_data end.data\n");
     run_good("boundary f f f\nread_data end.data nocoeff\n");
-    leave_directory();
+    hs_test_leave_folder();
 }
 END_TEST
 
 START_TEST(test_truncated)
 {
     /* every beginning of the good file is read or refused, and never more */
-    enter_directory();
+    hs_test_enter_folder();
     for (size_t n = 0; n < strlen(good); ++n) {
         char text[sizeof good];
         hs_error err;
@@ -268,7 +251,7 @@ START_TEST(test_truncated)
     hs_error err;
     free(run("pair_style lj/cut 2.5\nread_data cut.gz\n", &err));
     ck_assert_int_eq(err.status, HS_ERROR_INPUT);
-    leave_directory();
+    hs_test_leave_folder();
 }
 END_TEST
 
@@ -277,7 +260,7 @@ START_TEST(test_garbage)
     /* the good file with random bytes changed */
     hs_park park;
     hs_park_init(&park, 4711);
-    enter_directory();
+    hs_test_enter_folder();
     for (int round = 0; round < 400; ++round) {
         char text[sizeof good];
         hs_error err;
@@ -297,7 +280,7 @@ START_TEST(test_garbage)
     hs_error err;
     free(run("read_data long.data\n", &err));
     ck_assert_ptr_nonnull(strstr(err.text, "longer than"));
-    leave_directory();
+    hs_test_leave_folder();
 }
 END_TEST
 

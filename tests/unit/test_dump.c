@@ -23,23 +23,6 @@ static const char box_lines[] = "ITEM: BOX BOUNDS pp pp ff\n"
                                 "0.0000000000000000e+00 1.6795961913825073e+00\n"
                                 "0.0000000000000000e+00 1.6795961913825073e+00\n";
 
-static char directory[64];
-
-static void enter_directory(void)
-{
-    strcpy(directory, "/tmp/halfshell-dump-XXXXXX");
-    ck_assert_ptr_nonnull(mkdtemp(directory));
-    ck_assert_int_eq(chdir(directory), 0);
-}
-
-static void leave_directory(void)
-{
-    char command[128];
-    snprintf(command, sizeof command, "rm -rf '%s'", directory);
-    ck_assert_int_eq(chdir("/"), 0);
-    ck_assert_int_eq(system(command), 0);
-}
-
 static void run(const char *lines, hs_error *err)
 {
     char deck[8192];
@@ -80,19 +63,19 @@ static void expect_snapshot(const char *name, long step, int n, const char *colu
 
 START_TEST(test_atom)
 {
-    enter_directory();
+    hs_test_enter_folder();
     run_good("dump 1 all atom 10 a\ndump 2 all atom 10 b\ndump_modify 2 scale no image yes\nrun 0\n");
     expect_snapshot("a", 0, 4, "id type xs ys zs", "1 1 0 0 0\n2 1 0.5 0.5 0\n3 2 0.5 0 0.5\n4 1 0 0.5 0.5\n");
     expect_snapshot("b", 0, 4, "id type x y z ix iy iz",
                     "1 1 0 0 0 0 0 0\n2 1 0.839798 0.839798 0 1 -2 0\n3 2 0.839798 0 0.839798 0 0 0\n"
                     "4 1 0 0.839798 0.839798 0 0 0\n");
-    leave_directory();
+    hs_test_leave_folder();
 }
 END_TEST
 
 START_TEST(test_custom)
 {
-    enter_directory();
+    hs_test_enter_folder();
     run_good("dump 1 all custom 5 c.*.dump id type element mass x xs xu xsu yu ix iy iz vx vy fx proc procp1\n"
              "dump_modify 1 element Ar Xe pad 6\nrun 5\n");
     expect_snapshot("c.000000.dump", 0, 4, "id type element mass x xs xu xsu yu ix iy iz vx vy fx proc procp1",
@@ -101,13 +84,13 @@ START_TEST(test_custom)
                     "3 2 Xe 1.5 0.839798 0.5 0.839798 0.5 0 0 0 0 0.5 -0.25 0 0 1\n"
                     "4 1 Ar 1.5 0 0 0 0 0.839798 0 0 0 0.5 -0.25 0 0 1\n");
     ck_assert_int_eq(access("c.000005.dump", F_OK), 0);
-    leave_directory();
+    hs_test_leave_folder();
 }
 END_TEST
 
 START_TEST(test_xyz)
 {
-    enter_directory();
+    hs_test_enter_folder();
     run_good("dump 1 all xyz 5 x.xyz\ndump 2 all xyz 5 y.xyz\ndump_modify 2 element Ar Xe format line \"%s %.2f %.2f "
              "%.1f\"\nrun 5\n");
     expect_file("x.xyz",
@@ -118,7 +101,7 @@ START_TEST(test_xyz)
     ck_assert_int_eq(strncmp(text, "4\nAtoms. Timestep: 0\nAr 0.00 0.00 0.0\nAr 0.84 0.84 0.0\nXe 0.84 0.00 0.8\n", 71),
                      0);
     free(text);
-    leave_directory();
+    hs_test_leave_folder();
 }
 END_TEST
 
@@ -129,7 +112,7 @@ START_TEST(test_extxyz)
         "4\nLattice=\"1.679596191382507 0 0 0 1.679596191382507 0 0 0 1.679596191382507\" Origin=\"0 0 0\" "
         "Properties=species:S:1:pos:R:3:id:I:1:type:I:1 pbc=\"T T F\" ";
     char expected[2048];
-    enter_directory();
+    hs_test_enter_folder();
     run_good("compute s all stress/atom NULL virial\ndump 1 all extxyz 5 x.xyz vx vy vz c_s[1] ix vy\n"
              "dump 2 all extxyz 5 y.xyz\ndump_modify 2 element Ar Xe format float %.3f\nrun 5\n");
     snprintf(expected, sizeof expected,
@@ -142,12 +125,12 @@ START_TEST(test_extxyz)
     ck_assert_ptr_nonnull(strstr(text, "type:I:1:velo:R:3:c_s_1:R:1:ix:I:1:vy:R:1 pbc"));
     ck_assert_ptr_nonnull(strstr(text, "\nX 0.8397980957 0.8397980957 0 2 1 0.5 -0.25 0 "));
     free(text);
-    leave_directory();
+    hs_test_leave_folder();
 }
 END_TEST
 START_TEST(test_formats_and_headers)
 {
-    enter_directory();
+    hs_test_enter_folder();
     run_good(
         "dump 1 all custom 5 f id type x vx\n"
         "dump_modify 1 format line \"%d %3d %12.4f %g\" format int %04d format 3 <%g> time yes units yes\nrun 5\n");
@@ -159,13 +142,13 @@ START_TEST(test_formats_and_headers)
              "0001 0001 <0.0125> 0.5\n0002 0001 <0.852298> 0.5\n0003 0002 <0.852298> 0.5\n0004 0001 <0.0125> 0.5\n",
              box_lines, box_lines);
     expect_file("f", expected);
-    leave_directory();
+    hs_test_leave_folder();
 }
 END_TEST
 
 START_TEST(test_sort_and_selection)
 {
-    enter_directory();
+    hs_test_enter_folder();
     run_good("region low block INF INF INF INF 0 0.5 units box\ngroup two id 2 3\nvariable d atom x-z\n"
              "dump 1 all custom 5 up id x\ndump_modify 1 sort 2\ndump 2 all custom 5 down id x\ndump_modify 2 sort -2\n"
              "dump 3 all custom 5 low id\ndump_modify 3 region low\ndump 4 all custom 5 thresh id x v_d\n"
@@ -177,7 +160,7 @@ START_TEST(test_sort_and_selection)
     expect_snapshot("thresh", 0, 1, "id x v_d", "2 0.839798 0.839798\n");
     expect_snapshot("two", 0, 2, "id", "2\n3\n");
     expect_snapshot("var", 0, 1, "id", "4\n");
-    leave_directory();
+    hs_test_leave_folder();
 }
 END_TEST
 
@@ -193,7 +176,7 @@ static int count_snapshots(const char *name)
 
 START_TEST(test_when)
 {
-    enter_directory();
+    hs_test_enter_folder();
     run_good("reset_timestep 3\ndump 1 all atom 5 plain\ndump 2 all atom 5 first\ndump_modify 2 first yes\n"
              "dump 3 all atom 5 delay\ndump_modify 3 delay 10\ndump 4 all atom 5 every\ndump_modify 4 every 4\n"
              "dump 5 all atom 2 max.*\ndump_modify 5 maxfiles 2\nrun 10\nrun 0\nrun 2\nundump 1\nrun 5\n");
@@ -208,13 +191,13 @@ START_TEST(test_when)
     ck_assert_int_eq(count_snapshots("plain"), 4);
     run_good("dump 1 all atom 5 plain\nrun 0\n");
     ck_assert_int_eq(count_snapshots("plain"), 1);
-    leave_directory();
+    hs_test_leave_folder();
 }
 END_TEST
 
 START_TEST(test_gzip_and_write_dump)
 {
-    enter_directory();
+    hs_test_enter_folder();
     run_good("dump 1 all custom 5 z.gz id\nrun 5\nwrite_dump all custom w.*.gz id modify sort id\nwrite_dump all xyz "
              "w.xyz\n");
     char text[4096] = "";
@@ -226,13 +209,13 @@ START_TEST(test_gzip_and_write_dump)
     ck_assert_int_eq(access("w.5.gz", F_OK), 0);
     ck_assert_int_eq(access("w.xyz", F_OK), 0);
     ck_assert_int_eq(system("test -z \"$(ls | grep part)\""), 0); /* no unfinished files */
-    leave_directory();
+    hs_test_leave_folder();
 }
 END_TEST
 
 START_TEST(test_refusals)
 {
-    enter_directory();
+    hs_test_enter_folder();
     expect_error("dump 1 all atmo 5 x\n", "unknown style 'atmo'; did you mean 'atom'?");
     expect_error("dump 1 all custom 5 x id foo\n", "unknown attribute 'foo'");
     expect_error("dump 1 all custom 5 x id vxx\n", "did you mean 'vx'?");
@@ -274,7 +257,7 @@ START_TEST(test_refusals)
         expect_error(lines, bad[k][1]);
     }
     expect_error("dump 1 all atom 5 no/such/folder/x\nrun 0\n", "'no/such/folder/x' could not be opened for writing");
-    leave_directory();
+    hs_test_leave_folder();
 }
 END_TEST
 
@@ -282,7 +265,7 @@ START_TEST(test_writer)
 {
     hs_error err = {0};
     hs_writer *writer;
-    enter_directory();
+    hs_test_enter_folder();
     hs_test_write_file("kept", "old");
     ck_assert_hs_ok(hs_writer_open(&writer, "kept", HS_WRITE_WHOLE, &err), err);
     ck_assert_hs_ok(hs_writer_printf(writer, &err, "%d", 12), err);
@@ -320,7 +303,7 @@ START_TEST(test_writer)
         ck_assert_int_eq(hs_writer_close(&writer, &err), HS_ERROR_IO);
         ck_assert_ptr_nonnull(strstr(err.text, "No space left"));
     }
-    leave_directory();
+    hs_test_leave_folder();
 }
 END_TEST
 

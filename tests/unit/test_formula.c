@@ -6,23 +6,7 @@
 #include "deck/boolean.h"
 #include "deck/formula.h"
 #include "support/harness.h"
-
-static hs_sink out;
-
-static hs_deck *new_deck(void)
-{
-    hs_error err = {0};
-    hs_deck *deck = NULL;
-    const hs_options options = {.n_threads = 1};
-    ck_assert_hs_ok(hs_deck_create(&deck, &options, &out, &err), err);
-    return deck;
-}
-
-static void run(hs_deck *deck, const char *line)
-{
-    hs_error err = {0};
-    ck_assert_hs_ok(hs_deck_command(deck, line, &err), err);
-}
+#include "support/run_deck.h"
 
 /** The formula's value printed with %.17g. */
 static void check_value(hs_deck *deck, const char *text, const char *expected)
@@ -37,7 +21,7 @@ static void check_value(hs_deck *deck, const char *text, const char *expected)
 
 static void check_table(const char *const (*cases)[2], size_t n)
 {
-    hs_deck *deck = new_deck();
+    hs_deck *deck = hs_test_new_deck();
     for (size_t i = 0; i < n; ++i) check_value(deck, cases[i][0], cases[i][1]);
     hs_deck_destroy(&deck);
 }
@@ -145,7 +129,7 @@ START_TEST(functions_of_time)
         {777, {"800", "1000", "805", "1000", "9.2233720368547758e+18", "810"}},
         {999, {"1000", "1000", "1024", "1000", "9.2233720368547758e+18", "1010"}},
     };
-    hs_deck *deck = new_deck();
+    hs_deck *deck = hs_test_new_deck();
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i) {
         deck->sim->env.step = cases[i].step;
         for (int k = 0; k < 6; ++k) check_value(deck, formulas[k], cases[i].values[k]);
@@ -157,16 +141,16 @@ END_TEST
 /** Eight atoms of two types at the corners of a cube of edge 1, with unit velocities along x for the odd ids. */
 static hs_deck *deck_with_cube(void)
 {
-    hs_deck *deck = new_deck();
-    run(deck, "lattice sc 1.0");
-    run(deck, "region b block 0 2 0 2 0 2");
-    run(deck, "create_box 2 b");
-    run(deck, "create_atoms 1 box");
-    run(deck, "mass 1 1.0");
-    run(deck, "mass 2 3.0");
-    run(deck, "set atom 8 type 2");
-    run(deck, "region lower block INF INF INF INF INF 0.5");
-    run(deck, "group low region lower");
+    hs_deck *deck = hs_test_new_deck();
+    hs_test_command(deck, "lattice sc 1.0");
+    hs_test_command(deck, "region b block 0 2 0 2 0 2");
+    hs_test_command(deck, "create_box 2 b");
+    hs_test_command(deck, "create_atoms 1 box");
+    hs_test_command(deck, "mass 1 1.0");
+    hs_test_command(deck, "mass 2 3.0");
+    hs_test_command(deck, "set atom 8 type 2");
+    hs_test_command(deck, "region lower block INF INF INF INF INF 0.5");
+    hs_test_command(deck, "group low region lower");
     for (int i = 0; i < deck->sim->atoms.n_local; ++i)
         deck->sim->atoms.v[0][i] = deck->sim->atoms.id[i] % 2 == 1 ? 1.0 : 0.0;
     return deck;
@@ -214,7 +198,7 @@ START_TEST(atom_style_formulas_give_one_value_per_atom)
     hs_formula *formula = NULL;
     ck_assert_hs_ok(hs_formula_parse(&formula, "id+10*type+x*y*gmask(low)-v_two*rmask(lower)+count(all)", true, &err),
                     err);
-    run(deck, "variable two equal 2");
+    hs_test_command(deck, "variable two equal 2");
     ck_assert_hs_ok(hs_formula_atoms(formula, deck, values, &err), err);
     const hs_atoms *atoms = &deck->sim->atoms;
     for (int i = 0; i < 8; ++i) {
@@ -257,7 +241,7 @@ START_TEST(deep_formulas_are_refused_and_long_ones_are_not)
     hs_error err = {0};
     hs_text text = {0};
     double value;
-    hs_deck *deck = new_deck();
+    hs_deck *deck = hs_test_new_deck();
     for (int i = 0; i < 100000; ++i) ck_assert_hs_ok(hs_text_printf(&text, &err, "1+"), err);
     ck_assert_hs_ok(hs_text_printf(&text, &err, "1"), err);
     ck_assert_hs_ok(hs_formula_once(deck, hs_text_get(&text), &value, &err), err);

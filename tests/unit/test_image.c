@@ -10,23 +10,6 @@
 #include "support/harness.h"
 #include "support/run_deck.h"
 
-static char directory[64];
-
-static void enter_directory(void)
-{
-    strcpy(directory, "/tmp/halfshell-image-XXXXXX");
-    ck_assert_ptr_nonnull(mkdtemp(directory));
-    ck_assert_int_eq(chdir(directory), 0);
-}
-
-static void leave_directory(void)
-{
-    char command[128];
-    snprintf(command, sizeof command, "rm -rf '%s'", directory);
-    ck_assert_int_eq(chdir("/"), 0);
-    ck_assert_int_eq(system(command), 0);
-}
-
 static const char flat_head[] = "dimension 2\nregion b block 0 10 0 10 -0.5 0.5\ncreate_box 2 b\nmass * 1\n"
                                 "pair_style zero 1\npair_coeff * *\n";
 static const char deep_head[] = "region b block 0 10 0 10 0 10\ncreate_box 2 b\nmass * 1\n"
@@ -96,7 +79,7 @@ static int pixel(const picture *p, int column, int row)
 
 START_TEST(one_disc)
 {
-    enter_directory();
+    hs_test_enter_folder();
     run_good(flat_head, "create_atoms 1 single 2.5 7.5 0\ndump d all image 1 a.*.ppm type type adiam 1" PLAIN "\n"
                         "dump_modify d backcolor white acolor 1 blue\nrun 0\n");
     picture p = read_ppm("a.0.ppm");
@@ -108,13 +91,13 @@ START_TEST(one_disc)
             ck_assert_int_eq(pixel(&p, column, row),
                              hypot(column + 0.5 - x, row + 0.5 - y) <= radius ? 0x0000ff : 0xffffff);
     free(p.rgb);
-    leave_directory();
+    hs_test_leave_folder();
 }
 END_TEST
 
 START_TEST(smooth_edges_and_rims)
 {
-    enter_directory();
+    hs_test_enter_folder();
     run_good(flat_head,
              "create_atoms 2 single 5 5 0\ndump d all image 1 a.*.png type type adiam 4 box no 0.1 size 100 100\n"
              "run 0\n");
@@ -129,7 +112,7 @@ START_TEST(smooth_edges_and_rims)
     }
     ck_assert_int_gt(n_between, 50); /* two circles of 120 and 100 pixels around: many are cut */
     free(p.rgb);
-    leave_directory();
+    hs_test_leave_folder();
 }
 END_TEST
 
@@ -141,7 +124,7 @@ START_TEST(nearer_balls_hide_others)
     } cases[] = {{"0 0", 0, 1}, {"180 0", 1, 0}};
     for (int k = 0; k < 2; ++k) {
         char lines[512];
-        enter_directory();
+        hs_test_enter_folder();
         snprintf(lines, sizeof lines,
                  "create_atoms 1 single 5 5 2\ncreate_atoms 2 single 5 5 8\n"
                  "dump d all image 1 a.*.png type type view %s adiam 3 box no 0.1 size 64 64\nrun 0\n",
@@ -155,14 +138,14 @@ START_TEST(nearer_balls_hide_others)
         const int shift = cases[k].red ? 16 : 8;
         ck_assert_int_gt(pixel(&p, 29, 29) >> shift & 255, pixel(&p, 37, 37) >> shift & 255);
         free(p.rgb);
-        leave_directory();
+        hs_test_leave_folder();
     }
 }
 END_TEST
 
 START_TEST(box_and_axes)
 {
-    enter_directory();
+    hs_test_enter_folder();
     run_good(flat_head, "dump d all image 1 a.*.png type type fsaa no box yes 0.04 axes yes 0.5 0.04 size 200 200\n"
                         "dump_modify d boxcolor white backcolor navy\nrun 0\n");
     picture p = read_png("a.0.png");
@@ -172,13 +155,13 @@ START_TEST(box_and_axes)
     ck_assert_int_eq(pixel(&p, 5, 50), 0xffffff); /* the left edge above the axis y */
     ck_assert_int_ne(pixel(&p, 5, 150), 0x000080);
     free(p.rgb);
-    leave_directory();
+    hs_test_leave_folder();
 }
 END_TEST
 
 START_TEST(colors_of_numbers)
 {
-    enter_directory();
+    hs_test_enter_folder();
     /* x from 1 to 9: the ends of the map, its middle, and a region and a threshold that leave atoms out */
     run_good(flat_head, "create_atoms 1 single 1 5 0\ncreate_atoms 1 single 5 5 0\ncreate_atoms 1 single 9 5 0\n"
                         "create_atoms 1 single 5 8 0\nregion low block INF INF 0 6 INF INF\n"
@@ -202,7 +185,7 @@ START_TEST(colors_of_numbers)
     ck_assert_int_eq(pixel(&d, left, 50), 0x440154);
     ck_assert_int_eq(pixel(&d, right, 50), 0xfde725);
     free(a.rgb), free(b.rgb), free(c.rgb), free(d.rgb);
-    leave_directory();
+    hs_test_leave_folder();
 }
 END_TEST
 
@@ -224,7 +207,7 @@ START_TEST(any_number_of_threads)
     static const char head[] =
         "lattice fcc 0.8\nregion b block 0 6 0 6 0 6\ncreate_box 1 b\ncreate_atoms 1 box\nmass 1 1\n"
         "velocity all create 1.4 8728\npair_style lj/cut 2.5\npair_coeff 1 1 1 1\nfix 1 all nve\n";
-    enter_directory();
+    hs_test_enter_folder();
     for (int n_threads = 1; n_threads <= 3; ++n_threads) {
         hs_error err = {0};
         char lines[256];
@@ -235,20 +218,20 @@ START_TEST(any_number_of_threads)
     }
     expect_same_files("t1.0.png", "t2.0.png");
     expect_same_files("t1.0.png", "t3.0.png");
-    leave_directory();
+    hs_test_leave_folder();
 }
 END_TEST
 
 START_TEST(one_picture)
 {
-    enter_directory();
+    hs_test_enter_folder();
     run_good(flat_head, "create_atoms 1 single 5 5 0\nwrite_dump all image now.png type type adiam 4 size 20 30\n");
     picture p = read_png("now.png");
     ck_assert_int_eq(p.width, 20);
     ck_assert_int_eq(p.height, 30);
     ck_assert_int_eq(pixel(&p, 10, 15), 0xff0000);
     free(p.rgb);
-    leave_directory();
+    hs_test_leave_folder();
 }
 END_TEST
 
@@ -266,7 +249,7 @@ START_TEST(refused)
         {"color sky 0.2 2 1", "'2' is not a part from 0 to 1"},
         {"format line \"%d\"", "'format' is not a keyword of dumps of style image"},
     };
-    enter_directory();
+    hs_test_enter_folder();
     for (size_t k = 0; k < sizeof modifications / sizeof modifications[0]; ++k) {
         snprintf(lines, sizeof lines, "%sdump_modify d %s\n", dump, modifications[k][0]);
         expect_error(lines, modifications[k][1]);
@@ -281,7 +264,7 @@ START_TEST(refused)
     expect_error("dump d all image 1 a.*.png type type view 200 0\n", "an angle from 0 to 180 degrees");
     expect_error("dump d all image 1 a.*.png type type up 0 0 0\n", "up 0 0 0 is no direction");
     expect_error("dump d all image 1 a.*.png type type shiny 2\n", "a factor from 0 to 1");
-    leave_directory();
+    hs_test_leave_folder();
 }
 END_TEST
 

@@ -5,23 +5,7 @@
 
 #include "deck/variables.h"
 #include "support/harness.h"
-
-static hs_sink out;
-
-static hs_deck *new_deck(void)
-{
-    hs_error err = {0};
-    hs_deck *deck = NULL;
-    const hs_options options = {.n_threads = 1};
-    ck_assert_hs_ok(hs_deck_create(&deck, &options, &out, &err), err);
-    return deck;
-}
-
-static void run(hs_deck *deck, const char *line)
-{
-    hs_error err = {0};
-    ck_assert_hs_ok(hs_deck_command(deck, line, &err), err);
-}
+#include "support/run_deck.h"
 
 static void check_text(hs_deck *deck, const char *name, const char *expected)
 {
@@ -42,16 +26,16 @@ static double number(hs_deck *deck, const char *name)
 
 START_TEST(each_style_has_its_text)
 {
-    hs_deck *deck = new_deck();
+    hs_deck *deck = hs_test_new_deck();
     setenv("HALFSHELL_TEST_VALUE", "from outside", 1);
-    run(deck, "variable i index first second");
-    run(deck, "variable l loop 7 12 pad");
-    run(deck, "variable s string 'two words'");
-    run(deck, "variable e equal 1/3");
-    run(deck, "variable f format e %8.3f");
-    run(deck, "variable g getenv HALFSHELL_TEST_VALUE");
-    run(deck, "variable n getenv HALFSHELL_TEST_NOTHING");
-    run(deck, "variable t internal 2.5");
+    hs_test_command(deck, "variable i index first second");
+    hs_test_command(deck, "variable l loop 7 12 pad");
+    hs_test_command(deck, "variable s string 'two words'");
+    hs_test_command(deck, "variable e equal 1/3");
+    hs_test_command(deck, "variable f format e %8.3f");
+    hs_test_command(deck, "variable g getenv HALFSHELL_TEST_VALUE");
+    hs_test_command(deck, "variable n getenv HALFSHELL_TEST_NOTHING");
+    hs_test_command(deck, "variable t internal 2.5");
     check_text(deck, "i", "first");
     check_text(deck, "l", "07");
     check_text(deck, "s", "two words");
@@ -66,13 +50,13 @@ END_TEST
 
 START_TEST(command_line_wins_over_index)
 {
-    hs_deck *deck = new_deck();
+    hs_deck *deck = hs_test_new_deck();
     hs_error err = {0};
     const char *const values[] = {"5", "6"};
     ck_assert_hs_ok(hs_deck_set_variable(deck, "T", 2, values, &err), err);
-    run(deck, "variable T index 1 2 3");
+    hs_test_command(deck, "variable T index 1 2 3");
     check_text(deck, "T", "5");
-    run(deck, "next T");
+    hs_test_command(deck, "next T");
     check_text(deck, "T", "6");
     ck_assert_int_eq(hs_deck_set_variable(deck, "T", 1, values, &err), HS_ERROR_INPUT);
     ck_assert_str_eq(err.text, "-var T: the variable is given twice");
@@ -82,20 +66,20 @@ END_TEST
 
 START_TEST(second_definitions)
 {
-    hs_deck *deck = new_deck();
-    run(deck, "variable i index 1");
-    run(deck, "variable i index 2");
+    hs_deck *deck = hs_test_new_deck();
+    hs_test_command(deck, "variable i index 1");
+    hs_test_command(deck, "variable i index 2");
     check_text(deck, "i", "1");
-    run(deck, "variable e equal 1");
-    run(deck, "variable e equal v_i+5");
+    hs_test_command(deck, "variable e equal 1");
+    hs_test_command(deck, "variable e equal v_i+5");
     check_text(deck, "e", "6");
-    run(deck, "variable s string a");
-    run(deck, "variable s string b");
+    hs_test_command(deck, "variable s string a");
+    hs_test_command(deck, "variable s string b");
     check_text(deck, "s", "b");
-    run(deck, "variable e index 3");
+    hs_test_command(deck, "variable e index 3");
     check_text(deck, "e", "6");
-    run(deck, "variable i delete");
-    run(deck, "variable i equal 9");
+    hs_test_command(deck, "variable i delete");
+    hs_test_command(deck, "variable i equal 9");
     check_text(deck, "i", "9");
     hs_deck_destroy(&deck);
 }
@@ -103,9 +87,9 @@ END_TEST
 
 START_TEST(a_failed_definition_leaves_the_old_one)
 {
-    hs_deck *deck = new_deck();
+    hs_deck *deck = hs_test_new_deck();
     hs_error err = {0};
-    run(deck, "variable e equal 1");
+    hs_test_command(deck, "variable e equal 1");
     ck_assert_int_eq(hs_deck_command(deck, "variable e equal 1+", &err), HS_ERROR_INPUT);
     check_text(deck, "e", "1");
     hs_error_clear(&err);
@@ -118,9 +102,9 @@ END_TEST
 START_TEST(formulas_see_formulas_rounded_to_15_digits)
 {
     /* LAMMPS passes them through their text; the digits of decks depend on it. */
-    hs_deck *deck = new_deck();
-    run(deck, "variable e equal 1/3");
-    run(deck, "variable d equal v_e-1/3");
+    hs_deck *deck = hs_test_new_deck();
+    hs_test_command(deck, "variable e equal 1/3");
+    hs_test_command(deck, "variable d equal v_e-1/3");
     ck_assert_double_eq(number(deck, "e"), 1.0 / 3.0);
     check_text(deck, "d", "-3.33066907387547e-16");
     hs_deck_destroy(&deck);
@@ -129,13 +113,13 @@ END_TEST
 
 START_TEST(next_deletes_at_the_end)
 {
-    hs_deck *deck = new_deck();
+    hs_deck *deck = hs_test_new_deck();
     hs_error err = {0};
     const char *const words[] = {"i", "j"};
     const hs_args args = {.command = "next", .n = 2, .word = words};
     bool exhausted;
-    run(deck, "variable i index a b");
-    run(deck, "variable j index 1 2 3");
+    hs_test_command(deck, "variable i index a b");
+    hs_test_command(deck, "variable j index 1 2 3");
     ck_assert_hs_ok(hs_variables_next(deck->variables, &args, &exhausted, &err), err);
     ck_assert(!exhausted);
     check_text(deck, "i", "b");
@@ -150,18 +134,18 @@ END_TEST
 
 START_TEST(chains_of_variables_end)
 {
-    hs_deck *deck = new_deck();
+    hs_deck *deck = hs_test_new_deck();
     hs_error err = {0};
     double value;
     char line[64];
     for (int i = 0; i < 500; ++i) {
         snprintf(line, sizeof line, "variable a%d equal v_a%d+1", i, i + 1);
-        run(deck, line);
+        hs_test_command(deck, line);
     }
     ck_assert_int_eq(hs_variables_number(deck, "a0", &value, &err), HS_ERROR_INPUT);
     ck_assert_ptr_nonnull(strstr(err.text, "more than 100 variables use one another in a chain"));
     hs_error_clear(&err);
-    run(deck, "variable a50 equal 1");
+    hs_test_command(deck, "variable a50 equal 1");
     ck_assert_hs_ok(hs_variables_number(deck, "a0", &value, &err), err);
     ck_assert_double_eq(value, 51.0);
     hs_deck_destroy(&deck);
@@ -170,7 +154,7 @@ END_TEST
 
 START_TEST(lines_that_grow_without_bound_are_refused)
 {
-    hs_deck *deck = new_deck();
+    hs_deck *deck = hs_test_new_deck();
     hs_error err = {0};
     hs_status status = hs_deck_command(deck, "variable a string aaaaaaaaaa", &err);
     for (int i = 0; i < 40 && status == HS_OK; ++i) status = hs_deck_command(deck, "variable a string $a$a", &err);
