@@ -1,27 +1,22 @@
 /* Temperature of the atoms that are in a region now. */
-#include "base/memory.h"
 #include "style/region.h"
 #include "style/temperature.h"
 
 typedef struct region_state {
     hs_temperature temperature;
-    char *region_id;         /**< owned */
-    const hs_region *region; /**< borrowed; found anew before each use */
+    hs_where where;
 } region_state;
 
 static hs_status find_region(hs_compute *compute, hs_error *err)
 {
-    region_state *state = compute->state;
-    state->region = compute->env->find_region(compute->env, state->region_id);
-    if (state->region != NULL) return HS_OK;
-    return hs_fail(err, HS_ERROR_INPUT, "compute '%s' (temp/region): there is no region '%s'", compute->id,
-                   state->region_id);
+    return hs_where_find(&((region_state *)compute->state)->where, compute->env, "compute", compute->id, "temp/region",
+                         err);
 }
 
 static hs_status create(hs_compute *compute, const hs_args *args, hs_error *err)
 {
     region_state *state = compute->state;
-    HS_TRY(hs_memory_strdup(&state->region_id, args->word[0], err));
+    HS_TRY(hs_where_set(&state->where, args->word[0], err));
     HS_TRY(find_region(compute, err));
     HS_TRY(hs_temperature_create(compute, HS_ALL_AXES, err));
     state->temperature.is_dynamic = true;
@@ -30,15 +25,13 @@ static hs_status create(hs_compute *compute, const hs_args *args, hs_error *err)
 
 static void destroy(hs_compute *compute)
 {
-    HS_FREE(((region_state *)compute->state)->region_id);
+    hs_where_fini(&((region_state *)compute->state)->where);
     hs_temperature_destroy(compute);
 }
 
 static bool counts(const hs_compute *compute, int i)
 {
-    const hs_atoms *atoms = compute->env->atoms;
-    const double x[3] = {atoms->x[0][i], atoms->x[1][i], atoms->x[2][i]};
-    return hs_region_contains(((const region_state *)compute->state)->region, x);
+    return hs_where_has(&((const region_state *)compute->state)->where, compute->env->atoms, i);
 }
 
 static void bias(const hs_compute *compute, int i, double v[3])

@@ -7,8 +7,8 @@
 #include "base/memory.h"
 #include "core/atom_style.h"
 #include "style/attribute.h"
-#include "style/fix.h"
 #include "style/pair_coeffs.h"
+#include "style/varying.h"
 
 /** One `pair` of the words. */
 typedef struct target {
@@ -131,17 +131,6 @@ static void destroy(hs_fix *fix)
     HS_FREE(state->field_name);
 }
 
-static hs_status need_variable(const hs_fix *fix, const char *name, hs_error *err)
-{
-    const hs_env *env = fix->env;
-    const int kind = env->variable_kind != NULL ? env->variable_kind(env->deck, name) : 0;
-    if (kind == 1) return HS_OK;
-    return hs_fail(err, HS_ERROR_INPUT,
-                   kind == 0 ? "fix '%s' (adapt): there is no variable '%s'"
-                             : "fix '%s' (adapt): the variable '%s' must be of style equal, not atom",
-                   fix->id, name);
-}
-
 /** Whether the coefficients of (i, j) were given for the part that is adapted; else they are mixed, or of other parts. */
 static bool is_given(const target *t, int i, int j) { return i <= j && t->part->is_set[hs_pair_index(t->part, i, j)]; }
 
@@ -202,12 +191,12 @@ static hs_status init(hs_fix *fix, hs_error *err)
 {
     adapt_state *state = fix->state;
     for (int k = 0; k < state->n_targets; ++k) {
-        HS_TRY(need_variable(fix, state->target[k].variable, err));
+        HS_TRY(hs_fix_need_equal_style(fix, state->target[k].variable, err));
         HS_TRY(find_part(fix, &state->target[k], err));
         HS_TRY(find_coefficient(fix, &state->target[k], err));
         HS_TRY(find_types(fix, &state->target[k], err));
     }
-    return state->diameter != NULL ? need_variable(fix, state->diameter, err) : HS_OK;
+    return state->diameter != NULL ? hs_fix_need_equal_style(fix, state->diameter, err) : HS_OK;
 }
 
 static double *coefficient_at(const target *t, int k) { return &((hs_pair_coeffs *)t->part->state)->at[k].c[t->index]; }

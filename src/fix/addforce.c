@@ -4,14 +4,16 @@
 #include "base/memory.h"
 #include "style/applied_force.h"
 #include "style/moments.h"
+#include "style/shown_sums.h"
+#include "style/varying.h"
 
 typedef struct addforce_state {
+    hs_late_sums sums; /**< first, for shown_sums.h: of the forces before, and energy, of the latest step it acted */
     hs_applied_force force;
     int64_t every;
     char *energy_variable;  /**< owned; atom-style variable that gives the energy of each atom; NULL: -F r */
     double *energy_of_atom; /**< owned [capacity] */
     size_t capacity;
-    hs_late_sums sums; /**< of the forces before, and energy, of the latest step it acted */
 } addforce_state;
 
 static const hs_keyword keywords[] = {
@@ -114,7 +116,7 @@ static void add_force(const hs_atoms *atoms, const void *context, int begin, int
         hs_exact_add_array(&sums[axis], before, n);
     }
     for (int k = 0; state->energy_variable != NULL && k < n; ++k) energy[k] = state->energy_of_atom[found[k]];
-    hs_exact_add_array(&sums[3], energy, n);
+    hs_exact_add_array(&sums[HS_SHOWN_ENERGY], energy, n);
 }
 
 static void virial_of(const hs_fix *fix, int i, double w[6])
@@ -133,30 +135,9 @@ static hs_status post_force(hs_fix *fix, hs_error *err)
     if (fix->env->step % state->every != 0) return HS_OK;
     HS_TRY(hs_applied_force_update(&state->force, fix, err));
     HS_TRY(update_energies(fix, err));
-    hs_late_sums_make(&state->sums, fix->env->atoms, add_force, fix, 4);
+    hs_late_sums_make(&state->sums, fix->env->atoms, add_force, fix, HS_N_SHOWN);
     if (hs_fix_needs_virial(fix)) hs_fix_sum_virial(fix, virial_of);
     return HS_OK;
-}
-
-static hs_status scalar(hs_fix *fix, double *value, hs_error *err)
-{
-    (void)err;
-    *value = hs_late_sums_read(&((addforce_state *)fix->state)->sums, fix->env->parallel)[3];
-    return HS_OK;
-}
-
-static hs_status vector(hs_fix *fix, int i, double *value, hs_error *err)
-{
-    (void)err;
-    *value = hs_late_sums_read(&((addforce_state *)fix->state)->sums, fix->env->parallel)[i];
-    return HS_OK;
-}
-
-static hs_status keep_state(hs_fix *fix, hs_state *kept, hs_error *err)
-{
-    hs_late_sums *sums = &((addforce_state *)fix->state)->sums;
-    (void)hs_late_sums_read(sums, fix->env->parallel);
-    return hs_state_double(kept, "sums", sums->value, 4, err);
 }
 
 const hs_fix_style hs_fix_style_addforce = {
@@ -180,9 +161,9 @@ const hs_fix_style hs_fix_style_addforce = {
     .init = init,
     .post_force = post_force,
     .acts_in_minimize = true,
-    .keep_state = keep_state,
-    .scalar = scalar,
-    .vector = vector,
+    .keep_state = hs_shown_keep_state,
+    .scalar = hs_shown_energy,
+    .vector = hs_shown_vector,
     .n_vector = 3,
     .is_extensive = true,
     .is_vector_extensive = true,

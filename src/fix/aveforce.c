@@ -1,5 +1,6 @@
 /* Gives every atom of a group the mean force: f = sum(f) / N + F. */
 #include "style/applied_force.h"
+#include "style/shown_sums.h"
 
 static hs_status init(hs_fix *fix, hs_error *err)
 {
@@ -31,7 +32,7 @@ static hs_status post_force(hs_fix *fix, hs_error *err)
     hs_replaced_force *state = fix->state;
     double mean[3] = {0.0};
     HS_TRY(hs_applied_force_update(&state->force, fix, err));
-    hs_late_sums_make(&state->before, fix->env->atoms, add_forces, fix, 4);
+    hs_late_sums_make(&state->before, fix->env->atoms, add_forces, fix, HS_N_SHOWN);
     const double *before = hs_late_sums_read(&state->before, fix->env->parallel);
     if (!(before[3] > 0.0)) return HS_OK;
     for (int axis = 0; axis < 3; ++axis) mean[axis] = before[axis] / before[3] + state->force.value[axis];
@@ -60,8 +61,8 @@ const hs_fix_style hs_fix_style_aveforce = {
     .init = init,
     .post_force = post_force,
     .acts_in_minimize = true,
-    .keep_state = hs_replaced_force_keep_state,
-    .vector = hs_replaced_force_vector,
+    .keep_state = hs_shown_keep_state,
+    .vector = hs_shown_vector,
     .n_vector = 3,
     .is_vector_extensive = true,
 };

@@ -15,11 +15,10 @@ enum { N_WARM_UP = 30, N_TRIES = 1000000 };
 typedef struct deposit_state {
     int64_t n_wanted, every, n_attempts;
     int type;
-    char *region_id;         /**< owned */
-    const hs_region *region; /**< borrowed; found anew before each run */
-    double near;             /**< no atom may be nearer to a new one, distance */
-    double v[3][2];          /**< range of each component of velocities, distance/time */
-    bool counts_on;          /**< IDs go on from the last one given, though atoms were removed meanwhile */
+    hs_where where;
+    double near;    /**< no atom may be nearer to a new one, distance */
+    double v[3][2]; /**< range of each component of velocities, distance/time */
+    bool counts_on; /**< IDs go on from the last one given, though atoms were removed meanwhile */
     int64_t n_added, last_id;
     int64_t first, next; /**< steps: of the first atom by the schedule, and of the next one; -1: no more */
     hs_park park;
@@ -42,9 +41,8 @@ static hs_status find_region(const hs_fix *fix, hs_error *err)
 {
     deposit_state *state = fix->state;
     const hs_box *box = fix->env->box;
-    const hs_region *region = state->region = fix->env->find_region(fix->env, state->region_id);
-    if (region == NULL)
-        return hs_fail(err, HS_ERROR_INPUT, "fix '%s' (deposit): there is no region '%s'", fix->id, state->region_id);
+    HS_TRY(hs_where_find(&state->where, fix->env, "fix", fix->id, "deposit", err));
+    const hs_region *region = state->where.region;
     if (!region->has_extent)
         return hs_fail(err, HS_ERROR_INPUT,
                        "fix '%s' (deposit): the region '%s' has no bounds, so that no places can "
@@ -74,8 +72,7 @@ static hs_status read_keywords(hs_fix *fix, const hs_args *args, bool *is_box, h
     for (int i = 4; i + 1 < args->n; i += 2) {
         const char *keyword = args->word[i], *word = args->word[i + 1];
         if (strcmp(keyword, "region") == 0) {
-            HS_FREE(state->region_id);
-            HS_TRY(hs_memory_strdup(&state->region_id, word, err));
+            HS_TRY(hs_where_set(&state->where, word, err));
         } else if (strcmp(keyword, "id") == 0) {
             state->counts_on = strcmp(word, "next") == 0;
         } else if (strcmp(keyword, "near") == 0) {
@@ -106,7 +103,7 @@ static hs_status create(hs_fix *fix, const hs_args *args, hs_error *err)
     HS_TRY(hs_arg_int(args, 3, 1, INT32_MAX - 1, &seed, err));
     HS_TRY(read_keywords(fix, args, &is_box, err));
     state->type = (int)type;
-    if (state->region_id == NULL)
+    if (state->where.id == NULL)
         return hs_fail(err, HS_ERROR_INPUT, "fix deposit: 'region <region-ID>' must say where atoms are put");
     if (!is_box) {
         state->near *= env->lattice->spacing[0];
@@ -121,7 +118,7 @@ static hs_status create(hs_fix *fix, const hs_args *args, hs_error *err)
     return find_region(fix, err);
 }
 
-static void destroy(hs_fix *fix) { HS_FREE(((deposit_state *)fix->state)->region_id); }
+static void destroy(hs_fix *fix) { hs_where_fini(&((deposit_state *)fix->state)->where); }
 
 /** The schedule counts from the step after the fix was defined; a run that begins leaves out what is past. */
 static hs_status init(hs_fix *fix, hs_error *err)
@@ -139,7 +136,7 @@ static int64_t next_exchange(const hs_fix *fix) { return ((const deposit_state *
 static hs_status draw_place(hs_fix *fix, double x[3], hs_error *err)
 {
     deposit_state *state = fix->state;
-    const hs_region *region = state->region;
+    const hs_region *region = state->where.region;
     const double magic = fix->env->position_magic;
     for (int n = 0; n < N_TRIES; ++n) {
         for (int axis = 0; axis < 3; ++axis)

@@ -5,16 +5,11 @@
 
 #include "base/memory.h"
 #include "fix/thermal_motion.h"
-#include "style/region.h"
 
 typedef struct ehex_state {
-    int64_t every;
-    double rate;             /**< energy/time */
-    char *region_id;         /**< owned; NULL: everywhere */
-    const hs_region *region; /**< borrowed; found anew before each run */
-    bool is_plain;           /**< places are not corrected */
-    double scale;            /**< factor on the velocities, of the latest step it acted */
-    double v[3];             /**< velocity of the center of mass, at the present step */
+    thermal_state thermal; /* first: thermal_motion.h takes the state as one */
+    bool is_plain;         /**< places are not corrected */
+    double v[3];           /**< velocity of the center of mass, at the present step */
 } ehex_state;
 
 static const hs_keyword keywords[] = {
@@ -23,46 +18,32 @@ static const hs_keyword keywords[] = {
     {NULL, 0, NULL, NULL},
 };
 
-static hs_status find_region(const hs_fix *fix, hs_error *err)
-{
-    ehex_state *state = fix->state;
-    if (state->region_id == NULL) return HS_OK;
-    state->region = fix->env->find_region(fix->env, state->region_id);
-    if (state->region != NULL) return HS_OK;
-    return hs_fail(err, HS_ERROR_INPUT, "fix '%s' (ehex): there is no region '%s'", fix->id, state->region_id);
-}
-
 static hs_status create(hs_fix *fix, const hs_args *args, hs_error *err)
 {
     ehex_state *state = fix->state;
-    state->scale = 1.0;
+    state->thermal.scale = 1.0;
     HS_TRY(hs_syntax_check(&fix->style->about.syntax, args, false, err));
-    HS_TRY(hs_arg_int(args, 0, 1, INT64_MAX, &state->every, err));
-    HS_TRY(hs_arg_double(args, 1, &state->rate, err));
+    HS_TRY(hs_arg_int(args, 0, 1, INT64_MAX, &state->thermal.every, err));
+    HS_TRY(hs_arg_double(args, 1, &state->thermal.rate.value, err));
     for (int i = 2; i < args->n; ++i) {
         if (strcmp(args->word[i], "hex") == 0) {
             state->is_plain = true;
             continue;
         }
-        HS_FREE(state->region_id);
-        HS_TRY(hs_memory_strdup(&state->region_id, args->word[++i], err));
+        HS_TRY(hs_where_set(&state->thermal.where, args->word[++i], err));
     }
-    return find_region(fix, err);
+    return thermal_find_region(fix, err);
 }
-
-static void destroy(hs_fix *fix) { HS_FREE(((ehex_state *)fix->state)->region_id); }
-
-static hs_status init(hs_fix *fix, hs_error *err) { return find_region(fix, err); }
 
 /** Whether an atom takes part: by its place within the box, though lists may be older than its crossing of a face. */
 static bool acts(const hs_fix *fix, int i)
 {
-    const ehex_state *state = fix->state;
+    const hs_where *where = &((const ehex_state *)fix->state)->thermal.where;
     const hs_atoms *atoms = fix->env->atoms;
     double x[3] = {atoms->x[0][i], atoms->x[1][i], atoms->x[2][i]};
     int32_t image[3] = {0};
     hs_box_wrap(fix->env->box, x, image);
-    return (atoms->mask[i] & fix->mask) != 0 && (state->region == NULL || hs_region_contains(state->region, x));
+    return (atoms->mask[i] & fix->mask) != 0 && (where->region == NULL || hs_region_contains(where->region, x));
 }
 
 enum { FORCE, POWER = FORCE + 3, N_FORCE_SUMS };
@@ -90,7 +71,7 @@ static void correct_places(hs_fix *fix, const unsigned char *is_in, double mass,
     const hs_atoms *atoms = env->atoms;
     double sums[N_FORCE_SUMS];
     hs_atom_sum(atoms, env->parallel, add_force_terms, fix, N_FORCE_SUMS, sums);
-    const double ftm2v = env->units->ftm2v, dt = env->dt * (double)state->every, dt3 = dt * dt * dt;
+    const double ftm2v = env->units->ftm2v, dt = env->dt * (double)state->thermal.every, dt3 = dt * dt * dt;
     const double power = sums[POWER] * ftm2v;
     const double along_v = heat_rate / (2.0 * ke * ke) * (heat_rate / 48.0 + power / 6.0);
     const double along_f = heat_rate / (12.0 * ke);
@@ -125,7 +106,7 @@ static void scale_velocities(const hs_fix *fix, const unsigned char *is_in)
     for (int i = 0; i < atoms->n_local; ++i) {
         if (!is_in[i]) continue;
         for (int axis = 0; axis < 3; ++axis)
-            atoms->v[axis][i] = state->v[axis] + state->scale * (atoms->v[axis][i] - state->v[axis]);
+            atoms->v[axis][i] = state->v[axis] + state->thermal.scale * (atoms->v[axis][i] - state->v[axis]);
     }
 }
 
@@ -133,32 +114,20 @@ static hs_status end_of_step(hs_fix *fix, hs_error *err)
 {
     ehex_state *state = fix->state;
     hs_env *env = fix->env;
-    const double rate = state->rate / env->units->mvv2e;
+    const double rate = state->thermal.rate.value / env->units->mvv2e;
     thermal_motion motion;
     unsigned char *is_in = NULL;
-    if (env->step % state->every != 0) return HS_OK;
-    HS_TRY(thermal_find(fix, acts, rate * (double)state->every * env->dt, &motion, err));
+    if (env->step % state->thermal.every != 0) return HS_OK;
+    HS_TRY(thermal_find(fix, acts, rate * (double)state->thermal.every * env->dt, &motion, err));
     if (!(motion.mass > 0.0)) return HS_OK;
     memcpy(state->v, motion.v, sizeof state->v);
-    state->scale = motion.scale;
+    state->thermal.scale = motion.scale;
     const hs_status status = mark_atoms(fix, &is_in, err);
     if (status == HS_OK && !state->is_plain) correct_places(fix, is_in, motion.mass, motion.ke, rate);
     if (status == HS_OK) scale_velocities(fix, is_in);
     HS_FREE(is_in);
     hs_env_changed(env);
     return status;
-}
-
-static hs_status scalar(hs_fix *fix, double *value, hs_error *err)
-{
-    (void)err;
-    *value = ((ehex_state *)fix->state)->scale;
-    return HS_OK;
-}
-
-static hs_status keep_state(hs_fix *fix, hs_state *kept, hs_error *err)
-{
-    return hs_state_double(kept, "scale", &((ehex_state *)fix->state)->scale, 1, err);
 }
 
 const hs_fix_style hs_fix_style_ehex = {
@@ -180,9 +149,6 @@ const hs_fix_style hs_fix_style_ehex = {
          .example = "fix hot all ehex 1 100.0 region hot\nfix cold all ehex 1 -100.0 region cold"},
     .state_size = sizeof(ehex_state),
     .create = create,
-    .destroy = destroy,
-    .init = init,
     .end_of_step = end_of_step,
-    .keep_state = keep_state,
-    .scalar = scalar,
+    THERMAL_HOOKS,
 };

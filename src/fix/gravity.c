@@ -1,17 +1,14 @@
 /* Uniform gravity: f += m g along a direction. */
 #include <math.h>
-#include <string.h>
 
-#include "base/memory.h"
 #include "core/atom_style.h"
 #include "style/atom_sum.h"
-#include "style/fix.h"
 #include "style/moments.h"
+#include "style/varying.h"
 
 typedef struct gravity_state {
-    double magnitude;    /**< force/mass */
-    char *variable;      /**< owned; equal-style variable that gives the magnitude; NULL: constant */
-    double direction[3]; /**< unit vector */
+    hs_varying magnitude; /**< force/mass */
+    double direction[3];  /**< unit vector */
 } gravity_state;
 
 static hs_status read_direction(hs_fix *fix, const hs_args *args, hs_error *err)
@@ -50,20 +47,22 @@ static hs_status create(hs_fix *fix, const hs_args *args, hs_error *err)
 {
     gravity_state *state = fix->state;
     HS_TRY(hs_syntax_check(&fix->style->about.syntax, args, false, err));
-    if (strncmp(args->word[0], "v_", 2) == 0)
-        HS_TRY(hs_memory_strdup(&state->variable, args->word[0] + 2, err));
-    else
-        HS_TRY(hs_arg_double(args, 0, &state->magnitude, err));
+    HS_TRY(hs_varying_read(&state->magnitude, args, 0, err));
     return read_direction(fix, args, err);
 }
 
-static void destroy(hs_fix *fix) { HS_FREE(((gravity_state *)fix->state)->variable); }
+static void destroy(hs_fix *fix) { hs_varying_fini(&((gravity_state *)fix->state)->magnitude); }
+
+static hs_status init(hs_fix *fix, hs_error *err)
+{
+    return hs_varying_check(&((gravity_state *)fix->state)->magnitude, fix, err);
+}
 
 /** Force on a unit mass along an axis. */
 static double pull(const hs_fix *fix, int axis)
 {
     const gravity_state *state = fix->state;
-    return state->magnitude * state->direction[axis] / fix->env->units->ftm2v;
+    return state->magnitude.value * state->direction[axis] / fix->env->units->ftm2v;
 }
 
 static void pull_atoms(const hs_fix *fix, const double g[3])
@@ -79,9 +78,7 @@ static void pull_atoms(const hs_fix *fix, const double g[3])
 
 static hs_status post_force(hs_fix *fix, hs_error *err)
 {
-    gravity_state *state = fix->state;
-    const hs_env *env = fix->env;
-    if (state->variable != NULL) HS_TRY(env->variable_value(env->deck, state->variable, &state->magnitude, err));
+    HS_TRY(hs_varying_update(&((gravity_state *)fix->state)->magnitude, fix->env, err));
     const double g[3] = {pull(fix, 0), pull(fix, 1), pull(fix, 2)};
     HS_ON_THREADS(pull_atoms(fix, g));
     return HS_OK;
@@ -125,6 +122,7 @@ const hs_fix_style hs_fix_style_gravity = {
     .state_size = sizeof(gravity_state),
     .create = create,
     .destroy = destroy,
+    .init = init,
     .post_force = post_force,
     .scalar = scalar,
     .is_extensive = true,

@@ -2,30 +2,23 @@
 #include <math.h>
 #include <string.h>
 
-#include "base/memory.h"
 #include "base/wide.h"
 #include "core/lattice.h"
-#include "style/atom_sum.h"
-#include "style/fix.h"
 #include "style/nearest_image.h"
+#include "style/shown_sums.h"
 #include "style/upright.h"
+#include "style/varying.h"
 
 typedef enum { INDENT_SPHERE, INDENT_CYLINDER, INDENT_PLANE } indent_shape;
 
-/** A number, in lattice spacings or distance units, or a variable, in distance units always. */
-typedef struct length {
-    double value;   /**< distance */
-    char *variable; /**< owned; NULL: a constant */
-} length;
-
 typedef struct indent_state {
-    double k; /**< force/distance^2 */
+    hs_late_sums sums; /**< first, for shown_sums.h: force on the indenter, and energy */
+    double k;          /**< force/distance^2 */
     indent_shape shape;
-    bool has_shape, is_inside; /**< side in: keeps atoms within */
-    int axis;                  /**< of the cylinder; normal of the plane */
-    int side;                  /**< plane: -1 pushes down what is above, 1 up what is below */
-    length place[3], radius;
-    hs_late_sums sums; /**< energy, and force on the indenter */
+    bool has_shape, is_inside;   /**< side in: keeps atoms within */
+    int axis;                    /**< of the cylinder; normal of the plane */
+    int side;                    /**< plane: -1 pushes down what is above, 1 up what is below */
+    hs_varying place[3], radius; /**< distance; of the deck's words only the numbers may be in lattice spacings */
 } indent_state;
 
 static const hs_keyword keywords[] = {
@@ -37,14 +30,10 @@ static const hs_keyword keywords[] = {
     {NULL, 0, NULL, NULL},
 };
 
-static hs_status read_length(length *l, const hs_args *args, int i, double scale, hs_error *err)
+static hs_status read_length(hs_varying *length, const hs_args *args, int i, double scale, hs_error *err)
 {
-    if (strncmp(args->word[i], "v_", 2) == 0) {
-        HS_FREE(l->variable);
-        return hs_memory_strdup(&l->variable, args->word[i] + 2, err);
-    }
-    HS_TRY(hs_arg_double(args, i, &l->value, err));
-    l->value *= scale;
+    HS_TRY(hs_varying_read(length, args, i, err));
+    if (length->variable == NULL) length->value *= scale;
     return HS_OK;
 }
 
@@ -98,32 +87,16 @@ static hs_status create(hs_fix *fix, const hs_args *args, hs_error *err)
 static void destroy(hs_fix *fix)
 {
     indent_state *state = fix->state;
-    for (int axis = 0; axis < 3; ++axis) HS_FREE(state->place[axis].variable);
-    HS_FREE(state->radius.variable);
-}
-
-static hs_status check_length(const hs_fix *fix, const length *l, hs_error *err)
-{
-    const hs_env *env = fix->env;
-    if (l->variable == NULL || (env->variable_kind != NULL && env->variable_kind(env->deck, l->variable) == 1))
-        return HS_OK;
-    return hs_fail(err, HS_ERROR_INPUT, "fix '%s' (indent): there is no equal-style variable '%s'", fix->id,
-                   l->variable);
+    for (int axis = 0; axis < 3; ++axis) hs_varying_fini(&state->place[axis]);
+    hs_varying_fini(&state->radius);
 }
 
 static hs_status init(hs_fix *fix, hs_error *err)
 {
     const indent_state *state = fix->state;
     if (state->shape == INDENT_CYLINDER) HS_TRY(hs_need_upright(fix->env, "fix indent with a cylinder", err));
-    for (int axis = 0; axis < 3; ++axis) HS_TRY(check_length(fix, &state->place[axis], err));
-    return check_length(fix, &state->radius, err);
-}
-
-static hs_status update_length(const hs_env *env, length *l, hs_error *err)
-{
-    if (l->variable == NULL) return HS_OK;
-    HS_TRY(env->variable_value(env->deck, l->variable, &l->value, err));
-    return HS_OK;
+    for (int axis = 0; axis < 3; ++axis) HS_TRY(hs_varying_check(&state->place[axis], fix, err));
+    return hs_varying_check(&state->radius, fix, err);
 }
 
 /** The indenter at the present step, as the loop over atoms wants it. */
@@ -208,9 +181,9 @@ static void push(const hs_atoms *atoms, const void *context, int begin, int end,
         double f[3], energy;
         const bool is_touched = takes_all || (is_inside ? r2[i - begin] > now->radius2 : r2[i - begin] < now->radius2);
         if (!is_touched || !(atoms->mask[i] & now->fix->mask) || !force_of(now, atoms, i, f, &energy)) continue;
-        hs_exact_add(&sums[0], energy);
+        hs_exact_add(&sums[HS_SHOWN_ENERGY], energy);
         for (int axis = 0; axis < 3; ++axis) {
-            hs_exact_add(&sums[1 + axis], -f[axis]);
+            hs_exact_add(&sums[axis], -f[axis]);
             atoms->f[axis][i] += f[axis];
         }
     }
@@ -219,32 +192,11 @@ static void push(const hs_atoms *atoms, const void *context, int begin, int end,
 static hs_status post_force(hs_fix *fix, hs_error *err)
 {
     indent_state *state = fix->state;
-    for (int axis = 0; axis < 3; ++axis) HS_TRY(update_length(fix->env, &state->place[axis], err));
-    HS_TRY(update_length(fix->env, &state->radius, err));
+    for (int axis = 0; axis < 3; ++axis) HS_TRY(hs_varying_update(&state->place[axis], fix->env, err));
+    HS_TRY(hs_varying_update(&state->radius, fix->env, err));
     const indenter now = indenter_now(fix);
-    hs_late_sums_make(&state->sums, fix->env->atoms, push, &now, 4);
+    hs_late_sums_make(&state->sums, fix->env->atoms, push, &now, HS_N_SHOWN);
     return HS_OK;
-}
-
-static hs_status scalar(hs_fix *fix, double *value, hs_error *err)
-{
-    (void)err;
-    *value = hs_late_sums_read(&((indent_state *)fix->state)->sums, fix->env->parallel)[0];
-    return HS_OK;
-}
-
-static hs_status vector(hs_fix *fix, int i, double *value, hs_error *err)
-{
-    (void)err;
-    *value = hs_late_sums_read(&((indent_state *)fix->state)->sums, fix->env->parallel)[1 + i];
-    return HS_OK;
-}
-
-static hs_status keep_state(hs_fix *fix, hs_state *kept, hs_error *err)
-{
-    hs_late_sums *sums = &((indent_state *)fix->state)->sums;
-    (void)hs_late_sums_read(sums, fix->env->parallel);
-    return hs_state_double(kept, "sums", sums->value, 4, err);
 }
 
 const hs_fix_style hs_fix_style_indent = {
@@ -274,9 +226,9 @@ const hs_fix_style hs_fix_style_indent = {
     .init = init,
     .post_force = post_force,
     .acts_in_minimize = true,
-    .keep_state = keep_state,
-    .scalar = scalar,
-    .vector = vector,
+    .keep_state = hs_shown_keep_state,
+    .scalar = hs_shown_energy,
+    .vector = hs_shown_vector,
     .n_vector = 3,
     .is_extensive = true,
     .is_vector_extensive = true,

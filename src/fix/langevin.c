@@ -7,17 +7,16 @@
 
 #include "base/memory.h"
 #include "core/atom_style.h"
+#include "fix/bath.h"
 #include "kernel/noise_fill.h"
 #include "style/atom_sum.h"
 #include "style/atom_vector.h"
 #include "style/compute.h"
-#include "style/fix.h"
 
 typedef struct langevin_state {
-    double t_start, t_stop;
-    char *t_variable; /**< owned; equal-style variable that gives the temperature; NULL: the ramp */
-    double damp;      /**< time */
-    double *scale;    /**< owned [n_types + 1]: damp is multiplied by it */
+    bath_ramp bath;
+    double damp;   /**< time */
+    double *scale; /**< owned [n_types + 1]: damp is multiplied by it */
     hs_noise noise;
     bool is_zeroed, is_tallied;
     char *temperature_id; /**< owned; compute of fix_modify temp, whose bias is left alone; NULL: none */
@@ -60,11 +59,7 @@ static hs_status create(hs_fix *fix, const hs_args *args, hs_error *err)
     hs_atoms *atoms = fix->env->atoms;
     int64_t seed;
     HS_TRY(hs_syntax_check(&fix->style->about.syntax, args, false, err));
-    if (strncmp(args->word[0], "v_", 2) == 0)
-        HS_TRY(hs_memory_strdup(&state->t_variable, args->word[0] + 2, err));
-    else
-        HS_TRY(hs_arg_not_negative(args, 0, &state->t_start, err));
-    HS_TRY(hs_arg_not_negative(args, 1, &state->t_stop, err));
+    HS_TRY(bath_read(&state->bath, args, 0, err));
     HS_TRY(hs_arg_positive(args, 2, &state->damp, err));
     HS_TRY(hs_arg_int(args, 3, 1, INT32_MAX, &seed, err));
     HS_TRY(HS_ALLOC(state->scale, (size_t)atoms->n_types + 1, err));
@@ -82,7 +77,7 @@ static void destroy(hs_fix *fix)
 {
     langevin_state *state = fix->state;
     hs_atom_vector_remove(fix->env->atoms, &state->force);
-    HS_FREE(state->t_variable);
+    hs_varying_fini(&state->bath.start);
     HS_FREE(state->temperature_id);
     HS_FREE(state->scale);
     HS_FREE(state->drag);
@@ -94,7 +89,7 @@ static hs_status init(hs_fix *fix, hs_error *err)
     langevin_state *state = fix->state;
     const hs_env *env = fix->env;
     const hs_units *units = env->units;
-    (void)err;
+    HS_TRY(hs_varying_check(&state->bath.start, fix, err));
     for (int type = 1; type <= env->atoms->n_types; ++type) {
         const double mass = env->atoms->rmass != NULL ? 1.0 : env->atoms->mass[type],
                      damp = state->damp * state->scale[type];
@@ -134,17 +129,6 @@ static void thermal_velocity(const hs_atoms *atoms, const hs_compute *bias, int 
     double b[3] = {0.0};
     if (bias != NULL) bias->style->bias(bias, i, b);
     for (int axis = 0; axis < 3; ++axis) v[axis] = atoms->v[axis][i] - b[axis];
-}
-
-/** Temperature of the bath at the present step. */
-static hs_status bath_temperature(const hs_fix *fix, double *t, hs_error *err)
-{
-    const langevin_state *state = fix->state;
-    const hs_env *env = fix->env;
-    *t = state->t_start + hs_env_ramp(env) * (state->t_stop - state->t_start);
-    if (state->t_variable != NULL) HS_TRY(env->variable_value(env->deck, state->t_variable, t, err));
-    if (*t >= 0.0) return HS_OK;
-    return hs_fail(err, HS_ERROR_RUN, "fix '%s' (langevin): the temperature %g is below 0", fix->id, *t);
 }
 
 /** Forces on the atoms [begin, begin + n): drag, and noise minus `offset`. */
@@ -246,7 +230,7 @@ static hs_status post_force(hs_fix *fix, hs_error *err)
     const hs_env *env = fix->env;
     const hs_compute *bias;
     double t, sums[4] = {0.0}, offset[3] = {0.0};
-    HS_TRY(bath_temperature(fix, &t, err));
+    HS_TRY(bath_now(fix, &((langevin_state *)fix->state)->bath, &t, err));
     HS_TRY(find_bias(fix, &bias, err));
     const double root_t = sqrt(t);
     if (state->is_zeroed) {

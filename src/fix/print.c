@@ -3,7 +3,7 @@
 
 #include "base/memory.h"
 #include "io/average.h"
-#include "style/fix.h"
+#include "style/varying.h"
 
 typedef struct print_state {
     int64_t every;
@@ -89,9 +89,7 @@ static hs_status init(hs_fix *fix, hs_error *err)
     if (env->substitute == NULL)
         return hs_fail(err, HS_ERROR_INPUT, "fix '%s' (print): there is no deck whose variables it could print",
                        fix->id);
-    if (state->every_variable != NULL && env->variable_kind(env->deck, state->every_variable) != 1)
-        return hs_fail(err, HS_ERROR_INPUT, "fix '%s' (print): there is no equal-style variable '%s'", fix->id,
-                       state->every_variable);
+    if (state->every_variable != NULL) HS_TRY(hs_fix_need_equal_style(fix, state->every_variable, err));
     if (state->every_variable == NULL && env->step % state->every == 0)
         state->next = env->step;
     else

@@ -1,5 +1,6 @@
 /* Sets the forces on a group: f = F. */
 #include "style/applied_force.h"
+#include "style/shown_sums.h"
 
 static hs_status init(hs_fix *fix, hs_error *err)
 {
@@ -25,7 +26,7 @@ static hs_status post_force(hs_fix *fix, hs_error *err)
 {
     hs_replaced_force *state = fix->state;
     HS_TRY(hs_applied_force_update(&state->force, fix, err));
-    hs_late_sums_make(&state->before, fix->env->atoms, set_forces, fix, 4);
+    hs_late_sums_make(&state->before, fix->env->atoms, set_forces, fix, HS_N_SHOWN);
     return HS_OK;
 }
 
@@ -51,8 +52,8 @@ const hs_fix_style hs_fix_style_setforce = {
     .init = init,
     .post_force = post_force,
     .acts_in_minimize = true,
-    .keep_state = hs_replaced_force_keep_state,
-    .vector = hs_replaced_force_vector,
+    .keep_state = hs_shown_keep_state,
+    .vector = hs_shown_vector,
     .n_vector = 3,
     .is_vector_extensive = true,
 };

@@ -1,5 +1,5 @@
-/** What fixes heat and ehex share: the motion of their atoms relative to the center of mass, and the factor by which it must be
- *  scaled to take up an amount of heat. */
+/** What fixes heat and ehex share: how much heat, how often and where; the motion of their atoms relative to the center of mass, and
+ *  the factor by which it must be scaled to take up an amount of heat. */
 #ifndef HS_FIX_THERMAL_MOTION_H
 #define HS_FIX_THERMAL_MOTION_H
 
@@ -7,7 +7,50 @@
 
 #include "core/atom_style.h"
 #include "style/atom_sum.h"
-#include "style/fix.h"
+#include "style/region.h"
+#include "style/varying.h"
+
+/** State of such a fix, or its first member. */
+typedef struct thermal_state {
+    int64_t every;
+    hs_varying rate; /**< energy/time */
+    hs_where where;
+    double scale; /**< factor on the velocities, of the latest step it acted */
+} thermal_state;
+
+static inline void thermal_destroy(hs_fix *fix)
+{
+    thermal_state *state = fix->state;
+    hs_varying_fini(&state->rate);
+    hs_where_fini(&state->where);
+}
+
+static inline hs_status thermal_find_region(hs_fix *fix, hs_error *err)
+{
+    return hs_where_find(&((thermal_state *)fix->state)->where, fix->env, "fix", fix->id, fix->style->about.name, err);
+}
+
+static inline hs_status thermal_init(hs_fix *fix, hs_error *err)
+{
+    HS_TRY(hs_varying_check(&((thermal_state *)fix->state)->rate, fix, err));
+    return thermal_find_region(fix, err);
+}
+
+static inline hs_status thermal_scalar(hs_fix *fix, double *value, hs_error *err)
+{
+    (void)err;
+    *value = ((thermal_state *)fix->state)->scale;
+    return HS_OK;
+}
+
+static inline hs_status thermal_keep_state(hs_fix *fix, hs_state *kept, hs_error *err)
+{
+    return hs_state_double(kept, "scale", &((thermal_state *)fix->state)->scale, 1, err);
+}
+
+/** Hooks that are the same in both. */
+#define THERMAL_HOOKS                                                                                                  \
+    .destroy = thermal_destroy, .init = thermal_init, .keep_state = thermal_keep_state, .scalar = thermal_scalar
 
 /** Whether local atom i takes part. */
 typedef bool (*thermal_acts)(const hs_fix *fix, int i);

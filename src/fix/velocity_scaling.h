@@ -4,16 +4,14 @@
 #define HS_FIX_VELOCITY_SCALING_H
 
 #include <math.h>
-#include <string.h>
 
 #include "base/memory.h"
+#include "fix/bath.h"
 #include "style/compute.h"
-#include "style/fix.h"
 
 /** State of such a fix, or its first member. */
 typedef struct velocity_scaling {
-    double t_start, t_stop;
-    char *t_variable;     /**< owned; equal-style variable that gives the temperature; NULL: the ramp */
+    bath_ramp bath;
     char *temperature_id; /**< owned; compute of fix_modify temp; NULL: the fix's own */
     double energy;        /**< taken from the atoms so far; energy */
 } velocity_scaling;
@@ -23,18 +21,14 @@ static inline hs_status scaling_create(hs_fix *fix, const hs_args *args, int i, 
 {
     velocity_scaling *state = fix->state;
     const hs_args none = {.command = args->command};
-    if (strncmp(args->word[i], "v_", 2) == 0)
-        HS_TRY(hs_memory_strdup(&state->t_variable, args->word[i] + 2, err));
-    else
-        HS_TRY(hs_arg_not_negative(args, i, &state->t_start, err));
-    HS_TRY(hs_arg_not_negative(args, i + 1, &state->t_stop, err));
+    HS_TRY(bath_read(&state->bath, args, i, err));
     return hs_fix_own_compute(fix, 0, "temp", "temp", fix->group, &none, err);
 }
 
 static inline void scaling_destroy(hs_fix *fix)
 {
     velocity_scaling *state = fix->state;
-    HS_FREE(state->t_variable);
+    hs_varying_fini(&state->bath.start);
     HS_FREE(state->temperature_id);
 }
 
@@ -58,12 +52,8 @@ static inline hs_status scaling_find_temperature(const hs_fix *fix, hs_compute *
 static inline hs_status scaling_init(hs_fix *fix, hs_error *err)
 {
     const velocity_scaling *state = fix->state;
-    const hs_env *env = fix->env;
     hs_compute *temperature;
-    if (state->t_variable != NULL &&
-        (env->variable_kind == NULL || env->variable_kind(env->deck, state->t_variable) != 1))
-        return hs_fail(err, HS_ERROR_INPUT, "fix '%s' (%s): there is no equal-style variable '%s'", fix->id,
-                       fix->style->about.name, state->t_variable);
+    HS_TRY(hs_varying_check(&state->bath.start, fix, err));
     HS_TRY(scaling_find_temperature(fix, &temperature, err));
     return fix->own[0]->style->init(fix->own[0], err);
 }
@@ -72,15 +62,9 @@ static inline hs_status scaling_init(hs_fix *fix, hs_error *err)
 static inline hs_status scaling_measure(const hs_fix *fix, hs_compute **temperature, double *wanted, double *measured,
                                         hs_error *err)
 {
-    const velocity_scaling *state = fix->state;
-    const hs_env *env = fix->env;
     HS_TRY(scaling_find_temperature(fix, temperature, err));
     HS_TRY(hs_compute_scalar(*temperature, measured, err));
-    *wanted = state->t_start + hs_env_ramp(env) * (state->t_stop - state->t_start);
-    if (state->t_variable != NULL) HS_TRY(env->variable_value(env->deck, state->t_variable, wanted, err));
-    if (!(*wanted >= 0.0))
-        return hs_fail(err, HS_ERROR_RUN, "fix '%s' (%s): the temperature %g is below 0", fix->id,
-                       fix->style->about.name, *wanted);
+    HS_TRY(bath_now(fix, &((velocity_scaling *)fix->state)->bath, wanted, err));
     if (*measured > 0.0) return HS_OK;
     return hs_fail(err, HS_ERROR_RUN, "fix '%s' (%s): the temperature is 0 and cannot be scaled to %g", fix->id,
                    fix->style->about.name, *wanted);

@@ -2,14 +2,12 @@
 #include <math.h>
 #include <string.h>
 
-#include "base/memory.h"
 #include "style/atom_sum.h"
 #include "style/fix.h"
 #include "style/region.h"
 
 typedef struct region_wall_state {
-    char *region_id;               /**< owned */
-    hs_region *region;             /**< borrowed for a run */
+    hs_where where;
     int potential;                 /**< index into potentials[] */
     double epsilon, sigma, cutoff; /**< energy, distance */
 } region_wall_state;
@@ -47,21 +45,18 @@ static double energy_at(const region_wall_state *state, double r, double *force)
 static hs_status find_region(hs_fix *fix, hs_error *err)
 {
     region_wall_state *state = fix->state;
-    state->region = fix->env->find_region(fix->env, state->region_id);
-    if (state->region == NULL)
-        return hs_fail(err, HS_ERROR_INPUT, "fix '%s' (wall/region): there is no region '%s'", fix->id,
-                       state->region_id);
-    if (state->region->style->surfaces != NULL) return HS_OK;
+    HS_TRY(hs_where_find(&state->where, fix->env, "fix", fix->id, "wall/region", err));
+    if (state->where.region->style->surfaces != NULL) return HS_OK;
     return hs_fail(err, HS_ERROR_INPUT,
                    "fix '%s' (wall/region): region '%s' (%s) cannot be a wall; block, cylinder, plane and sphere can",
-                   fix->id, state->region_id, state->region->style->about.name);
+                   fix->id, state->where.id, state->where.region->style->about.name);
 }
 
 static hs_status create(hs_fix *fix, const hs_args *args, hs_error *err)
 {
     region_wall_state *state = fix->state;
     HS_TRY(hs_syntax_check(&fix->style->about.syntax, args, false, err));
-    HS_TRY(hs_memory_strdup(&state->region_id, args->word[0], err));
+    HS_TRY(hs_where_set(&state->where, args->word[0], err));
     HS_TRY(find_region(fix, err));
     HS_TRY(hs_arg_choice(args, 1, potentials, &state->potential, err));
     HS_TRY(hs_arg_not_negative(args, 2, &state->epsilon, err));
@@ -69,7 +64,7 @@ static hs_status create(hs_fix *fix, const hs_args *args, hs_error *err)
     return hs_arg_positive(args, 4, &state->cutoff, err);
 }
 
-static void destroy(hs_fix *fix) { HS_FREE(((region_wall_state *)fix->state)->region_id); }
+static void destroy(hs_fix *fix) { hs_where_fini(&((region_wall_state *)fix->state)->where); }
 
 static hs_status init(hs_fix *fix, hs_error *err) { return find_region(fix, err); }
 
@@ -86,8 +81,8 @@ static bool add_surfaces(const hs_fix *fix, int i, touch *sum)
     const double x[3] = {atoms->x[0][i], atoms->x[1][i], atoms->x[2][i]};
     hs_contact contact[HS_CONTACTS_MAX];
     memset(sum, 0, sizeof *sum);
-    if (!hs_region_contains(state->region, x)) return false;
-    const int n = state->region->style->surfaces(state->region, x, state->cutoff, contact);
+    if (!hs_region_contains(state->where.region, x)) return false;
+    const int n = state->where.region->style->surfaces(state->where.region, x, state->cutoff, contact);
     for (int k = 0; k < n; ++k) {
         double force, f[3], lever[3];
         if (!(contact[k].r > 0.0)) return false;
@@ -123,7 +118,7 @@ static hs_status report_outside(const hs_fix *fix, hs_error *err)
         "fix '%s' (wall/region): at step %lld atom %lld at (%g %g %g) is on the surface or outside of the region "
         "'%s'. Place atoms inside, or use a shorter timestep or a stronger wall",
         fix->id, (long long)fix->env->step, (long long)atoms->id[first], atoms->x[0][first], atoms->x[1][first],
-        atoms->x[2][first], ((region_wall_state *)fix->state)->region_id);
+        atoms->x[2][first], ((region_wall_state *)fix->state)->where.id);
 }
 
 /** Forces on a thread's share of the atoms; *is_inside becomes false when one is on the surface or outside. */

@@ -20,17 +20,12 @@ hs_status hs_applied_force_create(hs_applied_force *force, const hs_args *args, 
 
 static hs_status find_region(hs_applied_force *force, const hs_fix *fix, hs_error *err)
 {
-    if (force->region_id == NULL) return HS_OK;
-    force->region = fix->env->find_region(fix->env, force->region_id);
-    if (force->region != NULL) return HS_OK;
-    return hs_fail(err, HS_ERROR_INPUT, "fix '%s' (%s): there is no region '%s'", fix->id, fix->style->about.name,
-                   force->region_id);
+    return hs_where_find(&force->where, fix->env, "fix", fix->id, fix->style->about.name, err);
 }
 
 hs_status hs_applied_force_region(hs_applied_force *force, const hs_fix *fix, const hs_args *args, int i, hs_error *err)
 {
-    HS_FREE(force->region_id);
-    HS_TRY(hs_memory_strdup(&force->region_id, args->word[i], err));
+    HS_TRY(hs_where_set(&force->where, args->word[i], err));
     return find_region(force, fix, err);
 }
 
@@ -83,7 +78,7 @@ void hs_applied_force_fini(hs_applied_force *force)
         HS_FREE(force->variable[axis]);
         HS_FREE(force->of_atom[axis]);
     }
-    HS_FREE(force->region_id);
+    hs_where_fini(&force->where);
 }
 
 const hs_keyword hs_replaced_force_keywords[] = {
@@ -110,7 +105,7 @@ int hs_applied_force_find(const hs_applied_force *force, const hs_fix *fix, int 
         found[n] = i;
         n += (group[i] & mask) != 0;
     }
-    if (force->region == NULL) return n;
+    if (force->where.region == NULL) return n;
     const int n_in_group = n;
     n = 0;
     for (int k = 0; k < n_in_group; ++k)
@@ -126,18 +121,4 @@ void hs_replaced_force_add(const hs_atoms *atoms, const int32_t *found, int n, h
         hs_exact_add_array(&sums[axis], before, n);
     }
     hs_exact_add(&sums[3], n);
-}
-
-hs_status hs_replaced_force_vector(hs_fix *fix, int i, double *value, hs_error *err)
-{
-    (void)err;
-    *value = hs_late_sums_read(&((hs_replaced_force *)fix->state)->before, fix->env->parallel)[i];
-    return HS_OK;
-}
-
-hs_status hs_replaced_force_keep_state(hs_fix *fix, hs_state *kept, hs_error *err)
-{
-    hs_late_sums *before = &((hs_replaced_force *)fix->state)->before;
-    (void)hs_late_sums_read(before, fix->env->parallel);
-    return hs_state_double(kept, "before", before->value, 4, err);
 }

@@ -13,8 +13,7 @@ typedef struct hs_applied_force {
     char *variable[3];  /**< owned; NULL: a constant */
     double *of_atom[3]; /**< owned [capacity]: values of an atom-style variable; NULL: one for all atoms */
     size_t capacity[3];
-    char *region_id;         /**< owned; NULL: everywhere */
-    const hs_region *region; /**< borrowed; found anew before each run */
+    hs_where where;
 } hs_applied_force;
 
 /** Words 0, 1, 2: a number, v_name, or NULL (with @p may_be_free). Keywords are the caller's. */
@@ -32,23 +31,21 @@ void hs_applied_force_fini(hs_applied_force *force);
 
 /** State of the fixes that put a force in the place of the one there was (setforce, aveforce), and their hooks. */
 typedef struct hs_replaced_force {
+    hs_late_sums
+        before; /**< first, for shown_sums.h: sum of the forces before they were replaced, and the number of atoms */
     hs_applied_force force;
-    hs_late_sums before; /**< sum of the forces before they were replaced, and the number of atoms */
 } hs_replaced_force;
 extern const hs_keyword hs_replaced_force_keywords[];
 HS_MUST_USE hs_status hs_replaced_force_create(hs_fix *fix, const hs_args *args, hs_error *err);
 void hs_replaced_force_destroy(hs_fix *fix);
 /** Add up the forces before on atoms found[n], and n. */
 void hs_replaced_force_add(const hs_atoms *atoms, const int32_t *found, int n, hs_exact_sum *sums);
-HS_MUST_USE hs_status hs_replaced_force_vector(hs_fix *fix, int i, double *value, hs_error *err);
-HS_MUST_USE hs_status hs_replaced_force_keep_state(hs_fix *fix, hs_state *kept, hs_error *err);
 
 /** Whether it acts on local atom i. */
 static inline bool hs_applied_force_acts(const hs_applied_force *force, const hs_fix *fix, int i)
 {
     const hs_atoms *atoms = fix->env->atoms;
-    const double x[3] = {atoms->x[0][i], atoms->x[1][i], atoms->x[2][i]};
-    return (atoms->mask[i] & fix->mask) != 0 && (force->region == NULL || hs_region_contains(force->region, x));
+    return (atoms->mask[i] & fix->mask) != 0 && hs_where_has(&force->where, atoms, i);
 }
 
 /** The atoms of [begin, end), at most HS_EXACT_ARRAY_MAX, on which it acts, and their number. */

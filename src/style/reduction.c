@@ -62,13 +62,8 @@ static hs_status add_replacement(hs_reduction *state, const hs_args *args, int i
 /** The region as it is now. */
 static hs_status find_region(hs_compute *compute, hs_error *err)
 {
-    hs_reduction *state = compute->state;
-    state->region = NULL;
-    if (state->region_id == NULL) return HS_OK;
-    state->region = compute->env->find_region(compute->env, state->region_id);
-    if (state->region != NULL) return HS_OK;
-    return hs_fail(err, HS_ERROR_INPUT, "compute '%s' (%s): there is no region '%s'", compute->id,
-                   compute->style->about.name, state->region_id);
+    hs_where *where = &((hs_reduction *)compute->state)->where;
+    return hs_where_find(where, compute->env, "compute", compute->id, compute->style->about.name, err);
 }
 
 hs_status hs_reduction_create(hs_compute *compute, const hs_args *args, hs_error *err)
@@ -76,7 +71,7 @@ hs_status hs_reduction_create(hs_compute *compute, const hs_args *args, hs_error
     hs_reduction *state = compute->state;
     int i = 0;
     if (strcmp(compute->style->about.name, "reduce/region") == 0)
-        HS_TRY(hs_memory_strdup(&state->region_id, args->word[i++], err));
+        HS_TRY(hs_where_set(&state->where, args->word[i++], err));
     HS_TRY(hs_arg_choice(args, i++, modes, &state->mode, err));
     if (i == args->n) return hs_arg_need(args, i, "an input", err);
     HS_TRY(find_region(compute, err));
@@ -97,7 +92,7 @@ void hs_reduction_destroy(hs_compute *compute)
     hs_reduction *state = compute->state;
     for (int k = 0; k < state->n; ++k) hs_value_fini(&state->inputs[k].value);
     HS_FREE(state->inputs);
-    HS_FREE(state->region_id);
+    hs_where_fini(&state->where);
     HS_FREE(state->values);
     HS_FREE(compute->vector);
 }
@@ -134,16 +129,14 @@ static inline bool is_in(const hs_compute *compute, int i)
     const hs_reduction *state = compute->state;
     const hs_atoms *atoms = compute->env->atoms;
     if (!(atoms->mask[i] & compute->mask)) return false;
-    if (state->region == NULL) return true;
-    const double x[3] = {atoms->x[0][i], atoms->x[1][i], atoms->x[2][i]};
-    return hs_region_contains(state->region, x);
+    return hs_where_has(&state->where, atoms, i);
 }
 
 static int64_t count_atoms(const hs_compute *compute)
 {
     const hs_reduction *state = compute->state;
     int64_t n = 0;
-    if (state->region == NULL) return hs_atom_count(compute->env->atoms, compute->env->parallel, compute->mask);
+    if (state->where.region == NULL) return hs_atom_count(compute->env->atoms, compute->env->parallel, compute->mask);
     for (int i = 0; i < compute->env->atoms->n_local; ++i) n += is_in(compute, i);
     hs_parallel_sum_int64(compute->env->parallel, &n, 1);
     return n;

@@ -17,9 +17,8 @@ typedef struct hs_reduction {
     int mode;
     hs_reduction_input *inputs; /**< owned [n] */
     int n;
-    char *region_id;         /**< owned; NULL: everywhere */
-    const hs_region *region; /**< borrowed during an evaluation */
-    double *values;          /**< owned [n_local] scratch */
+    hs_where where;
+    double *values; /**< owned [n_local] scratch */
     int capacity;
 } hs_reduction;
 

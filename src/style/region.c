@@ -19,6 +19,23 @@ bool hs_region_contains(const hs_region *region, const double x[3])
     return region->style->inside(region, x) != region->is_outside;
 }
 
+hs_status hs_where_set(hs_where *where, const char *id, hs_error *err)
+{
+    HS_FREE(where->id);
+    return hs_memory_strdup(&where->id, id, err);
+}
+
+void hs_where_fini(hs_where *where) { HS_FREE(where->id); }
+
+hs_status hs_where_find(hs_where *where, hs_env *env, const char *what, const char *who_id, const char *style,
+                        hs_error *err)
+{
+    if (where->id == NULL) return HS_OK;
+    where->region = env->find_region(env, where->id);
+    if (where->region != NULL) return HS_OK;
+    return hs_fail(err, HS_ERROR_INPUT, "%s '%s' (%s): there is no region '%s'", what, who_id, style, where->id);
+}
+
 void hs_region_touch(const double d[3], double cutoff, hs_contact *contact, int *n)
 {
     const double r = sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);

@@ -46,6 +46,25 @@ typedef struct hs_region {
 /** Whether the region holds x, with side in or out. */
 bool hs_region_contains(const hs_region *region, const double x[3]);
 
+/** Where a style acts: in the region of that name, or everywhere. Zero-initialised: everywhere. */
+typedef struct hs_where {
+    char *id;                /**< owned; NULL: everywhere */
+    const hs_region *region; /**< borrowed; found anew before each use or run */
+} hs_where;
+
+/** Name the region, in the place of one that was named before. The ID is copied; hs_where_fini frees it. */
+HS_MUST_USE hs_status hs_where_set(hs_where *where, const char *id, hs_error *err);
+void hs_where_fini(hs_where *where);
+/** Find the region as it is now. When there is none, the message names who asks for it, such as: fix 'h' (heat). */
+HS_MUST_USE hs_status hs_where_find(hs_where *where, hs_env *env, const char *what, const char *who_id,
+                                    const char *style, hs_error *err);
+/** Whether local atom i is there. */
+static inline bool hs_where_has(const hs_where *where, const hs_atoms *atoms, int i)
+{
+    const double x[3] = {atoms->x[0][i], atoms->x[1][i], atoms->x[2][i]};
+    return where->region == NULL || hs_region_contains(where->region, x);
+}
+
 /** Note a contact at the distance |d| along d, from the surface to the point, when it is below cutoff; *n counts. */
 void hs_region_touch(const double d[3], double cutoff, hs_contact *contact, int *n);
 

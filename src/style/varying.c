@@ -1,0 +1,35 @@
+#include "style/varying.h"
+
+#include <string.h>
+
+#include "base/memory.h"
+
+hs_status hs_varying_read(hs_varying *number, const hs_args *args, int i, hs_error *err)
+{
+    HS_FREE(number->variable);
+    if (strncmp(args->word[i], "v_", 2) == 0) return hs_memory_strdup(&number->variable, args->word[i] + 2, err);
+    return hs_arg_double(args, i, &number->value, err);
+}
+
+void hs_varying_fini(hs_varying *number) { HS_FREE(number->variable); }
+
+hs_status hs_fix_need_equal_style(const hs_fix *fix, const char *variable, hs_error *err)
+{
+    const hs_env *env = fix->env;
+    const int kind = env->variable_kind != NULL ? env->variable_kind(env->deck, variable) : 0;
+    if (kind == 1) return HS_OK;
+    return hs_fail(err, HS_ERROR_INPUT,
+                   kind == 0 ? "fix '%s' (%s): there is no variable '%s' that has a value"
+                             : "fix '%s' (%s): the variable '%s' must be of style equal, not atom",
+                   fix->id, fix->style->about.name, variable);
+}
+
+hs_status hs_varying_check(const hs_varying *number, const hs_fix *fix, hs_error *err)
+{
+    return number->variable == NULL ? HS_OK : hs_fix_need_equal_style(fix, number->variable, err);
+}
+
+hs_status hs_varying_update(hs_varying *number, const hs_env *env, hs_error *err)
+{
+    return number->variable == NULL ? HS_OK : env->variable_value(env->deck, number->variable, &number->value, err);
+}
