@@ -17,13 +17,7 @@ static hs_status create(hs_compute *compute, const hs_args *args, hs_error *err)
     return hs_per_chunk_create(compute, args, 3, true, err);
 }
 
-static hs_status array(hs_compute *compute, hs_error *err)
-{
-    HS_TRY(hs_per_chunk_begin(compute, err));
-    HS_TRY(hs_per_chunk_find_centers(compute, err));
-    for (int k = 0; k < 3; ++k) HS_TRY(hs_per_chunk_sum(compute, k, component, &k, err));
-    return HS_OK;
-}
+static hs_status array(hs_compute *compute, hs_error *err) { return hs_per_chunk_sum_moments(compute, component, err); }
 
 const hs_compute_style hs_compute_style_torque_chunk = {
     .about = {.name = "torque/chunk",

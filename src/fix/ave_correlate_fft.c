@@ -1,60 +1,36 @@
 /* Time correlations over long windows, by fast Fourier transforms: as the direct sum, at a cost that hardly grows with the
  * number of lags; beyond the window on coarser grids. */
-#include "base/memory.h"
 #include "io/correlation.h"
 
 typedef struct fft_state {
     hs_correlation table; /**< first, as io/correlation.h wants it */
-    hs_multi_tau tau;
-    int64_t n_levels;
-    double *sample; /**< owned [n_values] */
-    double *means;  /**< owned [3][n_rows][n_pairs]: values, errors, inefficiencies */
+    hs_correlation_tau sums;
 } fft_state;
 
 static const hs_keyword keywords[] = {
     HS_CORRELATION_KEYWORDS,
-    {"levels", 1, "<number>", "go on beyond the window on so many grids in all, each twice as coarse (default: 1)"},
+    HS_CORRELATION_LEVELS,
     {NULL, 0, NULL, NULL},
 };
-
-static hs_status read_keywords(hs_fix *fix, const hs_args *args, int64_t n_lags, hs_error *err)
-{
-    fft_state *state = fix->state;
-    state->n_levels = 1;
-    state->table.file.overwrite = true;
-    for (int i = hs_syntax_first_keyword(&fix->style->about.syntax, args), n_used; i < args->n; i += n_used) {
-        HS_TRY(hs_correlation_keyword(fix, args, i, &n_used, err));
-        if (n_used > 0) continue;
-        n_used = 2;
-        HS_TRY(hs_arg_int(args, i + 1, 1, 40, &state->n_levels, err));
-    }
-    return hs_correlation_check_levels(args, n_lags, state->n_levels, err);
-}
 
 static hs_status create(hs_fix *fix, const hs_args *args, hs_error *err)
 {
     fft_state *state = fix->state;
-    hs_correlation *table = &state->table;
+    const hs_correlation *table = &state->table;
     int64_t n_lags;
     HS_TRY(hs_correlation_numbers(fix, args, 2, 1 << 28, &n_lags, err));
     HS_TRY(hs_correlation_values(fix, args, err));
-    HS_TRY(read_keywords(fix, args, n_lags, err));
+    HS_TRY(hs_correlation_tau_keywords(fix, &state->sums, args, n_lags, err));
     HS_TRY(hs_correlation_pair(fix, args, err));
-    HS_TRY(hs_multi_tau_init(&state->tau, table->n_values, table->n_pairs, table->pair, NULL, (int)n_lags,
-                             (int)state->n_levels, table->has_errors, err));
-    const int n_rows = hs_multi_tau_rows(&state->tau);
-    HS_TRY(hs_correlation_table(fix, n_rows, "TimeDelta", hs_correlation_product, err));
-    for (int row = 0; row < n_rows; ++row) table->x[row] = (double)(hs_multi_tau_lag(&state->tau, row) * table->every);
-    HS_TRY(HS_ALLOC(state->means, 3 * (size_t)n_rows * (size_t)table->n_pairs, err));
-    return HS_ALLOC(state->sample, (size_t)table->n_values, err);
+    HS_TRY(hs_multi_tau_init(&state->sums.tau, table->n_values, table->n_pairs, table->pair, NULL, (int)n_lags,
+                             (int)state->sums.n_levels, table->has_errors, err));
+    return hs_correlation_tau_create(fix, &state->sums, hs_correlation_product, err);
 }
 
 static void destroy(hs_fix *fix)
 {
     fft_state *state = fix->state;
-    hs_multi_tau_fini(&state->tau);
-    HS_FREE(state->means);
-    HS_FREE(state->sample);
+    hs_correlation_tau_fini(&state->sums);
     hs_correlation_fini(&state->table);
 }
 
@@ -63,33 +39,21 @@ static hs_status init(hs_fix *fix, hs_error *err)
     return hs_correlation_init(fix, "Time-correlated data", "time-windows", err);
 }
 
-static hs_status finish(hs_fix *fix, hs_error *err)
-{
-    fft_state *state = fix->state;
-    hs_correlation *table = &state->table;
-    const size_t n_pairs = (size_t)table->n_pairs, n = (size_t)table->n_rows * n_pairs;
-    hs_multi_tau_result(&state->tau, table->count, state->means, state->means + n, state->means + 2 * n);
-    for (size_t row = 0; row < (size_t)table->n_rows; ++row)
-        for (size_t k = 0; k < (size_t)table->n_columns; ++k)
-            table->result[row * (size_t)table->n_columns + k] =
-                state->means[k / n_pairs * n + row * n_pairs + k % n_pairs];
-    return hs_correlation_finish(fix, err);
-}
-
 static hs_status end_of_step(hs_fix *fix, hs_error *err)
 {
     fft_state *state = fix->state;
     bool is_due;
-    HS_TRY(hs_correlation_sample(fix, state->sample, &is_due, err));
+    HS_TRY(hs_correlation_sample(fix, state->sums.sample, &is_due, err));
     if (!is_due) return HS_OK;
-    HS_TRY(hs_multi_tau_add(&state->tau, state->sample, err));
-    return hs_correlation_is_output_due(fix) ? finish(fix, err) : HS_OK;
+    HS_TRY(hs_multi_tau_add(&state->sums.tau, state->sums.sample, err));
+    if (!hs_correlation_is_output_due(fix)) return HS_OK;
+    hs_correlation_tau_take(fix, &state->sums);
+    return hs_correlation_finish(fix, err);
 }
 
 static hs_status keep_state(hs_fix *fix, hs_state *kept, hs_error *err)
 {
-    HS_TRY(hs_correlation_keep_tau(&((fft_state *)fix->state)->tau, kept, err));
-    return hs_correlation_keep(fix, kept, err);
+    return hs_correlation_tau_keep(fix, &((fft_state *)fix->state)->sums, kept, err);
 }
 
 const hs_fix_style hs_fix_style_ave_correlate_fft = {

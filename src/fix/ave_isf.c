@@ -20,16 +20,14 @@ typedef struct isf_state {
     hs_density density;
     double length[3], tilt[3]; /**< of the box that the wave vectors belong to */
     int n_bins, n_vectors;
-    int *shell_of;     /**< owned [n_vectors] */
-    isf_shell *shell;  /**< owned [n_bins], of which table.n_pairs have vectors and come first */
-    hs_multi_tau tau;  /**< of real and imaginary parts, whose products are added up by shell */
-    double *sample;    /**< owned [n_vectors][2] */
-    double *means;     /**< owned [3][n_rows][shells] */
-    double inv_sqrt_n; /**< of the present sample */
+    int *shell_of;           /**< owned [n_vectors] */
+    isf_shell *shell;        /**< owned [n_bins], of which table.n_pairs have vectors and come first */
+    hs_correlation_tau sums; /**< of real and imaginary parts [n_vectors][2], whose products are added up by shell */
+    double inv_sqrt_n;       /**< of the present sample */
 } isf_state;
 
 static const hs_keyword keywords[] = {
-    {"levels", 1, "<number>", "go on beyond the window on so many grids in all, each twice as coarse (default: 1)"},
+    HS_CORRELATION_LEVELS,
     {"error", 1, "yes|no", "standard errors and inefficiencies, too (default: no)"},
     {"start", 1, "<step>", "no sample before this step (default: 0)"},
     {"file", 1, "<name>", "write the function to this file, which holds the last output"},
@@ -83,27 +81,13 @@ static hs_status find_vectors(hs_fix *fix, const hs_args *args, hs_error *err)
     return HS_OK;
 }
 
-static hs_status read_keywords(hs_fix *fix, const hs_args *args, int64_t n_lags, int64_t *n_levels, hs_error *err)
-{
-    isf_state *state = fix->state;
-    *n_levels = 1;
-    state->table.file.overwrite = true;
-    for (int i = hs_syntax_first_keyword(&fix->style->about.syntax, args), n_used; i < args->n; i += n_used) {
-        HS_TRY(hs_correlation_keyword(fix, args, i, &n_used, err));
-        if (n_used > 0) continue;
-        n_used = 2;
-        HS_TRY(hs_arg_int(args, i + 1, 1, 40, n_levels, err));
-    }
-    return hs_correlation_check_levels(args, n_lags, *n_levels, err);
-}
-
 /** F(1.57) */
 static hs_status put_name(hs_text *head, const hs_fix *fix, int k, hs_error *err)
 {
     return hs_text_printf(head, err, "F(%.4g)", ((const isf_state *)fix->state)->shell[k].q);
 }
 
-static hs_status make_correlator(isf_state *state, int n_lags, int n_levels, hs_error *err)
+static hs_status make_correlator(isf_state *state, int n_lags, hs_error *err)
 {
     const int n = 2 * state->n_vectors;
     int(*pair)[2] = NULL, *column = NULL;
@@ -114,7 +98,8 @@ static hs_status make_correlator(isf_state *state, int n_lags, int n_levels, hs_
         column[v] = state->shell_of[v / 2];
     }
     if (status == HS_OK)
-        status = hs_multi_tau_init(&state->tau, n, n, pair, column, n_lags, n_levels, state->table.has_errors, err);
+        status = hs_multi_tau_init(&state->sums.tau, n, n, pair, column, n_lags, (int)state->sums.n_levels,
+                                   state->table.has_errors, err);
     HS_FREE(pair);
     HS_FREE(column);
     return status;
@@ -123,32 +108,25 @@ static hs_status make_correlator(isf_state *state, int n_lags, int n_levels, hs_
 static hs_status create(hs_fix *fix, const hs_args *args, hs_error *err)
 {
     isf_state *state = fix->state;
-    hs_correlation *table = &state->table;
     const int first = hs_syntax_first_keyword(&fix->style->about.syntax, args);
-    int64_t n_lags, n_levels, n_bins = 20;
+    int64_t n_lags, n_bins = 20;
     HS_TRY(hs_correlation_numbers(fix, args, 2, 1 << 28, &n_lags, err));
     HS_TRY(hs_arg_positive(args, 3, &state->density.q_max, err));
     if (first > 4) HS_TRY(hs_arg_int(args, 4, 1, 1000000, &n_bins, err));
     state->n_bins = (int)n_bins;
-    HS_TRY(read_keywords(fix, args, n_lags, &n_levels, err));
+    HS_TRY(hs_correlation_tau_keywords(fix, &state->sums, args, n_lags, err));
     HS_TRY(find_vectors(fix, args, err));
-    HS_TRY(make_correlator(state, (int)n_lags, (int)n_levels, err));
-    const int n_rows = hs_multi_tau_rows(&state->tau);
-    HS_TRY(hs_correlation_table(fix, n_rows, "TimeDelta", put_name, err));
-    for (int row = 0; row < n_rows; ++row) table->x[row] = (double)(hs_multi_tau_lag(&state->tau, row) * table->every);
-    HS_TRY(HS_ALLOC(state->means, 3 * (size_t)n_rows * (size_t)table->n_pairs, err));
-    return HS_ALLOC(state->sample, 2 * (size_t)state->n_vectors, err);
+    HS_TRY(make_correlator(state, (int)n_lags, err));
+    return hs_correlation_tau_create(fix, &state->sums, put_name, err);
 }
 
 static void destroy(hs_fix *fix)
 {
     isf_state *state = fix->state;
     hs_density_fini(&state->density);
-    hs_multi_tau_fini(&state->tau);
+    hs_correlation_tau_fini(&state->sums);
     HS_FREE(state->shell_of);
     HS_FREE(state->shell);
-    HS_FREE(state->sample);
-    HS_FREE(state->means);
     hs_correlation_fini(&state->table);
 }
 
@@ -186,23 +164,19 @@ static void take_mode(void *context, int k, const int n[3], const double q[3], d
     isf_state *state = ((hs_fix *)context)->state;
     const double complex rho = hs_modes_get(state->density.modes, n[0], n[1], n[2]);
     (void)q, (void)length;
-    state->sample[2 * k] = creal(rho) * state->inv_sqrt_n;
-    state->sample[2 * k + 1] = cimag(rho) * state->inv_sqrt_n;
+    state->sums.sample[2 * k] = creal(rho) * state->inv_sqrt_n;
+    state->sums.sample[2 * k + 1] = cimag(rho) * state->inv_sqrt_n;
 }
 
 /** Sums over the vectors of a shell as their means. */
 static hs_status finish(hs_fix *fix, hs_error *err)
 {
     isf_state *state = fix->state;
-    hs_correlation *table = &state->table;
-    const size_t n_shells = (size_t)table->n_pairs, n = (size_t)table->n_rows * n_shells;
-    hs_multi_tau_result(&state->tau, table->count, state->means, state->means + n, state->means + 2 * n);
-    for (size_t row = 0; row < (size_t)table->n_rows; ++row)
-        for (size_t k = 0; k < (size_t)table->n_columns; ++k) {
-            const double mean = state->means[k / n_shells * n + row * n_shells + k % n_shells];
-            table->result[row * (size_t)table->n_columns + k] =
-                k < 2 * n_shells ? mean / state->shell[k % n_shells].n : mean;
-        }
+    const hs_correlation *table = &state->table;
+    hs_correlation_tau_take(fix, &state->sums);
+    for (int row = 0; row < table->n_rows; ++row)
+        for (int k = 0; k < table->n_columns && k < 2 * table->n_pairs; ++k)
+            table->result[(size_t)row * (size_t)table->n_columns + (size_t)k] /= state->shell[k % table->n_pairs].n;
     return hs_correlation_finish(fix, err);
 }
 
@@ -217,14 +191,13 @@ static hs_status end_of_step(hs_fix *fix, hs_error *err)
     const int64_t n = hs_atom_count(fix->env->atoms, fix->env->parallel, fix->mask);
     state->inv_sqrt_n = n > 0 ? 1.0 / sqrt((double)n) : 0.0;
     hs_density_each(&state->density, fix->env, take_mode, fix);
-    HS_TRY(hs_multi_tau_add(&state->tau, state->sample, err));
+    HS_TRY(hs_multi_tau_add(&state->sums.tau, state->sums.sample, err));
     return hs_correlation_is_output_due(fix) ? finish(fix, err) : HS_OK;
 }
 
 static hs_status keep_state(hs_fix *fix, hs_state *kept, hs_error *err)
 {
-    HS_TRY(hs_correlation_keep_tau(&((isf_state *)fix->state)->tau, kept, err));
-    return hs_correlation_keep(fix, kept, err);
+    return hs_correlation_tau_keep(fix, &((isf_state *)fix->state)->sums, kept, err);
 }
 
 const hs_fix_style hs_fix_style_ave_isf = {

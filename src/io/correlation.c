@@ -219,35 +219,3 @@ hs_status hs_correlation_keep(hs_fix *fix, hs_state *kept, hs_error *err)
     HS_TRY(hs_state_double(kept, "result_count", c->count, c->n_rows, err));
     return hs_average_file_keep(&c->file, fix->env, kept, err);
 }
-
-hs_status hs_correlation_check_levels(const hs_args *args, int64_t n_lags, int64_t n_levels, hs_error *err)
-{
-    if (n_levels == 1 || n_lags % 2 == 0) return HS_OK;
-    return hs_fail(err, HS_ERROR_INPUT,
-                   "%s: the number of lags (Nlags) must be even for 'levels %lld': each level goes on from the "
-                   "middle of its own; %lld is not",
-                   args->command, (long long)n_levels, (long long)n_lags);
-}
-
-/** The name in a checkpoint of what a level has. */
-static const char *name_of(char name[64], int level, const char *what)
-{
-    snprintf(name, 64, "level %d: %s", level, what);
-    return name;
-}
-
-hs_status hs_correlation_keep_tau(hs_multi_tau *tau, hs_state *kept, hs_error *err)
-{
-    const int64_t n_lags = tau->n_lags, n_values = tau->n_values, n_columns = tau->n_columns;
-    char name[64];
-    for (int l = 0; l < tau->n_levels; ++l) {
-        hs_multi_tau_level *level = &tau->level[l];
-        HS_TRY(hs_state_int(kept, name_of(name, l, "samples of the block"), &level->n_present, err));
-        HS_TRY(hs_state_int64(kept, name_of(name, l, "samples"), &level->n_total, 1, err));
-        HS_TRY(hs_state_double(kept, name_of(name, l, "blocks"), level->sample, 2 * n_lags * n_values, err));
-        HS_TRY(hs_state_double(kept, name_of(name, l, "half"), level->half, n_values, err));
-        HS_TRY(hs_state_double(kept, name_of(name, l, "sums"), level->sum, n_lags * n_columns, err));
-        HS_TRY(hs_series_set_keep(&level->blocks, kept, name_of(name, l, "errors"), err));
-    }
-    return HS_OK;
-}

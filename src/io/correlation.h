@@ -69,10 +69,30 @@ static inline bool hs_correlation_is_output_due(const hs_fix *fix)
 }
 /** x, count and result were brought up to date: multiply by the prefactor and write (collective). */
 HS_MUST_USE hs_status hs_correlation_finish(hs_fix *fix, hs_error *err);
-/** Those that use core/multi_tau.h: refuse numbers of lags that levels cannot halve, and keep the sums. */
-HS_MUST_USE hs_status hs_correlation_check_levels(const hs_args *args, int64_t n_lags, int64_t n_levels, hs_error *err);
-HS_MUST_USE hs_status hs_correlation_keep_tau(hs_multi_tau *tau, hs_state *kept, hs_error *err);
 HS_MUST_USE hs_status hs_correlation_keep(hs_fix *fix, hs_state *kept, hs_error *err);
+
+/** What those need that use core/multi_tau.h, one column for each pair. Zero-initialised; fini frees it. */
+typedef struct hs_correlation_tau {
+    hs_multi_tau tau; /**< made by the fix, between levels and create */
+    int64_t n_levels;
+    double *sample; /**< owned [tau.n_values]: to be filled with the present sample */
+    double *means;  /**< owned [3][n_rows][n_pairs]: values, errors, inefficiencies */
+} hs_correlation_tau;
+#define HS_CORRELATION_LEVELS                                                                                          \
+    {                                                                                                                  \
+        "levels", 1, "<number>", "go on beyond the window on so many grids in all, each twice as coarse (default: 1)"  \
+    }
+/** Read all keywords: `levels` and those of all. The file holds the last output. */
+HS_MUST_USE hs_status hs_correlation_tau_keywords(hs_fix *fix, hs_correlation_tau *t, const hs_args *args,
+                                                  int64_t n_lags, hs_error *err);
+/** The table, a row for each lag, and room for sample and means. */
+HS_MUST_USE hs_status hs_correlation_tau_create(hs_fix *fix, hs_correlation_tau *t, hs_correlation_name name,
+                                                hs_error *err);
+void hs_correlation_tau_fini(hs_correlation_tau *t);
+/** Bring count and result up to date. */
+void hs_correlation_tau_take(hs_fix *fix, hs_correlation_tau *t);
+/** Table and sums (hook keep_state). */
+HS_MUST_USE hs_status hs_correlation_tau_keep(hs_fix *fix, hs_correlation_tau *t, hs_state *kept, hs_error *err);
 
 /* Hooks as they stand in hs_fix_style */
 bool hs_correlation_needs_energy(const hs_fix *fix, int64_t step);

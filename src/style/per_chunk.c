@@ -116,6 +116,14 @@ hs_status hs_per_chunk_find_centers(hs_compute *compute, hs_error *err)
     return HS_OK;
 }
 
+hs_status hs_per_chunk_sum_moments(hs_compute *compute, hs_per_chunk_value value, hs_error *err)
+{
+    HS_TRY(hs_per_chunk_begin(compute, err));
+    HS_TRY(hs_per_chunk_find_centers(compute, err));
+    for (int k = 0; k < compute->n_columns; ++k) HS_TRY(hs_per_chunk_sum(compute, k, value, &k, err));
+    return HS_OK;
+}
+
 static double mass(const hs_compute *compute, int i, int64_t c, const void *context)
 {
     (void)c, (void)context;

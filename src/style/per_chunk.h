@@ -41,7 +41,10 @@ typedef double (*hs_per_chunk_value)(const hs_compute *compute, int i, int64_t c
 /** Column k = sums over the atoms of each chunk (collective). */
 HS_MUST_USE hs_status hs_per_chunk_sum(hs_compute *compute, int k, hs_per_chunk_value value, const void *context,
                                        hs_error *err);
-/** The same into out[c * stride] for each chunk c. */
+/** Columns 0 to n_columns - 1, with the chunks' centers up to date: the context of `value` is an int, the column. A whole evaluation
+ *  (collective). */
+HS_MUST_USE hs_status hs_per_chunk_sum_moments(hs_compute *compute, hs_per_chunk_value value, hs_error *err);
+/** The same as hs_per_chunk_sum, into out[c * stride] for each chunk c. */
 HS_MUST_USE hs_status hs_per_chunk_add_up(hs_compute *compute, hs_per_chunk_value value, const void *context,
                                           double *out, int stride, hs_error *err);
 /** Bring state->center up to date (collective). */
