@@ -81,6 +81,15 @@ hs_status hs_memory_strdup(char **copy, const char *text, hs_error *err)
     return HS_OK;
 }
 
+hs_status hs_memory_replace(char **kept, const char *text, hs_error *err)
+{
+    char *copy;
+    HS_TRY(hs_memory_strdup(&copy, text, err));
+    HS_FREE(*kept);
+    *kept = copy;
+    return HS_OK;
+}
+
 size_t hs_memory_resident(void)
 {
     unsigned long pages_total, pages_resident = 0;

@@ -58,8 +58,7 @@ static hs_status read_keyword(hs_compute *compute, const hs_args *args, int i, h
         state->is_kept = strcmp(value, "every") != 0;
         state->chunks.is_by_window = strcmp(value, "nfreq") == 0;
     } else if (strcmp(word, "region") == 0) {
-        HS_FREE(state->region_id);
-        HS_TRY(hs_memory_strdup(&state->region_id, value, err));
+        HS_TRY(hs_memory_replace(&state->region_id, value, err));
     } else if (strcmp(word, "discard") == 0) {
         HS_TRY(hs_arg_choice(args, i + 1, discards, &choice, err));
         state->bins.discard = (hs_bins_discard)choice;

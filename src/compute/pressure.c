@@ -76,10 +76,7 @@ static void destroy(hs_compute *compute)
 static hs_status set_temperature(hs_compute *compute, const char *id, hs_error *err)
 {
     pressure_state *state = compute->state;
-    char *copy;
-    HS_TRY(hs_memory_strdup(&copy, id, err));
-    HS_FREE(state->temperature_id);
-    state->temperature_id = copy;
+    HS_TRY(hs_memory_replace(&state->temperature_id, id, err));
     hs_compute_invalidate(compute);
     return HS_OK;
 }

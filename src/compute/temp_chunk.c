@@ -38,8 +38,7 @@ static hs_status read_keywords(temp_chunk_state *state, const hs_args *args, int
         if (strcmp(args->word[i], "com") == 0) {
             HS_TRY(hs_arg_bool(args, i + 1, &state->is_com, err));
         } else if (strcmp(args->word[i], "bias") == 0) {
-            HS_FREE(state->bias_id);
-            HS_TRY(hs_memory_strdup(&state->bias_id, args->word[i + 1], err));
+            HS_TRY(hs_memory_replace(&state->bias_id, args->word[i + 1], err));
         } else if (strcmp(args->word[i], "adof") == 0) {
             state->has_adof = true;
             HS_TRY(hs_arg_double(args, i + 1, &state->dof_per_atom, err));

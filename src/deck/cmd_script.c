@@ -138,8 +138,7 @@ static hs_status jump_run(hs_deck *deck, const hs_args *args, hs_error *err)
         return hs_fail(err, HS_ERROR_INPUT, "jump: there is no file to jump in: the command did not come from a deck");
     HS_TRY(hs_source_jump(deck, args->word[0], err));
     if (args->n < 2) return HS_OK;
-    HS_FREE(deck->label_wanted);
-    return hs_memory_strdup(&deck->label_wanted, args->word[1], err);
+    return hs_memory_replace(&deck->label_wanted, args->word[1], err);
 }
 
 static hs_status label_run(hs_deck *deck, const hs_args *args, hs_error *err)

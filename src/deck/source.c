@@ -159,8 +159,7 @@ hs_status hs_source_push_text(hs_deck *deck, const char *name, const char *text,
 hs_status hs_source_jump(hs_deck *deck, const char *file, hs_error *err)
 {
     hs_source *top = deck->source;
-    HS_FREE(top->jump_name);
-    HS_TRY(hs_memory_strdup(&top->jump_name, top->name, err));
+    HS_TRY(hs_memory_replace(&top->jump_name, top->name, err));
     top->jump_line = top->line;
     if (strcmp(file, "SELF") != 0) {
         hs_text text = {0};

@@ -30,8 +30,7 @@ static hs_status read_keyword(hs_fix *fix, const hs_args *args, int i, hs_error 
     if (strcmp(args->word[i], "region") == 0) return hs_applied_force_region(&state->force, fix, args, i + 1, err);
     if (strncmp(args->word[i + 1], "v_", 2) != 0)
         return hs_arg_refuse(args, i + 1, "an atom-style variable (v_name)", NULL, err);
-    HS_FREE(state->energy_variable);
-    return hs_memory_strdup(&state->energy_variable, args->word[i + 1] + 2, err);
+    return hs_memory_replace(&state->energy_variable, args->word[i + 1] + 2, err);
 }
 
 static hs_status create(hs_fix *fix, const hs_args *args, hs_error *err)
@@ -161,12 +160,6 @@ const hs_fix_style hs_fix_style_addforce = {
     .init = init,
     .post_force = post_force,
     .acts_in_minimize = true,
-    .keep_state = hs_shown_keep_state,
-    .scalar = hs_shown_energy,
-    .vector = hs_shown_vector,
-    .n_vector = 3,
-    .is_extensive = true,
-    .is_vector_extensive = true,
-    .has_energy = true,
+    HS_SHOWN_HOOKS,
     .has_virial = true,
 };

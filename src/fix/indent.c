@@ -226,11 +226,5 @@ const hs_fix_style hs_fix_style_indent = {
     .init = init,
     .post_force = post_force,
     .acts_in_minimize = true,
-    .keep_state = hs_shown_keep_state,
-    .scalar = hs_shown_energy,
-    .vector = hs_shown_vector,
-    .n_vector = 3,
-    .is_extensive = true,
-    .is_vector_extensive = true,
-    .has_energy = true,
+    HS_SHOWN_HOOKS,
 };

@@ -102,8 +102,7 @@ static hs_status init(hs_fix *fix, hs_error *err)
 static hs_status set_temperature(hs_fix *fix, const char *id, hs_error *err)
 {
     langevin_state *state = fix->state;
-    HS_FREE(state->temperature_id);
-    return hs_memory_strdup(&state->temperature_id, id, err);
+    return hs_memory_replace(&state->temperature_id, id, err);
 }
 
 /** The compute whose bias is left alone, brought up to date; NULL when everything is thermal (collective). */

@@ -35,8 +35,7 @@ static inline void scaling_destroy(hs_fix *fix)
 static inline hs_status scaling_set_temperature(hs_fix *fix, const char *id, hs_error *err)
 {
     velocity_scaling *state = fix->state;
-    HS_FREE(state->temperature_id);
-    return hs_memory_strdup(&state->temperature_id, id, err);
+    return hs_memory_replace(&state->temperature_id, id, err);
 }
 
 static inline hs_status scaling_find_temperature(const hs_fix *fix, hs_compute **temperature, hs_error *err)

@@ -66,8 +66,7 @@ hs_status hs_chunk_columns_keyword(hs_chunk_columns *columns, const hs_fix *fix,
     }
     if (strcmp(args->word[i], "adof") == 0) return hs_arg_double(args, i + 1, &columns->adof, err);
     if (strcmp(args->word[i], "cdof") == 0) return hs_arg_double(args, i + 1, &columns->cdof, err);
-    HS_FREE(columns->bias_id);
-    HS_TRY(hs_memory_strdup(&columns->bias_id, args->word[i + 1], err));
+    HS_TRY(hs_memory_replace(&columns->bias_id, args->word[i + 1], err));
     return hs_chunk_columns_bias(columns, fix, &bias, err);
 }
 

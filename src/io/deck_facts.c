@@ -11,10 +11,8 @@ enum { WORDS_MAX = 6, WORD_SIZE = 128, LINE_SIZE = 1024 };
 static hs_status add_name(hs_deck_facts *facts, char kind, const char *id, const char *style, hs_error *err)
 {
     for (int k = 0; k < facts->n_names; ++k) /* the last definition counts */
-        if (facts->name[k].kind == kind && strcmp(facts->name[k].id, id) == 0) {
-            HS_FREE(facts->name[k].style);
-            return hs_memory_strdup(&facts->name[k].style, style, err);
-        }
+        if (facts->name[k].kind == kind && strcmp(facts->name[k].id, id) == 0)
+            return hs_memory_replace(&facts->name[k].style, style, err);
     HS_TRY(HS_GROW(facts->name, (size_t)facts->n_names, (size_t)facts->n_names + 1, err));
     hs_deck_name *name = &facts->name[facts->n_names++];
     *name = (hs_deck_name){.kind = kind};

@@ -37,15 +37,6 @@ const hs_keyword hs_dump_modify_keywords[] = {
     {NULL, 0, NULL, NULL},
 };
 
-static hs_status set_string(char **target, const char *value, hs_error *err)
-{
-    char *copy;
-    HS_TRY(hs_memory_strdup(&copy, value, err));
-    HS_FREE(*target);
-    *target = copy;
-    return HS_OK;
-}
-
 static hs_status modify_element(hs_dump *dump, const hs_args *args, int *n_used, hs_error *err)
 {
     hs_dump_table *table = dump->state;
@@ -69,7 +60,7 @@ static hs_status set_format(char **target, const hs_args *args, hs_format_kind k
     char *normalized;
     HS_TRY(hs_format_normalize(&normalized, args->word[2], kind, "dump_modify format", err));
     HS_FREE(normalized);
-    return set_string(target, args->word[2], err);
+    return hs_memory_replace(target, args->word[2], err);
 }
 
 /** format N S: the format of one column. */
@@ -106,7 +97,7 @@ static hs_status modify_format(hs_dump *dump, const hs_args *args, int *n_used, 
     HS_TRY(hs_arg_need(args, 2, "the format itself", err));
     if (strcmp(args->word[1], "line") == 0) {
         if (hs_format_class(args->word[2]) == 0) return hs_arg_refuse(args, 2, "a line of printf formats", NULL, err);
-        return set_string(&table->format_line, args->word[2], err);
+        return hs_memory_replace(&table->format_line, args->word[2], err);
     }
     if (!table->layout->has_column_formats)
         return hs_fail(err, HS_ERROR_INPUT, "%s: dumps of style %s take only format line and format none",
@@ -247,7 +238,7 @@ hs_status hs_dump_table_modify(hs_dump *dump, const hs_args *args, int *n_used, 
     }
     if (dump->env->find_region(dump->env, args->word[1]) == NULL)
         return hs_fail(err, HS_ERROR_INPUT, "%s: there is no region '%s'", args->command, args->word[1]);
-    return set_string(&table->region_id, args->word[1], err);
+    return hs_memory_replace(&table->region_id, args->word[1], err);
 }
 
 hs_status hs_dump_modify(hs_dump *dump, const hs_args *args, hs_error *err)

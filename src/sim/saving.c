@@ -136,8 +136,7 @@ static hs_status write_file(hs_sim *sim, const char *path, hs_error *err)
     saving->last_s = hs_time_now_s();
     saving->cost_s = saving->last_s - start_s;
     saving->last_step = sim->env.step;
-    HS_FREE(saving->last_path);
-    return hs_memory_strdup(&saving->last_path, path, err);
+    return hs_memory_replace(&saving->last_path, path, err);
 }
 
 /** Remember a checkpoint, and delete those that are more than wanted. */

@@ -21,15 +21,6 @@ const hs_keyword hs_thermo_modify_keywords[] = {
     {NULL, 0, NULL, NULL},
 };
 
-static hs_status set_string(char **target, const char *value, hs_error *err)
-{
-    char *copy;
-    HS_TRY(hs_memory_strdup(&copy, value, err));
-    HS_FREE(*target);
-    *target = copy;
-    return HS_OK;
-}
-
 static void forget_formats(hs_thermo *thermo)
 {
     HS_FREE(thermo->format_line);
@@ -44,7 +35,7 @@ static hs_status set_format(char **target, const char *format, hs_format_kind ki
     char *normalized;
     HS_TRY(hs_format_normalize(&normalized, format, kind, "thermo_modify format", err));
     HS_FREE(normalized);
-    return set_string(target, format, err);
+    return hs_memory_replace(target, format, err);
 }
 
 /** format line S | int S | float S | N S | none, from word i on; *n_used words. */
@@ -62,7 +53,7 @@ static hs_status modify_format(hs_thermo *thermo, const hs_args *args, int i, in
     const char *format = args->word[i + 1];
     if (strcmp(args->word[i], "line") == 0) {
         if (hs_format_class(format) == 0) return hs_arg_refuse(args, i + 1, "a line of printf formats", NULL, err);
-        return set_string(&thermo->format_line, format, err);
+        return hs_memory_replace(&thermo->format_line, format, err);
     }
     if (strcmp(args->word[i], "int") == 0) return set_format(&thermo->format_int, format, HS_FORMAT_INT, err);
     if (strcmp(args->word[i], "float") == 0) return set_format(&thermo->format_float, format, HS_FORMAT_FLOAT, err);
@@ -85,7 +76,7 @@ static hs_status modify_compute(hs_thermo *thermo, const hs_args *args, int i, b
     if (is_temp ? !compute->style->is_temperature : !compute->style->is_pressure)
         return hs_fail(err, HS_ERROR_INPUT, "%s: compute '%s' (%s) does not compute a %s", args->command, args->word[i],
                        compute->style->about.name, is_temp ? "temperature" : "pressure");
-    HS_TRY(set_string(is_temp ? &thermo->temp_id : &thermo->press_id, args->word[i], err));
+    HS_TRY(hs_memory_replace(is_temp ? &thermo->temp_id : &thermo->press_id, args->word[i], err));
     if (!is_temp) return HS_OK;
     if (compute->group != 0)
         hs_warn(thermo->sim->env.out, "the temperature of thermo output is that of compute '%s', not of all atoms",

@@ -25,8 +25,7 @@ static hs_status read_variable(hs_deform_path *path, const hs_args *args, int i,
 {
     const char *word = args->word[i + k];
     if (strncmp(word, "v_", 2) != 0) return hs_arg_refuse(args, i + k, "an equal-style variable (v_name)", NULL, err);
-    HS_FREE(path->variable[k]);
-    return hs_memory_strdup(&path->variable[k], word + 2, err);
+    return hs_memory_replace(&path->variable[k], word + 2, err);
 }
 
 hs_status hs_deform_path_read(hs_deform_path *path, const hs_args *args, int i, bool is_tilt, double unit, int *n_used,

@@ -53,15 +53,6 @@ void hs_nose_hoover_destroy(hs_fix *fix)
     HS_FREE(nh->pressure_id);
 }
 
-static hs_status set_id(char **kept, const char *id, hs_error *err)
-{
-    char *copy;
-    HS_TRY(hs_memory_strdup(&copy, id, err));
-    HS_FREE(*kept);
-    *kept = copy;
-    return HS_OK;
-}
-
 static hs_status find_compute(const hs_fix *fix, int which, hs_compute **compute, hs_error *err)
 {
     const hs_nose_hoover *nh = fix->state;
@@ -77,7 +68,7 @@ hs_status hs_nose_hoover_set_temperature(hs_fix *fix, const char *id, hs_error *
 {
     hs_nose_hoover *nh = fix->state;
     hs_compute *pressure;
-    HS_TRY(set_id(&nh->temperature_id, id, err));
+    HS_TRY(hs_memory_replace(&nh->temperature_id, id, err));
     if (!nh->has_barostat) return HS_OK;
     HS_TRY(find_compute(fix, OWN_PRESSURE, &pressure, err));
     return pressure->style->set_temperature != NULL ? pressure->style->set_temperature(pressure, id, err) : HS_OK;
@@ -90,7 +81,7 @@ hs_status hs_nose_hoover_set_pressure(hs_fix *fix, const char *id, hs_error *err
     if (!nh->has_barostat)
         return hs_fail(err, HS_ERROR_INPUT, "fix_modify: fix '%s' (%s) uses no pressure", fix->id,
                        fix->style->about.name);
-    HS_TRY(set_id(&nh->pressure_id, id, err));
+    HS_TRY(hs_memory_replace(&nh->pressure_id, id, err));
     HS_TRY(find_compute(fix, OWN_PRESSURE, &pressure, err));
     HS_TRY(find_compute(fix, OWN_TEMPERATURE, &temperature, err));
     return pressure->style->set_temperature != NULL ? pressure->style->set_temperature(pressure, temperature->id, err)

@@ -21,8 +21,7 @@ bool hs_region_contains(const hs_region *region, const double x[3])
 
 hs_status hs_where_set(hs_where *where, const char *id, hs_error *err)
 {
-    HS_FREE(where->id);
-    return hs_memory_strdup(&where->id, id, err);
+    return hs_memory_replace(&where->id, id, err);
 }
 
 void hs_where_fini(hs_where *where) { HS_FREE(where->id); }

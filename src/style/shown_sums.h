@@ -27,4 +27,9 @@ static inline hs_status hs_shown_keep_state(hs_fix *fix, hs_state *kept, hs_erro
     return hs_state_double(kept, "sums", sums->value, HS_N_SHOWN, err);
 }
 
+/** All of them. */
+#define HS_SHOWN_HOOKS                                                                                                 \
+    .keep_state = hs_shown_keep_state, .scalar = hs_shown_energy, .vector = hs_shown_vector, .n_vector = 3,            \
+    .is_extensive = true, .is_vector_extensive = true, .has_energy = true
+
 #endif

@@ -6,8 +6,8 @@
 
 hs_status hs_varying_read(hs_varying *number, const hs_args *args, int i, hs_error *err)
 {
+    if (strncmp(args->word[i], "v_", 2) == 0) return hs_memory_replace(&number->variable, args->word[i] + 2, err);
     HS_FREE(number->variable);
-    if (strncmp(args->word[i], "v_", 2) == 0) return hs_memory_strdup(&number->variable, args->word[i] + 2, err);
     return hs_arg_double(args, i, &number->value, err);
 }
 
