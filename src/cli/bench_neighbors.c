@@ -257,8 +257,8 @@ static hs_status draw(const hs_bench_experiment *e, const results *found, const 
                         .width = 800,
                         .height = 480};
     double x[HS_BENCH_POINTS_MAX], y[HS_BENCH_POINTS_MAX];
-    hs_status status = hs_figure_set_text(&figure.title, e->title, err);
-    if (status == HS_OK) status = hs_figure_set_text(&figure.x_label, e->x_label, err);
+    hs_status status = hs_memory_replace(&figure.title, e->title, err);
+    if (status == HS_OK) status = hs_memory_replace(&figure.x_label, e->x_label, err);
     for (int s = 0; e->series[s].name != NULL && status == HS_OK; ++s) {
         hs_curve points = {.x = x, .y = y};
         for (int k = 0; k < e->n_x; ++k) {

@@ -355,10 +355,10 @@ static hs_status draw(const request *r, const point *all, int n, bool is_weak, h
     double x[COUNTS_MAX], y[COUNTS_MAX];
     hs_text path = {0};
     char title[64];
-    hs_status status = hs_figure_set_text(
+    hs_status status = hs_memory_replace(
         &figure.title,
         is_weak ? "Weak scaling: as many atoms for each core" : "Strong scaling: the same atoms on more cores", err);
-    if (status == HS_OK) status = hs_figure_set_text(&figure.x_label, "ranks x threads", err);
+    if (status == HS_OK) status = hs_memory_replace(&figure.x_label, "ranks x threads", err);
     for (int is_droplet = 0; is_droplet < 2; ++is_droplet)
         for (int t = 0; t < r->n_threads && status == HS_OK; ++t) {
             hs_curve curve = {.x = x, .y = y};

@@ -133,13 +133,13 @@ static hs_status add_file(plot_request *r, int i, hs_error *err)
 
 static hs_status set_texts(plot_request *r, hs_error *err)
 {
-    if (r->title != NULL) HS_TRY(hs_figure_set_text(&r->figure.title, r->title, err));
-    if (r->x_label != NULL) HS_TRY(hs_figure_set_text(&r->figure.x_label, r->x_label, err));
+    if (r->title != NULL) HS_TRY(hs_memory_replace(&r->figure.title, r->title, err));
+    if (r->x_label != NULL) HS_TRY(hs_memory_replace(&r->figure.x_label, r->x_label, err));
     if (r->y_label != NULL && r->figure.n_panels > 1)
         return hs_fail(err, HS_ERROR_INPUT,
                        "-ylabel: the columns are of %d different quantities and get an axis each; choose one with -y",
                        r->figure.n_panels);
-    return r->y_label != NULL ? hs_figure_set_text(&r->figure.panel[0].label, r->y_label, err) : HS_OK;
+    return r->y_label != NULL ? hs_memory_replace(&r->figure.panel[0].label, r->y_label, err) : HS_OK;
 }
 
 static hs_status draw(plot_request *r, hs_error *err)

@@ -19,12 +19,6 @@ static const char *const palette[] = {"#0072B2", "#D55E00", "#009E73", "#CC79A7"
                                       "#56B4E9", "#E69F00", "#7F7F7F", "#5B3A8E"};
 enum { PALETTE_SIZE = sizeof palette / sizeof palette[0] };
 
-hs_status hs_figure_set_text(char **target, const char *text, hs_error *err)
-{
-    HS_FREE(*target);
-    return hs_memory_strdup(target, text, err);
-}
-
 void hs_figure_fini(hs_figure *figure)
 {
     for (int k = 0; k < figure->n_curves; ++k) {

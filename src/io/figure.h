@@ -37,8 +37,6 @@ typedef struct hs_figure {
 } hs_figure;
 
 void hs_figure_fini(hs_figure *figure);
-/** Replace one of the figure's texts by a copy. */
-HS_MUST_USE hs_status hs_figure_set_text(char **target, const char *text, hs_error *err);
 
 /** What of a file is drawn. Words are borrowed; NULL: the default. */
 typedef struct hs_plot_choice {
