@@ -4,20 +4,16 @@
 
 #include "core/lattice.h"
 #include "style/box_change.h"
-#include "style/box_flow.h"
 #include "style/box_shape.h"
-#include "style/deform_path.h"
+#include "style/deform_aim.h"
 #include "style/fix.h"
 
-enum { N_PATHS = 6 }; /* of the lengths along x, y and z, then of the tilts xy, xz and yz */
 static const char *const path_names[] = {"x", "y", "z", "xy", "xz", "yz"};
 
 typedef struct deform_state {
     hs_box_flow flow; /**< env->box_flow, as long as this fix lives */
-    int64_t every;
-    hs_deform_path path[N_PATHS];
-    /** Bounds and tilts when the fix was defined, and when the run (or series of runs) began. */
-    double first[3][2], start[3][2], first_tilt[3], start_tilt[3];
+    hs_deformation plan;
+    double first[3][2], first_tilt[3]; /**< bounds and tilts when the fix was defined, distance */
     bool has_flips;
     int64_t flips
         [3]; /**< since the run began: b is flips[0] a, c flips[1] a + flips[2] b more than the paths say, b as they say */
@@ -79,9 +75,9 @@ static hs_status check_volumes(const deform_state *state, const hs_args *args, h
 {
     int n_volumes = 0, n_others = 0, n_tilts = 0;
     for (int axis = 0; axis < 3; ++axis) {
-        n_volumes += state->path[axis].style == HS_DEFORM_VOLUME;
-        n_others += state->path[axis].style != HS_DEFORM_NOT && state->path[axis].style != HS_DEFORM_VOLUME;
-        n_tilts += state->path[3 + axis].style != HS_DEFORM_NOT;
+        n_volumes += state->plan.path[axis].style == HS_DEFORM_VOLUME;
+        n_others += state->plan.path[axis].style != HS_DEFORM_NOT && state->plan.path[axis].style != HS_DEFORM_VOLUME;
+        n_tilts += state->plan.path[3 + axis].style != HS_DEFORM_NOT;
     }
     if (n_volumes + n_others + n_tilts == 0)
         return hs_fail(err, HS_ERROR_INPUT, "%s: what changes? 'x', 'y', 'z', 'xy', 'xz' or 'yz' must follow",
@@ -99,8 +95,8 @@ static hs_status read_path(hs_fix *fix, const hs_args *args, int i, bool is_box,
     const bool is_tilt = k >= 3;
     const int axis = is_tilt ? hs_tilt_first(k - 3) : k;
     HS_TRY(is_tilt ? check_tilt(fix, args, k - 3, err) : check_axis(fix, args, k, err));
-    HS_TRY(hs_deform_path_read(&state->path[k], args, i + 1, is_tilt, is_box ? 1.0 : fix->env->lattice->spacing[axis],
-                               n_used, err));
+    HS_TRY(hs_deform_path_read(&state->plan.path[k], args, i + 1, is_tilt,
+                               is_box ? 1.0 : fix->env->lattice->spacing[axis], n_used, err));
     ++*n_used;
     return HS_OK;
 }
@@ -111,11 +107,12 @@ static hs_status create(hs_fix *fix, const hs_args *args, hs_error *err)
     deform_state *state = fix->state;
     const hs_box *box = fix->env->box;
     bool is_box = false;
+    state->plan.id = fix->id;
     state->has_flips = true;
     state->flip_at = -1;
     state->flow.moves_places = fix->mask;
     HS_TRY(hs_syntax_check(&fix->style->about.syntax, args, false, err));
-    HS_TRY(hs_arg_int(args, 0, 1, INT64_MAX, &state->every, err));
+    HS_TRY(hs_arg_int(args, 0, 1, INT64_MAX, &state->plan.every, err));
     for (int i = 1; i + 1 < args->n; ++i)
         if (strcmp(args->word[i], "units") == 0) is_box = strcmp(args->word[i + 1], "box") == 0;
     for (int i = 1, n_used; i < args->n; i += n_used) {
@@ -136,7 +133,7 @@ static hs_status create(hs_fix *fix, const hs_args *args, hs_error *err)
         state->first[axis][0] = box->lo[axis];
         state->first[axis][1] = box->hi[axis];
         state->first_tilt[axis] = box->tilt[axis];
-        state->flow.sets_length[axis] = state->path[axis].style != HS_DEFORM_NOT;
+        state->flow.sets_length[axis] = state->plan.path[axis].style != HS_DEFORM_NOT;
     }
     HS_TRY(check_volumes(state, args, err));
     fix->env->box_flow = &state->flow;
@@ -146,132 +143,8 @@ static hs_status create(hs_fix *fix, const hs_args *args, hs_error *err)
 static void destroy(hs_fix *fix)
 {
     deform_state *state = fix->state;
-    for (int k = 0; k < N_PATHS; ++k) hs_deform_path_fini(&state->path[k]);
+    for (int k = 0; k < HS_DEFORM_PATHS; ++k) hs_deform_path_fini(&state->plan.path[k]);
     if (fix->env->box_flow == &state->flow) fix->env->box_flow = NULL;
-}
-
-/* Where the paths lead */
-
-/** The box that the paths give at the present step, without flips, and how fast it changes. */
-typedef struct aim {
-    double lo[3], hi[3], tilt[3];
-    double length_rate[3], lo_rate[3], tilt_rate[3]; /**< velocity */
-} aim;
-
-static hs_status aim_axis(const hs_fix *fix, int axis, aim *to, hs_error *err)
-{
-    const deform_state *state = fix->state;
-    const hs_deform_path *path = &state->path[axis];
-    const double *begin = state->start[axis], length = begin[1] - begin[0];
-    double growth[2], rate[2];
-    to->lo[axis] = fix->env->box->lo[axis];
-    to->hi[axis] = fix->env->box->hi[axis];
-    to->lo_rate[axis] = to->length_rate[axis] = 0.0;
-    if (path->style == HS_DEFORM_NOT) return HS_OK;
-    if (path->style == HS_DEFORM_FINAL || path->style == HS_DEFORM_DELTA) {
-        for (int k = 0; k < 2; ++k) {
-            const hs_deform_start start = {.value = begin[k], .k = k};
-            HS_TRY(hs_deform_growth(path, fix->env, &start, &growth[k], &rate[k], err));
-        }
-    } else { /* the same at both ends */
-        const hs_deform_start start = {.length = length, .every = state->every};
-        HS_TRY(hs_deform_growth(path, fix->env, &start, &growth[1], &rate[1], err));
-        growth[1] *= 0.5, rate[1] *= 0.5;
-        growth[0] = -growth[1], rate[0] = -rate[1];
-    }
-    to->lo[axis] = begin[0] + growth[0];
-    to->hi[axis] = begin[1] + growth[1];
-    to->lo_rate[axis] = rate[0];
-    to->length_rate[axis] = rate[1] - rate[0];
-    if (to->hi[axis] > to->lo[axis]) return HS_OK;
-    return hs_fail(err, HS_ERROR_RUN, "fix '%s' (deform): at step %lld the box would reach from %g to %g in %c",
-                   fix->id, (long long)fix->env->step, to->lo[axis], to->hi[axis], "xyz"[axis]);
-}
-
-static hs_status aim_tilt(const hs_fix *fix, int tilt, aim *to, hs_error *err)
-{
-    const deform_state *state = fix->state;
-    const hs_deform_path *path = &state->path[3 + tilt];
-    const double *across = state->start[hs_tilt_second(tilt)], begin = state->start_tilt[tilt];
-    const hs_deform_start start = {.value = begin,
-                                   .length = path->style == HS_DEFORM_TRUE_RATE ? begin : across[1] - across[0],
-                                   .every = state->every};
-    double growth;
-    HS_TRY(hs_deform_growth(path, fix->env, &start, &growth, &to->tilt_rate[tilt], err));
-    to->tilt[tilt] = begin + growth;
-    return HS_OK;
-}
-
-/** The axes that keep the volume make up for the others; two of them share that. */
-static void keep_volume(const deform_state *state, aim *to)
-{
-    double ratio = 1.0,
-           growing = 0.0; /* volume at the start over that which the other axes would give; its rate, 1/time */
-    int n_volumes = 0;
-    for (int axis = 0; axis < 3; ++axis) {
-        const double *begin = state->start[axis], length = to->hi[axis] - to->lo[axis];
-        const bool is_volume = state->path[axis].style == HS_DEFORM_VOLUME;
-        n_volumes += is_volume;
-        if (!is_volume) ratio *= (begin[1] - begin[0]) / length;
-        if (!is_volume) growing += to->length_rate[axis] / length;
-    }
-    for (int axis = 0; axis < 3; ++axis) {
-        const double *begin = state->start[axis];
-        if (state->path[axis].style != HS_DEFORM_VOLUME) continue;
-        const double middle = 0.5 * (begin[0] + begin[1]),
-                     half = 0.5 * (begin[1] - begin[0]) * (n_volumes == 2 ? sqrt(ratio) : ratio);
-        to->lo[axis] = middle - half;
-        to->hi[axis] = middle + half;
-        to->length_rate[axis] = -2.0 * half * growing / n_volumes;
-        to->lo_rate[axis] = -0.5 * to->length_rate[axis];
-    }
-}
-
-static hs_status find_aim(const hs_fix *fix, aim *to, hs_error *err)
-{
-    for (int axis = 0; axis < 3; ++axis) HS_TRY(aim_axis(fix, axis, to, err));
-    for (int tilt = 0; tilt < 3; ++tilt) HS_TRY(aim_tilt(fix, tilt, to, err));
-    keep_volume(fix->state, to);
-    return HS_OK;
-}
-
-/** How fast the edges and the lower corner change. */
-static void set_flow(hs_box_flow *flow, const aim *to)
-{
-    const double edge[3][3] = {{to->length_rate[0], 0.0, 0.0},
-                               {to->tilt_rate[0], to->length_rate[1], 0.0},
-                               {to->tilt_rate[1], to->tilt_rate[2], to->length_rate[2]}};
-    memcpy(flow->edge, edge, sizeof edge);
-    memcpy(flow->corner, to->lo_rate, sizeof flow->corner);
-}
-
-/* Hooks */
-
-/** Rates of some styles are known once the box has changed, as in LAMMPS: variables cannot be asked before a run. */
-static bool is_known_before(const hs_deform_path *path)
-{
-    return path->style != HS_DEFORM_TRUE_RATE && path->style != HS_DEFORM_WIGGLE && path->style != HS_DEFORM_VARIABLE;
-}
-
-/** The flow that a run begins with. */
-static hs_status begin_flow(const hs_fix *fix, hs_box_flow *flow, hs_error *err)
-{
-    const deform_state *state = fix->state;
-    aim to = {.lo = {0.0}};
-    for (int axis = 0; axis < 3; ++axis) {
-        to.lo[axis] = fix->env->box->lo[axis];
-        to.hi[axis] = fix->env->box->hi[axis];
-        to.length_rate[axis] = flow->edge[axis][axis];
-        to.lo_rate[axis] = flow->corner[axis];
-        if (is_known_before(&state->path[axis])) HS_TRY(aim_axis(fix, axis, &to, err));
-    }
-    for (int tilt = 0; tilt < 3; ++tilt) {
-        to.tilt_rate[tilt] = flow->edge[hs_tilt_second(tilt)][hs_tilt_first(tilt)];
-        if (is_known_before(&state->path[3 + tilt])) HS_TRY(aim_tilt(fix, tilt, &to, err));
-    }
-    keep_volume(state, &to);
-    set_flow(flow, &to);
-    return HS_OK;
 }
 
 static hs_status check_start(const hs_fix *fix, hs_error *err)
@@ -282,9 +155,9 @@ static hs_status check_start(const hs_fix *fix, hs_error *err)
     if (fix->env->box_flow != &state->flow)
         return hs_fail(err, HS_ERROR_INPUT,
                        "%s: another fix deform changes the box, too; one fix can change all lengths and tilts", name);
-    for (int k = 0; k < N_PATHS; ++k) HS_TRY(hs_deform_path_check(&state->path[k], fix->env, name, err));
+    for (int k = 0; k < HS_DEFORM_PATHS; ++k) HS_TRY(hs_deform_path_check(&state->plan.path[k], fix->env, name, err));
     for (int tilt = 0; tilt < 3; ++tilt)
-        if (state->path[3 + tilt].style == HS_DEFORM_TRUE_RATE && state->start_tilt[tilt] == 0.0)
+        if (state->plan.path[3 + tilt].style == HS_DEFORM_TRUE_RATE && state->plan.start_tilt[tilt] == 0.0)
             return hs_fail(err, HS_ERROR_INPUT,
                            "%s: '%s trate' multiplies the tilt, which is 0; 'erate' makes it grow from there", name,
                            hs_tilt_names[tilt]);
@@ -298,14 +171,14 @@ static hs_status init(hs_fix *fix, hs_error *err)
     const hs_env *env = fix->env;
     const bool is_single = env->first_step == env->ramp_start;
     for (int axis = 0; axis < 3; ++axis) {
-        state->start[axis][0] = is_single ? env->box->lo[axis] : state->first[axis][0];
-        state->start[axis][1] = is_single ? env->box->hi[axis] : state->first[axis][1];
-        state->start_tilt[axis] = is_single ? env->box->tilt[axis] : state->first_tilt[axis];
+        state->plan.start[axis][0] = is_single ? env->box->lo[axis] : state->first[axis][0];
+        state->plan.start[axis][1] = is_single ? env->box->hi[axis] : state->first[axis][1];
+        state->plan.start_tilt[axis] = is_single ? env->box->tilt[axis] : state->first_tilt[axis];
         if (is_single) state->flips[axis] = 0;
     }
     state->flip_at = -1;
     HS_TRY(check_start(fix, err));
-    return begin_flow(fix, &state->flow, err);
+    return hs_deform_begin_flow(&state->plan, env, &state->flow, err);
 }
 
 /** Atoms that have crossed a face since the lists of the run before were made take the velocity of their image. */
@@ -319,14 +192,14 @@ static hs_status pre_force(hs_fix *fix, bool is_setup, hs_error *err)
 }
 
 /** The tilts that the paths give, in terms of the edges that the box has after its flips. */
-static void add_flips(const deform_state *state, const hs_box *box, aim *to)
+static void add_flips(const deform_state *state, const hs_box *box, hs_deform_aim *to)
 {
     const double lx = to->hi[0] - to->lo[0], ly = to->hi[1] - to->lo[1], xy = to->tilt[0];
     const double flipped[3] = {to->tilt[0] + (double)state->flips[0] * lx,
                                to->tilt[1] + (double)state->flips[1] * lx + (double)state->flips[2] * xy,
                                to->tilt[2] + (double)state->flips[2] * ly};
     for (int tilt = 0; tilt < 3; ++tilt)
-        to->tilt[tilt] = state->path[3 + tilt].style == HS_DEFORM_NOT ? box->tilt[tilt] : flipped[tilt];
+        to->tilt[tilt] = state->plan.path[3 + tilt].style == HS_DEFORM_NOT ? box->tilt[tilt] : flipped[tilt];
 }
 
 /** Edges by which the tilt must be changed to be at most half of the length along its first axis. */
@@ -353,12 +226,12 @@ static hs_status end_of_step(hs_fix *fix, hs_error *err)
 {
     deform_state *state = fix->state;
     hs_env *env = fix->env;
-    aim to;
-    if (env->step % state->every != 0) return HS_OK;
-    HS_TRY(find_aim(fix, &to, err));
+    hs_deform_aim to;
+    if (env->step % state->plan.every != 0) return HS_OK;
+    HS_TRY(hs_deform_find_aim(&state->plan, env, &to, err));
     add_flips(state, env->box, &to);
     hs_box_change(env, to.lo, to.hi, to.tilt, state->flow.moves_places);
-    set_flow(&state->flow, &to);
+    hs_deform_set_flow(&state->flow, &to);
     if (env->box->is_tilted && state->has_flips) plan_flip(state, env);
     return HS_OK;
 }
@@ -390,13 +263,13 @@ static hs_status keep_state(hs_fix *fix, hs_state *kept, hs_error *err)
     deform_state *state = fix->state;
     for (int axis = 0; axis < 3; ++axis) {
         HS_TRY(hs_state_double(kept, first[axis], state->first[axis], 2, err));
-        HS_TRY(hs_state_double(kept, start[axis], state->start[axis], 2, err));
+        HS_TRY(hs_state_double(kept, start[axis], state->plan.start[axis], 2, err));
     }
     HS_TRY(hs_state_double(kept, "flow", &state->flow.edge[0][0], 9, err));
     HS_TRY(hs_state_double(kept, "flow of the corner", state->flow.corner, 3, err));
     if (!fix->env->box->is_tilted) return HS_OK;
     HS_TRY(hs_state_double(kept, "first tilt", state->first_tilt, 3, err));
-    HS_TRY(hs_state_double(kept, "start tilt", state->start_tilt, 3, err));
+    HS_TRY(hs_state_double(kept, "start tilt", state->plan.start_tilt, 3, err));
     HS_TRY(hs_state_int64(kept, "flips", state->flips, 3, err));
     HS_TRY(hs_state_int64(kept, "step of the next flip", &state->flip_at, 1, err));
     return hs_state_int64(kept, "next flip", state->flip_now, 3, err);
