@@ -3,35 +3,7 @@
 #include <string.h>
 
 #include "base/memory.h"
-#include "io/dump_table.h"
-#include "io/image.h"
-
-typedef enum { BY_TYPE, BY_VALUE, BY_SPEED, BY_ORIENTATION } look_by;
-
-/** Columns of the table, by place. */
-enum { COLUMN_COLOR, COLUMN_DIAMETER, COLUMN_MU_X, COLUMN_MU_Y };
-
-typedef struct image_dump {
-    hs_dump_table table; /**< schedule, selection, names of files; must be first */
-    look_by color_by, diameter_by;
-    bool has_atoms, has_box, has_axes, is_smooth, center_moves;
-    int width, height;     /**< pixels */
-    double theta, phi;     /**< direction from which one looks, degrees */
-    double up[3];          /**< direction that points upwards */
-    double center[3];      /**< middle of the picture, fractions of the box */
-    double zoom, shine;    /**< 1 shows the whole box; strength of highlights */
-    double diameter;       /**< of all atoms, distance; 0: as the second word says */
-    double box_diameter;   /**< fraction of the shortest edge of the box */
-    double axes[2];        /**< length and diameter, fractions of the box's edges and of its shortest */
-    hs_color *type_color;  /**< owned [n_types + 1] */
-    double *type_diameter; /**< owned [n_types + 1], distance */
-    hs_color background, box_color;
-    hs_color_names names;
-    hs_color_map map;
-    bool has_view; /**< the view is kept from the first picture on (center s) */
-    hs_image_view view;
-    const hs_image *picture; /**< while it is being written */
-} image_dump;
+#include "io/dump_image.h"
 
 static const hs_keyword keywords[] = {
     {"adiam", 1, "<diameter>", "diameter of all atoms, whatever the second word says"},
@@ -50,7 +22,7 @@ static const hs_keyword keywords[] = {
     {NULL, 0, NULL, NULL},
 };
 
-static hs_status parse_size(image_dump *state, const hs_args *args, int i, hs_error *err)
+static hs_status parse_size(hs_dump_image *state, const hs_args *args, int i, hs_error *err)
 {
     int64_t width, height;
     HS_TRY(hs_arg_int(args, i + 1, 1, HS_IMAGE_SIZE_MAX, &width, err));
@@ -66,7 +38,7 @@ static hs_status parse_vector(const hs_args *args, int i, double vector[3], hs_e
     return HS_OK;
 }
 
-static hs_status parse_keyword(image_dump *state, const hs_args *args, int i, hs_error *err)
+static hs_status parse_keyword(hs_dump_image *state, const hs_args *args, int i, hs_error *err)
 {
     static const char *const center_words[] = {"s", "d", NULL};
     const char *name = args->word[i];
@@ -108,7 +80,7 @@ static hs_status parse_keyword(image_dump *state, const hs_args *args, int i, hs
 static hs_status set_defaults(hs_dump *dump, hs_error *err)
 {
     static const hs_color cycle[] = {0xff0000, 0x008000, 0x0000ff, 0xffff00, 0x00ffff, 0x00ffff};
-    image_dump *state = dump->state;
+    hs_dump_image *state = dump->state;
     const int n_types = dump->env->atoms->n_types;
     const bool is_2d = dump->env->box->dimension == 2;
     state->table.delay = state->table.max_files = -1;
@@ -146,14 +118,14 @@ static hs_status check(const char *file, const hs_args *args, hs_error *err)
 /** The two words before the keywords. */
 static hs_status parse_looks(hs_dump *dump, const hs_args *args, hs_error *err)
 {
-    image_dump *state = dump->state;
+    hs_dump_image *state = dump->state;
     const char *color = args->word[0], *diameter = args->word[1];
     const bool is_speed = strcmp(color, "speed") == 0, is_orientation = strcmp(color, "orientation") == 0;
-    state->color_by = is_speed                     ? BY_SPEED
-                      : is_orientation             ? BY_ORIENTATION
-                      : strcmp(color, "type") == 0 ? BY_TYPE
-                                                   : BY_VALUE;
-    state->diameter_by = strcmp(diameter, "type") == 0 ? BY_TYPE : BY_VALUE;
+    state->color_by = is_speed                     ? HS_LOOK_SPEED
+                      : is_orientation             ? HS_LOOK_ORIENTATION
+                      : strcmp(color, "type") == 0 ? HS_LOOK_TYPE
+                                                   : HS_LOOK_VALUE;
+    state->diameter_by = strcmp(diameter, "type") == 0 ? HS_LOOK_TYPE : HS_LOOK_VALUE;
     const char *const words[] = {is_speed || is_orientation ? "type" : color, diameter, "mux", "muy"};
     const hs_args columns = {.command = args->command, .n = is_orientation ? 4 : 2, .word = words};
     return hs_dump_set_columns(dump, &columns, err);
@@ -161,7 +133,7 @@ static hs_status parse_looks(hs_dump *dump, const hs_args *args, hs_error *err)
 
 static hs_status create(hs_dump *dump, const hs_args *args, hs_error *err)
 {
-    image_dump *state = dump->state;
+    hs_dump_image *state = dump->state;
     HS_TRY(hs_syntax_check(&dump->style->about.syntax, args, false, err));
     HS_TRY(check(dump->file, args, err));
     HS_TRY(set_defaults(dump, err));
@@ -176,7 +148,7 @@ static hs_status create(hs_dump *dump, const hs_args *args, hs_error *err)
 }
 
 /** acolor <types> <colour>[/<colour>...]: the colours go round over the types. */
-static hs_status modify_colors(image_dump *state, const hs_args *args, int n_types, hs_error *err)
+static hs_status modify_colors(hs_dump_image *state, const hs_args *args, int n_types, hs_error *err)
 {
     int lo, hi, n = 0;
     HS_TRY(hs_arg_range(args, 1, n_types, &lo, &hi, err));
@@ -197,7 +169,7 @@ static hs_status modify_colors(image_dump *state, const hs_args *args, int n_typ
     return status;
 }
 
-static hs_status modify_diameters(image_dump *state, const hs_args *args, int n_types, hs_error *err)
+static hs_status modify_diameters(hs_dump_image *state, const hs_args *args, int n_types, hs_error *err)
 {
     int lo, hi;
     double diameter;
@@ -207,7 +179,7 @@ static hs_status modify_diameters(image_dump *state, const hs_args *args, int n_
     return HS_OK;
 }
 
-static hs_status modify_names(image_dump *state, const hs_args *args, hs_error *err)
+static hs_status modify_names(hs_dump_image *state, const hs_args *args, hs_error *err)
 {
     double part[3];
     HS_TRY(parse_vector(args, 2, part, err));
@@ -219,7 +191,7 @@ static hs_status modify_names(image_dump *state, const hs_args *args, hs_error *
 static hs_status modify(hs_dump *dump, const hs_args *args, int *n_used, hs_error *err)
 {
     static const char *const shared[] = {"delay", "every", "first", "maxfiles", "pad", "region", "thresh", NULL};
-    image_dump *state = dump->state;
+    hs_dump_image *state = dump->state;
     const int n_types = dump->env->atoms->n_types;
     const char *keyword = args->word[0];
     *n_used = 3;
@@ -239,7 +211,7 @@ static hs_status modify(hs_dump *dump, const hs_args *args, int *n_used, hs_erro
 
 static void destroy(hs_dump *dump)
 {
-    image_dump *state = dump->state;
+    hs_dump_image *state = dump->state;
     HS_FREE(state->type_color);
     HS_FREE(state->type_diameter);
     hs_color_names_fini(&state->names);
@@ -249,7 +221,7 @@ static void destroy(hs_dump *dump)
 
 static hs_status init(hs_dump *dump, hs_error *err)
 {
-    const image_dump *state = dump->state;
+    const hs_dump_image *state = dump->state;
     const char *region = state->table.region_id;
     if (strchr(dump->file, '*') == NULL && !dump->is_single)
         return hs_fail(err, HS_ERROR_INPUT,
@@ -260,136 +232,15 @@ static hs_status init(hs_dump *dump, hs_error *err)
     return HS_OK;
 }
 
-/** What an atom's colour goes by, where that is a number. */
-static double color_value(const hs_dump *dump, int i)
-{
-    const image_dump *state = dump->state;
-    const hs_atoms *atoms = dump->env->atoms;
-    const hs_dump_column *column = state->table.column;
-    if (state->color_by == BY_SPEED)
-        return sqrt(atoms->v[0][i] * atoms->v[0][i] + atoms->v[1][i] * atoms->v[1][i] +
-                    atoms->v[2][i] * atoms->v[2][i]);
-    if (state->color_by == BY_ORIENTATION)
-        return atan2(hs_dump_value(dump, &column[COLUMN_MU_Y], i), hs_dump_value(dump, &column[COLUMN_MU_X], i));
-    return hs_dump_value(dump, &column[COLUMN_COLOR], i);
-}
-
-/** Least and greatest value over all ranks' selected atoms (collective). */
-static void find_range(const hs_dump *dump, double range[2])
-{
-    const image_dump *state = dump->state;
-    range[0] = INFINITY;
-    range[1] = -INFINITY;
-    if (state->color_by != BY_VALUE && state->color_by != BY_SPEED) return;
-    for (int k = 0; k < state->table.n_rows; ++k) {
-        const double value = color_value(dump, state->table.order[k]);
-        range[0] = fmin(range[0], value);
-        range[1] = fmax(range[1], value);
-    }
-    hs_parallel_min_double(dump->env->parallel, &range[0], 1);
-    hs_parallel_max_double(dump->env->parallel, &range[1], 1);
-}
-
-static hs_image_ball make_ball(const hs_dump *dump, int i, const double range[2])
-{
-    const image_dump *state = dump->state;
-    const hs_atoms *atoms = dump->env->atoms;
-    double x[3], sample[3];
-    int32_t images[3] = {0, 0, 0};
-    for (int axis = 0; axis < 3; ++axis) x[axis] = atoms->x[axis][i];
-    hs_box_wrap(dump->env->box, x, images);
-    if (dump->env->box->dimension == 2) x[2] = 0.0;
-    hs_image_project(&state->view, x, sample);
-    const int type = atoms->type[i];
-    double diameter = state->diameter;
-    if (diameter == 0.0)
-        diameter = state->diameter_by == BY_TYPE ? state->type_diameter[type]
-                                                 : hs_dump_value(dump, &state->table.column[COLUMN_DIAMETER], i);
-    hs_color color = state->type_color[type];
-    if (state->color_by == BY_ORIENTATION) color = hs_color_of_hue(color_value(dump, i) / (2.0 * M_PI));
-    if (state->color_by == BY_VALUE || state->color_by == BY_SPEED)
-        color = hs_color_map_get(&state->map, color_value(dump, i), range[0], range[1]);
-    return (hs_image_ball){
-        .x = sample[0], .y = sample[1], .z = sample[2], .radius = 0.5 * diameter * state->view.scale, .color = color};
-}
-
-static hs_status draw_atoms(hs_dump *dump, hs_image *image, const double range[2], hs_error *err)
-{
-    const hs_dump_table *table = dump->state;
-    hs_image_ball *ball;
-    HS_TRY(HS_ALLOC(ball, (size_t)table->n_rows, err));
-#pragma omp parallel for schedule(static)
-    for (int k = 0; k < table->n_rows; ++k) ball[k] = make_ball(dump, table->order[k], range);
-    hs_image_draw_balls(image, ball, table->n_rows);
-    HS_FREE(ball);
-    return HS_OK;
-}
-
-/** A stick between two points given as fractions of the box. */
-static void draw_edge(const hs_dump *dump, hs_image *image, const double from[3], const double to[3], double diameter,
-                      hs_color color)
-{
-    const image_dump *state = dump->state;
-    const hs_box *box = dump->env->box;
-    double a[3] = {0.0, 0.0, 0.0}, b[3] = {0.0, 0.0, 0.0}, start[3], stop[3], shortest = INFINITY;
-    hs_box_place(box, from, a);
-    hs_box_place(box, to, b);
-    for (int axis = 0; axis < box->dimension; ++axis) shortest = fmin(shortest, hs_box_length(box, axis));
-    if (box->dimension == 2) a[2] = b[2] = 0.0;
-    hs_image_project(&state->view, a, start);
-    hs_image_project(&state->view, b, stop);
-    hs_image_draw_stick(image, start, stop, 0.5 * diameter * shortest * state->view.scale, color);
-}
-
-static void draw_box(const hs_dump *dump, hs_image *image)
-{
-    const image_dump *state = dump->state;
-    const int dimension = dump->env->box->dimension;
-    for (int axis = 0; axis < dimension; ++axis)
-        for (int corner = 0; corner < 1 << dimension; ++corner) {
-            double from[3] = {0.0, 0.0, 0.0}, to[3];
-            if (corner >> axis & 1) continue; /* an edge begins at its lower end */
-            for (int k = 0; k < dimension; ++k) from[k] = corner >> k & 1;
-            memcpy(to, from, sizeof to);
-            to[axis] = 1.0;
-            draw_edge(dump, image, from, to, state->box_diameter, state->box_color);
-        }
-}
-
-static void draw_axes(const hs_dump *dump, hs_image *image)
-{
-    static const hs_color colors[3] = {0xff0000, 0x00ff00, 0x0000ff};
-    const image_dump *state = dump->state;
-    const double from[3] = {0.0, 0.0, 0.0};
-    for (int axis = 0; axis < dump->env->box->dimension; ++axis) {
-        double to[3] = {0.0, 0.0, 0.0};
-        to[axis] = state->axes[0];
-        draw_edge(dump, image, from, to, state->axes[1], colors[axis]);
-    }
-}
-
 static hs_status write_picture(hs_dump *dump, hs_writer *writer, hs_error *err)
 {
-    const image_dump *state = dump->state;
+    const hs_dump_image *state = dump->state;
     return writer != NULL ? hs_image_write(state->picture, dump->file, writer, err) : HS_OK;
-}
-
-/** Draw what this rank has; on rank 0 also what belongs to none. */
-static hs_status draw(hs_dump *dump, hs_image *image, const double range[2], hs_error *err)
-{
-    const image_dump *state = dump->state;
-    image->is_flat = dump->env->box->dimension == 2;
-    image->shine = state->shine;
-    if (state->has_atoms) HS_TRY(draw_atoms(dump, image, range, err));
-    if (dump->env->parallel->rank != 0) return HS_OK;
-    if (state->has_box) draw_box(dump, image);
-    if (state->has_axes) draw_axes(dump, image);
-    return HS_OK;
 }
 
 static hs_status write(hs_dump *dump, hs_error *err)
 {
-    image_dump *state = dump->state;
+    hs_dump_image *state = dump->state;
     const hs_env *env = dump->env;
     hs_image image = {0};
     double range[2];
@@ -398,13 +249,13 @@ static hs_status write(hs_dump *dump, hs_error *err)
     hs_status status = hs_dump_select(dump, err);
     status = hs_parallel_agree(env->parallel, err);
     if (status != HS_OK) return status;
-    find_range(dump, range);
+    hs_dump_image_find_range(dump, range);
     status = hs_image_init(&image, state->width, state->height, state->is_smooth ? 2 : 1, state->background, err);
     if (status == HS_OK && (state->center_moves || !state->has_view)) {
         state->view = hs_image_look(&image, env->box, state->theta, state->phi, state->up, state->center, state->zoom);
         state->has_view = true;
     }
-    if (status == HS_OK) status = draw(dump, &image, range, err);
+    if (status == HS_OK) status = hs_dump_image_draw(dump, &image, range, err);
     status = hs_parallel_agree(env->parallel, err);
     if (status == HS_OK) hs_image_merge(&image, env->parallel);
     state->picture = &image;
@@ -440,7 +291,7 @@ const hs_dump_style hs_dump_style_image = {
              "shadows, perspective, other file formats) is refused.",
          .example = "dump p all image 1000 melt.*.png speed type adiam 1.1 size 800 800 view 70 30 zoom 1.2\n"
                     "dump_modify p backcolor white boxcolor gray amap 0 4 viridis"},
-    .state_size = sizeof(image_dump),
+    .state_size = sizeof(hs_dump_image),
     .check = check,
     .create = create,
     .modify = modify,
