@@ -3,33 +3,7 @@
 #include <string.h>
 
 #include "base/memory.h"
-#include "base/text.h"
 #include "style/custom_atom.h"
-
-static const char id_letters[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_";
-
-bool hs_value_is_reference(const char *word)
-{
-    if (word[0] == '\0' || strchr("cfvid", word[0]) == NULL || word[1] != '_') return false;
-    const size_t n_id = strspn(word + 2, id_letters);
-    const char *rest = word + 2 + n_id;
-    if (n_id == 0) return false;
-    for (int k = 0; k < 2 && *rest == '[' && strchr("cf", word[0]) != NULL; ++k) {
-        const size_t n_index = strspn(rest + 1, "0123456789*");
-        if (n_index == 0 || rest[1 + n_index] != ']') return false;
-        rest += n_index + 2;
-    }
-    return *rest == '\0';
-}
-
-int hs_value_count(const hs_args *args, int first)
-{
-    int n = 0;
-    while (first + n < args->n &&
-           (hs_value_is_reference(args->word[first + n]) || strchr(args->word[first + n], '$') != NULL))
-        ++n;
-    return n;
-}
 
 void hs_value_fini(hs_value *value)
 {
@@ -59,8 +33,7 @@ static const hs_atom_field *custom_of(const hs_env *env, const hs_value *value)
     return value->kind == 'i' || value->kind == 'd' ? hs_custom_atom_find(env->atoms, value->kind, value->id) : NULL;
 }
 
-/** How many elements, columns or rows an index may count: of index 0, or 1 (the second). 0: the shape has none. */
-static int limit_of(hs_env *env, const hs_value *value, hs_value_shape shape, int which)
+int hs_value_limit(hs_env *env, const hs_value *value, hs_value_shape shape, int which)
 {
     const hs_compute *compute = compute_of(env, value);
     const hs_fix *fix = fix_of(env, value);
@@ -88,6 +61,11 @@ static bool is_open_ended(hs_env *env, const hs_value *value, hs_value_shape sha
     return compute != NULL ? compute->has_array : fix->has_array;
 }
 
+bool hs_value_exists(hs_env *env, const hs_value *value)
+{
+    return compute_of(env, value) != NULL || fix_of(env, value) != NULL;
+}
+
 bool hs_value_has(hs_env *env, const hs_value *value, hs_value_shape shape)
 {
     if (value->kind == 'v') {
@@ -99,7 +77,8 @@ bool hs_value_has(hs_env *env, const hs_value *value, hs_value_shape shape)
     const hs_fix *fix = fix_of(env, value);
     if (compute == NULL && fix == NULL) return false;
     for (int k = 0; k < value->n_indices; ++k)
-        if (value->index[k] > limit_of(env, value, shape, k) && !is_open_ended(env, value, shape, k)) return false;
+        if (value->index[k] > hs_value_limit(env, value, shape, k) && !is_open_ended(env, value, shape, k))
+            return false;
     if (value->n_indices > 0) return shape == HS_VALUE_NUMBER || value->n_indices == 1;
     switch (shape) {
     case HS_VALUE_NUMBER:
@@ -123,13 +102,13 @@ static void describe(hs_env *env, const hs_value *value, char *text, size_t size
     const bool has_scalar = compute != NULL ? compute->has_scalar : fix->has_scalar;
     hs_value number = *value;
     number.n_indices = 1;
-    const int n_vector = limit_of(env, &number, HS_VALUE_NUMBER, 0);
+    const int n_vector = hs_value_limit(env, &number, HS_VALUE_NUMBER, 0);
     number.n_indices = 2;
-    const int n_rows = limit_of(env, &number, HS_VALUE_NUMBER, 0),
-              n_columns = limit_of(env, &number, HS_VALUE_NUMBER, 1);
+    const int n_rows = hs_value_limit(env, &number, HS_VALUE_NUMBER, 0),
+              n_columns = hs_value_limit(env, &number, HS_VALUE_NUMBER, 1);
     const bool has_array = compute != NULL ? compute->has_array : fix->has_array;
     const bool has_atoms = compute != NULL ? compute->has_atoms : fix->has_atoms;
-    const int n_atoms = limit_of(env, value, HS_VALUE_ATOMS, 0);
+    const int n_atoms = hs_value_limit(env, value, HS_VALUE_ATOMS, 0);
     if (has_scalar) snprintf(scalar, sizeof scalar, "; the value %c_%.60s", k, id);
     if (n_vector > 0) snprintf(part[0], sizeof part[0], "; the vector %c_%.60s of %d elements", k, id, n_vector);
     if (has_array)
@@ -159,7 +138,7 @@ hs_status hs_value_check(hs_env *env, const hs_value *value, hs_value_shape shap
         return hs_fail(err, HS_ERROR_INPUT, "%s: %s is needed here, and %s is one for each atom", command,
                        wanted[shape], value->word);
     }
-    if (compute_of(env, value) == NULL && fix_of(env, value) == NULL)
+    if (!hs_value_exists(env, value))
         return hs_fail(err, HS_ERROR_INPUT, "%s: there is no %s '%s' for %s: the command '%s' makes one", command, kind,
                        value->id, value->word, kind);
     char has[640]; /* four parts of less than 160 characters */
@@ -320,118 +299,4 @@ bool hs_value_is_extensive(hs_env *env, const hs_value *value)
     return value->n_indices == 0   ? fix->is_extensive
            : value->n_indices == 1 ? fix->is_vector_extensive
                                    : fix->is_array_extensive;
-}
-
-/** One reference without a range from its text. */
-static hs_status parse(hs_value *value, const hs_args *args, const char *word, hs_error *err)
-{
-    const size_t n_id = strspn(word + 2, id_letters);
-    value->kind = word[0];
-    HS_TRY(hs_memory_strdup(&value->word, word, err));
-    HS_TRY(hs_memory_strdup(&value->id, word + 2, err));
-    value->id[n_id] = '\0';
-    for (const char *at = word + 2 + n_id; *at == '[';) {
-        char number[24] = "";
-        const size_t n = strspn(at + 1, "0123456789");
-        int64_t index = 0;
-        if (n < sizeof number) memcpy(number, at + 1, n);
-        if (!hs_text_to_int64(number, &index) || index < 1)
-            return hs_fail(err, HS_ERROR_INPUT, "%s: '%s': indices count from 1", args->command, word);
-        value->index[value->n_indices++] = index;
-        at += n + 2;
-    }
-    return HS_OK;
-}
-
-static hs_status add(hs_value **values, int *n, const hs_args *args, const char *word, hs_error *err)
-{
-    HS_TRY(HS_GROW(*values, (size_t)*n, (size_t)*n + 1, err));
-    return parse(&(*values)[(*n)++], args, word, err);
-}
-
-/** The words that c_ID[2*4] (or c_ID[2*4][3]) stands for. */
-static hs_status add_range(hs_value **values, int *n, hs_env *env, const hs_args *args, const char *word,
-                           hs_value_shape shape, hs_error *err)
-{
-    const char *open = strchr(word, '['), *close = strchr(word, ']');
-    if (strchr(close, '*') != NULL)
-        return hs_fail(err, HS_ERROR_INPUT, "%s: '%s': only the first index may be a range", args->command, word);
-    hs_value whole = {.n_indices = strchr(close, '[') != NULL ? 2 : 1};
-    hs_text text = {0};
-    char *range = NULL;
-    int lo = 0, hi = -1;
-    whole.kind = word[0];
-    HS_TRY(hs_memory_strdup(&whole.id, word + 2, err));
-    whole.id[open - word - 2] = '\0';
-    hs_status status = hs_memory_strdup(&range, open + 1, err);
-    if (status == HS_OK) {
-        range[close - open - 1] = '\0';
-        const int limit = limit_of(env, &whole, shape, 0);
-        const char *range_word = range;
-        const hs_args one = {.command = args->command, .n = 1, .word = &range_word};
-        if (compute_of(env, &whole) == NULL && fix_of(env, &whole) == NULL)
-            status = hs_fail(err, HS_ERROR_INPUT, "%s: %s needs the %s '%s' to exist already", args->command, word,
-                             whole.kind == 'c' ? "compute" : "fix", whole.id);
-        else if (limit == 0) {
-            whole.word = range;
-            status = hs_fail(err, HS_ERROR_INPUT, "%s: %s: '%s' has nothing that the range could count", args->command,
-                             word, whole.id);
-        } else if (hs_arg_range(&one, 0, limit, &lo, &hi, err) != HS_OK) {
-            hs_error_clear(err);
-            status = hs_fail(err, HS_ERROR_INPUT, "%s: %s: the elements are 1 to %d", args->command, word, limit);
-        }
-    }
-    for (int i = lo; i <= hi && status == HS_OK; ++i) {
-        hs_text_clear(&text);
-        status = hs_text_printf(&text, err, "%.*s[%d%s", (int)(open - word), word, i, close);
-        if (status == HS_OK) status = add(values, n, args, hs_text_get(&text), err);
-    }
-    HS_FREE(whole.id);
-    HS_FREE(range);
-    hs_text_fini(&text);
-    return status;
-}
-
-hs_status hs_values_read(hs_value **values, int *n, hs_env *env, const hs_args *args, int first, int n_words,
-                         hs_value_shape shape, hs_error *err)
-{
-    *values = NULL;
-    *n = 0;
-    hs_status status = HS_OK;
-    for (int i = first; i < first + n_words && status == HS_OK; ++i) {
-        const char *word = args->word[i];
-        if (!hs_value_is_reference(word))
-            status = hs_arg_refuse(args, i, "a value: c_ID, c_ID[i], f_ID, f_ID[i] or v_name", NULL, err);
-        else
-            status = strchr(word, '*') != NULL ? add_range(values, n, env, args, word, shape, err)
-                                               : add(values, n, args, word, err);
-    }
-    if (status != HS_OK) hs_values_destroy(values, *n);
-    return status;
-}
-
-hs_status hs_values_create(hs_value **values, int *n, hs_env *env, const hs_args *args, int first, int n_words,
-                           hs_value_shape shape, hs_error *err)
-{
-    HS_TRY(hs_values_read(values, n, env, args, first, n_words, shape, err));
-    hs_status status = HS_OK;
-    for (int i = 0; i < *n && status == HS_OK; ++i)
-        status = hs_value_check(env, &(*values)[i], shape, args->command, err);
-    if (status != HS_OK) hs_values_destroy(values, *n);
-    return status;
-}
-
-hs_status hs_value_init(hs_value *value, hs_env *env, const hs_args *args, int i, hs_value_shape shape, hs_error *err)
-{
-    hs_value *one;
-    int n;
-    HS_TRY(hs_values_create(&one, &n, env, args, i, 1, shape, err));
-    if (n != 1) {
-        hs_values_destroy(&one, n);
-        return hs_fail(err, HS_ERROR_INPUT, "%s: '%s' stands for %d values, and one is needed", args->command,
-                       args->word[i], n);
-    }
-    *value = one[0];
-    HS_FREE(one);
-    return HS_OK;
 }

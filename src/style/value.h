@@ -35,7 +35,7 @@ HS_MUST_USE hs_status hs_values_create(hs_value **values, int *n, hs_env *env, c
 HS_MUST_USE hs_status hs_values_read(hs_value **values, int *n, hs_env *env, const hs_args *args, int first,
                                      int n_words, hs_value_shape shape, hs_error *err);
 void hs_values_destroy(hs_value **values, int n);
-/** The same for one word, which may not have a range. Zero it before; free with hs_value_fini. */
+/** As hs_values_create for one word, which may not have a range. Zero it before; free with hs_value_fini. */
 HS_MUST_USE hs_status hs_value_init(hs_value *value, hs_env *env, const hs_args *args, int i, hs_value_shape shape,
                                     hs_error *err);
 void hs_value_fini(hs_value *value);
@@ -46,6 +46,10 @@ HS_MUST_USE hs_status hs_value_check(hs_env *env, const hs_value *value, hs_valu
                                      hs_error *err);
 /** Whether the shape is there at all: no error. */
 bool hs_value_has(hs_env *env, const hs_value *value, hs_value_shape shape);
+/** Whether there is the compute or fix that a reference c_ID or f_ID names. */
+bool hs_value_exists(hs_env *env, const hs_value *value);
+/** How many elements, columns or rows index number @p which (0 or 1) may count in that shape; 0: the shape has none. */
+int hs_value_limit(hs_env *env, const hs_value *value, hs_value_shape shape, int which);
 
 /** Bring a vector, or column of an array, whose length varies up to date, so that hs_value_length is that of now (collective).
  *  Nothing for all others. */
