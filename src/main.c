@@ -49,6 +49,16 @@ static bool is_word(const char *word, const char *a, const char *b, const char *
     return strcmp(word, a) == 0 || strcmp(word, b) == 0 || strcmp(word, c) == 0;
 }
 
+static bool asks_for_help(const char *word) { return is_word(word, "--help", "-help", "-h"); }
+
+/** The subcommand of that name, or NULL. */
+static const hs_cli_command *find_subcommand(const char *name)
+{
+    for (const hs_cli_command *command = hs_cli_commands; command->name != NULL; ++command)
+        if (strcmp(name, command->name) == 0) return command;
+    return NULL;
+}
+
 /** GNU OpenMP lets a waiting thread spin for milliseconds. On cores that other programs use too, the thread that is waited
  *  for then gets no core, and a run on two threads was measured ten times slower than on one. A short spin (some 30
  *  microseconds, longer than balanced threads wait for each other) costs nothing when the cores are free. The library reads
@@ -62,8 +72,13 @@ static void limit_spinning(char **argv)
 
 int main(int argc, char **argv)
 {
-    if (argc > 1 && is_word(argv[1], "--help", "-help", "-h")) {
+    const hs_cli_command *command = argc > 1 ? find_subcommand(argv[1]) : NULL;
+    if (argc > 1 && asks_for_help(argv[1])) {
         hs_cli_usage(stdout);
+        return fflush(stdout) == 0 ? EXIT_SUCCESS : 2;
+    }
+    if (command != NULL && argc > 2 && asks_for_help(argv[2])) {
+        hs_cli_usage_of(stdout, command);
         return fflush(stdout) == 0 ? EXIT_SUCCESS : 2;
     }
     if (argc > 1 && is_word(argv[1], "--version", "-version", "-V")) {
@@ -71,11 +86,8 @@ int main(int argc, char **argv)
         return fflush(stdout) == 0 ? EXIT_SUCCESS : 2;
     }
     limit_spinning(argv);
-    const char *name = "run";
-    int first = 1;
-    for (const hs_cli_command *command = hs_cli_commands; argc > 1 && command->name != NULL; ++command)
-        if (strcmp(argv[1], command->name) == 0) name = command->name, first = 2;
-
+    const char *name = command != NULL ? command->name : "run";
+    const int first = command != NULL ? 2 : 1;
     hs_error err = {0};
     hs_parallel parallel = {.n_ranks = 1};
     int exit_code = EXIT_SUCCESS;

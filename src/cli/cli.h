@@ -110,5 +110,7 @@ HS_MUST_USE hs_status hs_cli_predict_ranks(const hs_deck *deck, const hs_cli_set
 
 /** The page of `halfshell --help`. */
 void hs_cli_usage(FILE *stream);
+/** The page of `halfshell SUBCOMMAND --help`. */
+void hs_cli_usage_of(FILE *stream, const hs_cli_command *command);
 
 #endif

@@ -9,21 +9,31 @@
 
 enum { NAME_COLUMN = 22, NAMES_MAX = 1024 };
 
+static void show_options(FILE *stream, const hs_cli_command *command)
+{
+    fprintf(stream, "\n%s: %s\n", command->name, command->help);
+    for (const hs_cli_option *option = hs_cli_options; option->name != NULL; ++option)
+        if (option->commands & command->bit) {
+            char form[64];
+            snprintf(form, sizeof form, "%s%s%s %s", option->name, option->alias != NULL ? ", " : "",
+                     option->alias != NULL ? option->alias : "", option->values);
+            fprintf(stream, "  %-32s  %s\n", form, option->help);
+        }
+}
+
 static void show_command_line(FILE *stream)
 {
     fputs("Usage: halfshell [run] DECK [options]\n", stream);
     for (const hs_cli_command *command = hs_cli_commands + 1; command->name != NULL; ++command)
         fprintf(stream, "       halfshell %s %s\n", command->name, command->usage);
-    for (const hs_cli_command *command = hs_cli_commands; command->name != NULL; ++command) {
-        fprintf(stream, "\n%s: %s\n", command->name, command->help);
-        for (const hs_cli_option *option = hs_cli_options; option->name != NULL; ++option)
-            if (option->commands & command->bit) {
-                char form[64];
-                snprintf(form, sizeof form, "%s%s%s %s", option->name, option->alias != NULL ? ", " : "",
-                         option->alias != NULL ? option->alias : "", option->values);
-                fprintf(stream, "  %-32s  %s\n", form, option->help);
-            }
-    }
+    for (const hs_cli_command *command = hs_cli_commands; command->name != NULL; ++command)
+        show_options(stream, command);
+}
+
+void hs_cli_usage_of(FILE *stream, const hs_cli_command *command)
+{
+    fprintf(stream, "Usage: halfshell %s %s\n", command->name, command->usage);
+    show_options(stream, command);
 }
 
 static void show_exit_codes(FILE *stream)
@@ -37,7 +47,7 @@ void hs_cli_usage(FILE *stream)
 {
     fputs("Halfshell runs LAMMPS input decks of short-range particle systems.\n\n", stream);
     show_command_line(stream);
-    fputs("\nOther: --help, --version\n\n", stream);
+    fputs("\nOther: --help (after a subcommand: of that one), --version\n\n", stream);
     show_exit_codes(stream);
     fputs("\nWhat decks may contain: halfshell help.\n", stream);
 }
@@ -104,12 +114,12 @@ static hs_status show_all(FILE *stream, hs_error *err)
     fputs("halfshell help WORD explains one of them; halfshell help FAMILY lists one family (commands, pair, fix, "
           "compute,\n"
           "region, dump, thermo, neighbor); halfshell help command-line and halfshell help exit-codes show the "
-          "program's own.\n",
+          "program's own, halfshell help plot the options of that subcommand.\n",
           stream);
     return HS_OK;
 }
 
-/** Show every entry named @p word; its name may have more than one meaning (a fix and a compute). */
+/** Show every entry named @p word; its name may have more than one meaning (a fix and a compute, a command and a subcommand). */
 static hs_status show_word(FILE *stream, const char *word, hs_error *err)
 {
     const char *names[NAMES_MAX];
@@ -124,6 +134,10 @@ static hs_status show_word(FILE *stream, const char *word, hs_error *err)
             if (strcmp(entries[i].about.name, word) == 0) show_entry(stream, &entries[i]), ++n_shown;
         }
         HS_FREE(entries);
+    }
+    for (const hs_cli_command *command = hs_cli_commands; command->name != NULL; ++command) {
+        if (n_names < NAMES_MAX) names[n_names++] = command->name;
+        if (strcmp(command->name, word) == 0) hs_cli_usage_of(stream, command), ++n_shown;
     }
     if (n_shown > 0) return HS_OK;
     for (const hs_catalog *family = hs_catalogs; family->name != NULL; ++family)

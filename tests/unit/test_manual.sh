@@ -27,6 +27,13 @@ offers() {
 [[ " $(offers halfshell help lj) " == *" lj/cut "* ]]
 [[ " $(offers halfshell be) " == *" bench "* ]]
 
+# Every subcommand explains itself, and `help` knows it.
+for subcommand in run resume check bench plot report help; do
+    page=$("$HALFSHELL" "$subcommand" --help)
+    [[ $page == "Usage: halfshell $subcommand "* ]] || { echo "$subcommand --help: $page" >&2; exit 1; }
+    [[ $("$HALFSHELL" help "$subcommand") == *"$page" ]] || { echo "help $subcommand lacks its options" >&2; exit 1; }
+done
+
 # The man page is well-formed where a formatter is installed.
 if command -v man >/dev/null 2>&1 && command -v groff >/dev/null 2>&1; then
     warnings=$(groff -man -Tascii -ww -z "$fresh/halfshell.1" 2>&1)
