@@ -69,11 +69,6 @@ static void tail(const hs_pair *pair, int i, int j, double *energy, double *viri
                2.0 * c.c[DISPERSION] / rc3 + 8.0 / 5.0 * c.c[QUADRUPOLE] / rc5);
 }
 
-static hs_status write_coeff(const hs_pair *pair, int i, int j, hs_text *words, hs_error *err)
-{
-    return hs_pair_coeffs_write(pair, i, j, N_COEFFS, words, err);
-}
-
 const hs_pair_style hs_pair_style_born = {
     .about = {.name = "born",
               .syntax = {.usage = "<cutoff>", .n_min = 1, .n_max = 1},
@@ -96,7 +91,7 @@ const hs_pair_style hs_pair_style_born = {
 
     .params = params,
     .tail = tail,
-    .write_coeff = write_coeff,
+    .write_coeff = hs_pair_coeffs_write,
     .evaluator = &hs_evaluator_born,
 };
 

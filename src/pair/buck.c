@@ -61,11 +61,6 @@ static void tail(const hs_pair *pair, int i, int j, double *energy, double *viri
         (e * (rc3 + 3.0 * rho * rc * rc + 6.0 * rho * rho * rc + 6.0 * rho * rho * rho) - 2.0 * c.c[DISPERSION] / rc3);
 }
 
-static hs_status write_coeff(const hs_pair *pair, int i, int j, hs_text *words, hs_error *err)
-{
-    return hs_pair_coeffs_write(pair, i, j, N_COEFFS, words, err);
-}
-
 const hs_pair_style hs_pair_style_buck = {
     .about = {.name = "buck",
               .syntax = {.usage = "<cutoff>", .n_min = 1, .n_max = 1},
@@ -88,7 +83,7 @@ const hs_pair_style hs_pair_style_buck = {
 
     .params = params,
     .tail = tail,
-    .write_coeff = write_coeff,
+    .write_coeff = hs_pair_coeffs_write,
     .evaluator = &hs_evaluator_buck,
 };
 

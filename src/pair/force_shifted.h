@@ -43,7 +43,7 @@ extern const hs_evaluator hs_evaluator_lj_smooth_linear;
         .coeff_syntax = {.usage = "<epsilon> <sigma> [<cutoff>]", .n_min = 2, .n_max = 3},                             \
         .adaptable = HS_LJ_ADAPTABLE, .state_size = sizeof(hs_pair_coeffs), .settings = hs_pair_coeffs_settings,       \
         .destroy = hs_pair_coeffs_destroy, .coeff = hs_lj_coeff, .mix = hs_lj_mix, .params = hs_force_shifted_params,  \
-        .write_coeff = hs_lj_write_coeff, .evaluator = &hs_evaluator_lj_smooth_linear,                                 \
+        .write_coeff = hs_pair_coeffs_write, .evaluator = &hs_evaluator_lj_smooth_linear,                              \
     }
 
 #endif

@@ -58,11 +58,6 @@ static void params(const hs_pair *pair, int i, int j, double *cutoff, double *p)
     p[SHIFT] = pair->shift ? -c.c[0] * exp(-c.c[1] * c.cutoff * c.cutoff) : 0.0;
 }
 
-static hs_status write_coeff(const hs_pair *pair, int i, int j, hs_text *words, hs_error *err)
-{
-    return hs_pair_coeffs_write(pair, i, j, 2, words, err);
-}
-
 const hs_pair_style hs_pair_style_gauss = {
     .about = {.name = "gauss",
               .syntax = {.usage = "<cutoff>", .n_min = 1, .n_max = 1},
@@ -84,7 +79,7 @@ const hs_pair_style hs_pair_style_gauss = {
     .mix = mix,
     .params = params,
 
-    .write_coeff = write_coeff,
+    .write_coeff = hs_pair_coeffs_write,
     .evaluator = &hs_evaluator_gauss,
 };
 

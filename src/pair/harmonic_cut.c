@@ -47,11 +47,6 @@ static void params(const hs_pair *pair, int i, int j, double *cutoff, double *p)
     p[TWO_K] = 2.0 * c.c[0];
 }
 
-static hs_status write_coeff(const hs_pair *pair, int i, int j, hs_text *words, hs_error *err)
-{
-    return hs_pair_coeffs_write(pair, i, j, 1, words, err);
-}
-
 const hs_pair_style hs_pair_style_harmonic_cut = {
     .about = {.name = "harmonic/cut",
               .syntax = {.usage = "", .n_min = 0, .n_max = 0},
@@ -73,7 +68,7 @@ const hs_pair_style hs_pair_style_harmonic_cut = {
     .mix = mix,
     .params = params,
 
-    .write_coeff = write_coeff,
+    .write_coeff = hs_pair_coeffs_write,
     .evaluator = &hs_evaluator_harmonic_cut,
 };
 

@@ -37,11 +37,6 @@ static void params(const hs_pair *pair, int i, int j, double *cutoff, double *p)
     p[2] = 0.5 * p[1];
 }
 
-static hs_status write_coeff(const hs_pair *pair, int i, int j, hs_text *words, hs_error *err)
-{
-    return hs_pair_coeffs_write(pair, i, j, 1, words, err);
-}
-
 const hs_pair_style hs_pair_style_harmonic_repulsion = {
     .about =
         {.name = "harmonic/repulsion",
@@ -65,6 +60,6 @@ const hs_pair_style hs_pair_style_harmonic_repulsion = {
     .coeff = coeff,
     .mix = mix,
     .params = params,
-    .write_coeff = write_coeff,
+    .write_coeff = hs_pair_coeffs_write,
     .evaluator = &hs_evaluator_harmonic_cut,
 };

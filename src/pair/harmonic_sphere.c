@@ -96,11 +96,6 @@ static void params(const hs_pair *pair, int i, int j, double *cutoff, double *p)
     p[HALF_K] = 0.5 * p[K];
 }
 
-static hs_status write_coeff(const hs_pair *pair, int i, int j, hs_text *words, hs_error *err)
-{
-    return hs_text_printf(words, err, "%.17g", hs_pair_coeffs_at(pair, i, j)->c[0]);
-}
-
 const hs_pair_style hs_pair_style_harmonic_sphere = {
     .about =
         {.name = "harmonic/sphere",
@@ -125,7 +120,7 @@ const hs_pair_style hs_pair_style_harmonic_sphere = {
     .mix = mix,
     .init = init,
     .params = params,
-    .write_coeff = write_coeff,
+    .write_coeff = hs_pair_coeffs_write_bare,
     .evaluator = &hs_evaluator_harmonic_sphere,
 };
 

@@ -47,9 +47,4 @@ static inline void hs_lj_params(const hs_pair_coeff *c, bool shift, double *p)
     p[4] = 4.0 * epsilon * (pow(ratio, 12.0) - pow(ratio, 6.0));
 }
 
-static inline HS_MUST_USE hs_status hs_lj_write_coeff(const hs_pair *pair, int i, int j, hs_text *words, hs_error *err)
-{
-    return hs_pair_coeffs_write(pair, i, j, HS_LJ_N_COEFFS, words, err);
-}
-
 #endif

@@ -22,12 +22,6 @@ static void params(const hs_pair *pair, int i, int j, double *cutoff, double *p)
     p[C2] = -p[C0] / (width * width);
 }
 
-static hs_status write_coeff(const hs_pair *pair, int i, int j, hs_text *words, hs_error *err)
-{
-    const hs_pair_coeff *c = hs_pair_coeffs_at(pair, i, j);
-    return hs_text_printf(words, err, "%.15g %.15g", c->c[HS_LJ_EPSILON], c->c[HS_LJ_SIGMA]);
-}
-
 const hs_pair_style hs_pair_style_lj_cubic = {
     .about = {.name = "lj/cubic",
               .syntax = {.usage = "", .n_min = 0, .n_max = 0},
@@ -48,6 +42,6 @@ const hs_pair_style hs_pair_style_lj_cubic = {
     .coeff = hs_lj_coeff,
     .mix = hs_lj_mix,
     .params = params,
-    .write_coeff = write_coeff,
+    .write_coeff = hs_pair_coeffs_write_bare,
     .evaluator = &hs_evaluator_lj_smooth,
 };

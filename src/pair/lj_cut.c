@@ -62,7 +62,7 @@ const hs_pair_style hs_pair_style_lj_cut = {
     .mix = hs_lj_mix,
     .params = params,
     .tail = tail,
-    .write_coeff = hs_lj_write_coeff,
+    .write_coeff = hs_pair_coeffs_write,
     .evaluator = &hs_evaluator_lj_cut,
 };
 

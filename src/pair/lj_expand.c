@@ -78,11 +78,6 @@ static void tail(const hs_pair *pair, int i, int j, double *energy, double *viri
     }
 }
 
-static hs_status write_coeff(const hs_pair *pair, int i, int j, hs_text *words, hs_error *err)
-{
-    return hs_pair_coeffs_write(pair, i, j, N_COEFFS, words, err);
-}
-
 const hs_pair_style hs_pair_style_lj_expand = {
     .about =
         {.name = "lj/expand",
@@ -106,7 +101,7 @@ const hs_pair_style hs_pair_style_lj_expand = {
     .mix = mix,
     .params = params,
     .tail = tail,
-    .write_coeff = write_coeff,
+    .write_coeff = hs_pair_coeffs_write,
     .evaluator = &hs_evaluator_lj_expand,
 };
 

@@ -95,11 +95,6 @@ static void params(const hs_pair *pair, int i, int j, double *cutoff, double *p)
     p[SHIFT] = pair->shift ? p[U_INNER] - fall : 0.0;
 }
 
-static hs_status write_coeff(const hs_pair *pair, int i, int j, hs_text *words, hs_error *err)
-{
-    return hs_pair_coeffs_write(pair, i, j, N_COEFFS, words, err);
-}
-
 const hs_pair_style hs_pair_style_lj_smooth = {
     .about =
         {.name = "lj/smooth",
@@ -126,7 +121,7 @@ const hs_pair_style hs_pair_style_lj_smooth = {
     .mix = mix,
     .params = params,
 
-    .write_coeff = write_coeff,
+    .write_coeff = hs_pair_coeffs_write,
     .evaluator = &hs_evaluator_lj_smooth,
 };
 

@@ -43,11 +43,6 @@ static void params(const hs_pair *pair, int i, int j, double *cutoff, double *p)
     p[SHIFT] = pair->shift ? depth * (e * e - 2.0 * e) : 0.0;
 }
 
-static hs_status write_coeff(const hs_pair *pair, int i, int j, hs_text *words, hs_error *err)
-{
-    return hs_pair_coeffs_write(pair, i, j, 3, words, err);
-}
-
 const hs_pair_style hs_pair_style_morse = {
     .about = {.name = "morse",
               .syntax = {.usage = "<cutoff>", .n_min = 1, .n_max = 1},
@@ -69,7 +64,7 @@ const hs_pair_style hs_pair_style_morse = {
 
     .params = params,
 
-    .write_coeff = write_coeff,
+    .write_coeff = hs_pair_coeffs_write,
     .evaluator = &hs_evaluator_morse,
 };
 

@@ -23,12 +23,6 @@ static void params(const hs_pair *pair, int i, int j, double *cutoff, double *p)
     hs_lj_params(&c, true, p);
 }
 
-static hs_status write_coeff(const hs_pair *pair, int i, int j, hs_text *words, hs_error *err)
-{
-    const hs_pair_coeff *c = hs_pair_coeffs_at(pair, i, j);
-    return hs_text_printf(words, err, "%.15g %.15g", c->c[HS_LJ_EPSILON], c->c[HS_LJ_SIGMA]);
-}
-
 const hs_pair_style hs_pair_style_wca = {
     .about = {.name = "wca",
               .syntax = {.usage = "", .n_min = 0, .n_max = 0},
@@ -48,6 +42,6 @@ const hs_pair_style hs_pair_style_wca = {
     .coeff = coeff,
     .mix = hs_lj_mix,
     .params = params,
-    .write_coeff = write_coeff,
+    .write_coeff = hs_pair_coeffs_write_bare,
     .evaluator = &hs_evaluator_lj_cut,
 };

@@ -67,7 +67,7 @@ const hs_pair_style hs_pair_style_yukawa = {
     .mix = hs_pair_coeffs_mix_one,
     .params = params,
 
-    .write_coeff = hs_pair_coeffs_write_one,
+    .write_coeff = hs_pair_coeffs_write,
     .evaluator = &hs_evaluator_yukawa,
 };
 

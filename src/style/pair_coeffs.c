@@ -46,14 +46,26 @@ static hs_status write_number(double value, hs_text *words, hs_error *err)
     return hs_text_printf(words, err, strtod(text, NULL) == value ? "%.15g" : "%.17g", value);
 }
 
-hs_status hs_pair_coeffs_write(const hs_pair *pair, int i, int j, int n, hs_text *words, hs_error *err)
+static hs_status write_first(const hs_pair *pair, int i, int j, int n, hs_text *words, hs_error *err)
 {
     const hs_pair_coeff *coeff = hs_pair_coeffs_at(pair, i, j);
     for (int k = 0; k < n; ++k) {
+        if (k > 0) HS_TRY(hs_text_append(words, " ", 1, err));
         HS_TRY(write_number(coeff->c[k], words, err));
-        HS_TRY(hs_text_append(words, " ", 1, err));
     }
-    return write_number(coeff->cutoff, words, err);
+    return HS_OK;
+}
+
+hs_status hs_pair_coeffs_write(const hs_pair *pair, int i, int j, hs_text *words, hs_error *err)
+{
+    HS_TRY(write_first(pair, i, j, pair->style->coeff_syntax.n_max - 1, words, err));
+    HS_TRY(hs_text_append(words, " ", 1, err));
+    return write_number(hs_pair_coeffs_at(pair, i, j)->cutoff, words, err);
+}
+
+hs_status hs_pair_coeffs_write_bare(const hs_pair *pair, int i, int j, hs_text *words, hs_error *err)
+{
+    return write_first(pair, i, j, pair->style->coeff_syntax.n_max, words, err);
 }
 
 hs_status hs_pair_coeffs_keep(hs_pair *pair, const char *name, hs_state *state, hs_error *err)
@@ -97,9 +109,4 @@ hs_status hs_pair_coeffs_mix_one(hs_pair *pair, int i, int j, hs_error *err)
     *hs_pair_coeffs_at(pair, i, j) =
         (hs_pair_coeff){.c = {sqrt(a.c[0] * b.c[0])}, .cutoff = hs_pair_mix_distance(pair->mix, a.cutoff, b.cutoff)};
     return HS_OK;
-}
-
-hs_status hs_pair_coeffs_write_one(const hs_pair *pair, int i, int j, hs_text *words, hs_error *err)
-{
-    return hs_pair_coeffs_write(pair, i, j, 1, words, err);
 }

@@ -37,13 +37,15 @@ HS_MUST_USE hs_status hs_pair_coeffs_read_cutoff(const hs_pair *pair, const hs_a
 /** The coefficients that fix adapt may change, of all pairs of types: moved into a checkpoint or back; their names there begin
  *  with @p name. */
 HS_MUST_USE hs_status hs_pair_coeffs_keep(hs_pair *pair, const char *name, hs_state *state, hs_error *err);
-/** Append the first n coefficients and the cutoff, with the digits that bring them back. */
-HS_MUST_USE hs_status hs_pair_coeffs_write(const hs_pair *pair, int i, int j, int n, hs_text *words, hs_error *err);
+/** ->write_coeff of styles whose last word of pair_coeff (coeff_syntax.n_max) is the cutoff, and the others the coefficients in their
+ *  order. Numbers have the digits that bring them back. */
+HS_MUST_USE hs_status hs_pair_coeffs_write(const hs_pair *pair, int i, int j, hs_text *words, hs_error *err);
+/** The same of styles whose words are all coefficients: their cutoffs follow from these. */
+HS_MUST_USE hs_status hs_pair_coeffs_write_bare(const hs_pair *pair, int i, int j, hs_text *words, hs_error *err);
 /* Hooks of styles with one coefficient, mixed by the geometric mean, and a cutoff, mixed as a distance. */
 HS_MUST_USE hs_status hs_pair_coeffs_read_one(hs_pair *pair, int i, int j, const hs_args *args, hs_error *err);
 HS_MUST_USE hs_status hs_pair_coeffs_mix_one(hs_pair *pair, int i, int j, hs_error *err);
-HS_MUST_USE hs_status hs_pair_coeffs_write_one(const hs_pair *pair, int i, int j, hs_text *words, hs_error *err);
-/** ->destroy of such a style. */
+/** ->destroy of all these styles. */
 void hs_pair_coeffs_destroy(hs_pair *pair);
 
 #endif
