@@ -72,6 +72,7 @@ void hs_min_add_up(const hs_minimizer *min, hs_min_sums *sums)
     double value[N_SUMS];
     hs_atom_sum(&min->sim->atoms, &min->sim->parallel, add_products, min, N_SUMS, value);
     *sums = (hs_min_sums){value[FORCE_FORCE], value[FORCE_BEFORE], value[FORCE_DIRECTION]};
+    hs_min_add_box_products(min, sums);
 }
 
 /** *largest becomes the largest of what the threads have found. */
@@ -113,7 +114,8 @@ static void find_largest_square(const hs_atoms *atoms, double *largest)
 double hs_min_force_norm(const hs_minimizer *min, hs_force_norm norm)
 {
     const hs_atoms *atoms = &min->sim->atoms;
-    if (norm == HS_NORM_INF) return hs_min_largest(min, atoms->f);
+    const double largest_of_box = hs_min_largest_of_box(min, min->box.force);
+    if (norm == HS_NORM_INF) return fmax(hs_min_largest(min, atoms->f), largest_of_box);
     if (norm == HS_NORM_TWO) {
         hs_min_sums sums;
         hs_min_add_up(min, &sums);
@@ -122,17 +124,22 @@ double hs_min_force_norm(const hs_minimizer *min, hs_force_norm norm)
     double largest2 = 0.0;
     HS_ON_THREADS(find_largest_square(atoms, &largest2));
     hs_parallel_max_double(&min->sim->parallel, &largest2, 1);
-    return sqrt(largest2);
+    return fmax(sqrt(largest2), largest_of_box);
 }
 
 /* ---- Iterations ---- */
 
-static double energy_of(const hs_sim *sim) { return sim->env.pair_energy + sim->env.tail_energy + sim->env.fix_energy; }
+double hs_min_energy(const hs_minimizer *min)
+{
+    const hs_env *env = &min->sim->env;
+    return env->pair_energy + env->tail_energy + env->fix_energy + min->box.energy;
+}
 
 hs_status hs_min_evaluate(hs_minimizer *min, hs_error *err)
 {
     HS_TRY(hs_sim_move_forces(min->sim, err));
-    min->energy = energy_of(min->sim);
+    HS_TRY(hs_min_measure_box(min, err));
+    min->energy = hs_min_energy(min);
     ++min->n_evaluations;
     --*min->plan->evaluations_left;
     return HS_OK;
@@ -152,6 +159,7 @@ hs_min_reason hs_min_check(const hs_minimizer *min, bool with_energy)
 
 static void forget_vectors(hs_minimizer *min)
 {
+    hs_min_remove_box(min);
     for (int axis = 0; axis < 3; ++axis) {
         hs_atoms_remove_field(&min->sim->atoms, (void **)&min->direction[axis]);
         hs_atoms_remove_field(&min->sim->atoms, (void **)&min->before[axis]);
@@ -168,6 +176,7 @@ static hs_status begin(hs_minimizer *min, hs_error *err)
         HS_TRY(hs_atoms_add_field(atoms, names[0][axis], (void **)&min->direction[axis], sizeof(double), false, err));
         HS_TRY(hs_atoms_add_field(atoms, names[1][axis], (void **)&min->before[axis], sizeof(double), false, err));
     }
+    HS_TRY(hs_min_add_box(min, err));
     min->settings->style->begin(min);
     return HS_OK;
 }
@@ -238,21 +247,24 @@ static void describe(const hs_minimizer *min, const beginning *start, hs_min_rea
              (long long)min->n_evaluations);
 }
 
-static hs_status set_up(hs_sim *sim, const hs_min_plan *plan, const char *style, hs_error *err)
+static hs_status set_up(const hs_minimizer *min, hs_error *err)
 {
-    if (plan->is_resumed) { /* all is as it was at this step, and its output is written */
+    hs_sim *sim = min->sim;
+    hs_fix *relaxes = min->box.fix;
+    if (min->plan->is_resumed) { /* all is as it was at this step, and its output is written */
         hs_thermo_header(sim->thermo);
         hs_timer_reset(&sim->timer);
         return HS_OK;
     }
     sim->env.first_step = sim->env.ramp_start = sim->env.step;
-    sim->env.last_step = sim->env.ramp_stop = sim->env.step + *plan->iterations_left;
+    sim->env.last_step = sim->env.ramp_stop = sim->env.step + *min->plan->iterations_left;
     for (int axis = 0; axis < 3 && sim->minimize.style->is_from_rest; ++axis)
         memset(sim->atoms.v[axis], 0, (size_t)sim->atoms.n_local * sizeof(double));
     HS_TRY(hs_sim_setup(sim, err));
+    if (relaxes != NULL) relaxes->style->box_freedom->begin(relaxes);
     sim->tuner.is_trying = false;
-    hs_say(sim->env.out, "Setting up %s style minimization ...\n  Unit style    : %s\n  Current step  : %lld\n", style,
-           sim->env.units->name, (long long)sim->env.step);
+    hs_say(sim->env.out, "Setting up %s style minimization ...\n  Unit style    : %s\n  Current step  : %lld\n",
+           min->settings->style->name, sim->env.units->name, (long long)sim->env.step);
     hs_report_setup(sim);
     return hs_sim_begin_output(sim, err);
 }
@@ -260,11 +272,13 @@ static hs_status set_up(hs_sim *sim, const hs_min_plan *plan, const char *style,
 static hs_status minimize(hs_sim *sim, hs_min_plan *plan, hs_error *err)
 {
     const hs_min_settings *settings = &sim->minimize;
-    HS_TRY(set_up(sim, plan, settings->style->name, err));
-    const double start_s = hs_time_now_s(), start_cpu_s = hs_time_cpu_s();
     hs_minimizer min = {.sim = sim, .settings = settings, .plan = plan};
+    HS_TRY(hs_min_find_box(sim, &min.box.fix, err));
+    HS_TRY(set_up(&min, err));
+    HS_TRY(hs_min_measure_box(&min, err));
+    const double start_s = hs_time_now_s(), start_cpu_s = hs_time_cpu_s();
     hs_min_reason reason;
-    min.energy = min.energy_before = energy_of(sim);
+    min.energy = min.energy_before = hs_min_energy(&min);
     const beginning start = {min.energy, hs_min_force_norm(&min, HS_NORM_TWO), hs_min_force_norm(&min, HS_NORM_INF)};
     hs_status status = begin(&min, err);
     if (status == HS_OK) status = iterate(&min, &reason, err);

@@ -25,7 +25,11 @@ static void turn_share(hs_minimizer *min, double beta)
 }
 
 /** direction = forces + beta direction, before = forces. */
-static void turn(hs_minimizer *min, double beta) { HS_ON_THREADS(turn_share(min, beta)); }
+static void turn(hs_minimizer *min, double beta)
+{
+    HS_ON_THREADS(turn_share(min, beta));
+    hs_min_turn_box(min, beta);
+}
 
 static void begin(hs_minimizer *min)
 {
@@ -39,6 +43,7 @@ static void begin(hs_minimizer *min)
 static hs_status move(hs_minimizer *min, hs_min_reason *reason, hs_error *err)
 {
     HS_TRY(hs_min_search_line(min, reason, err));
+    HS_TRY(hs_min_renew_box(min, err));
     if (*reason == HS_MIN_GOES_ON) *reason = hs_min_check(min, true);
     return HS_OK;
 }
@@ -54,7 +59,7 @@ static hs_status iterate_cg(hs_minimizer *min, hs_min_reason *reason, hs_error *
         return HS_OK;
     }
     double beta = fmax(0.0, (sums.force_force - sums.force_before) / min->squared);
-    if (++min->n_since_begin % (3 * min->sim->atoms.n_all) == 0) beta = 0.0;
+    if (++min->n_since_begin % (3 * min->sim->atoms.n_all + hs_min_count_box(min)) == 0) beta = 0.0;
     min->squared = sums.force_force;
     turn(min, beta);
     hs_min_add_up(min, &sums);

@@ -1,8 +1,9 @@
 /* Line searches: how far to go along the search direction.
  *
- * The first try is the whole direction, or as far as dmax allows. A place is taken when the energy has fallen by at least 0.4 of what
- * the slope at the start promises (the condition of Armijo); else half the distance is tried. `quadratic` also tries the place where
- * the slope, a straight line through its two last values, would vanish, if energy and slopes so far agree with such a parabola.
+ * The first try is the whole direction, or as far as dmax and the box allow. A place is taken when the energy has fallen by at least 0.4 of
+ * what the slope at the start promises (the condition of Armijo); else half the distance is tried. `quadratic` tries the place where the
+ * slope, a straight line through its two last values, would vanish, if energy and slopes so far agree with such a parabola, and takes it
+ * where the energy has not risen by more than rounding may. As in LAMMPS a place whose parabola was tried in vain is not taken itself.
  * Source: J. Nocedal, S. J. Wright, Numerical Optimization (2006), chapter 3, doi:10.1007/978-0-387-40065-5. */
 #include <math.h>
 
@@ -11,7 +12,7 @@
 static const double alpha_max = 1.0;
 static const double wanted_part = 0.4; /* of the decrease that the slope promises */
 static const double shrink = 0.5;
-static const double too_little = 1e-8; /* decrease of the energy that is not worth another try */
+static const double too_little = 1e-8; /* change of the energy that means nothing */
 static const double parabola_error = 0.1;
 static const double flat = 1e-28; /* slopes that differ by less tell nothing */
 
@@ -38,7 +39,10 @@ static void move_share(hs_minimizer *min, double alpha)
 
 static hs_status go_to(hs_minimizer *min, double alpha, place *there, hs_error *err)
 {
-    HS_ON_THREADS(move_share(min, alpha));
+    if (min->box.fix != NULL)
+        hs_min_go_with_box(min, alpha);
+    else
+        HS_ON_THREADS(move_share(min, alpha));
     min->alpha = alpha;
     HS_TRY(hs_min_evaluate(min, err));
     hs_min_sums sums;
@@ -65,17 +69,19 @@ hs_status hs_min_search_line(hs_minimizer *min, hs_min_reason *reason, hs_error 
     hs_min_add_up(min, &sums);
     const place start = {0.0, min->energy, sums.force_direction};
     const double largest = hs_min_largest(min, min->direction);
+    hs_min_begin_line_of_box(min);
     min->alpha = 0.0;
     *reason = HS_MIN_GOES_ON;
     if (start.slope <= 0.0) {
         *reason = HS_MIN_UPHILL;
         return HS_OK;
     }
-    if (largest == 0.0) {
+    if (largest == 0.0 && hs_min_largest_of_box(min, min->box.direction) == 0.0) {
         *reason = HS_MIN_NO_FORCES;
         return HS_OK;
     }
-    const double limit = fmin(alpha_max, min->settings->dmax / largest);
+    const double limit =
+        fmin(fmin(alpha_max, hs_min_limit_of_box(min)), largest > 0.0 ? min->settings->dmax / largest : alpha_max);
     place last = start, now, tried;
     for (double alpha = limit;; alpha *= shrink) {
         min->alpha_tried = alpha;
@@ -83,14 +89,14 @@ hs_status hs_min_search_line(hs_minimizer *min, hs_min_reason *reason, hs_error 
         const double best = min->settings->line == HS_LINE_QUADRATIC ? parabola_minimum(&last, &now, limit) : 0.0;
         if (best > 0.0 && best != alpha) {
             HS_TRY(go_to(min, best, &tried, err));
-            if (tried.energy <= start.energy) return HS_OK;
-            if (now.energy <= start.energy - wanted_part * now.alpha * start.slope)
-                return go_to(min, alpha, &tried, err);
+            if (tried.energy - start.energy < too_little) return HS_OK;
+        } else if (now.energy <= start.energy - wanted_part * now.alpha * start.slope) {
+            return HS_OK;
         }
-        if (now.energy <= start.energy - wanted_part * now.alpha * start.slope) return HS_OK;
-        if (wanted_part * shrink * alpha * start.slope <= too_little) break;
+        if (wanted_part * alpha * start.slope <= too_little) break;
         last = now;
     }
+    min->alpha_tried *= shrink;
     *reason = HS_MIN_ALPHA;
     return go_to(min, 0.0, &tried, err);
 }

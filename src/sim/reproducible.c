@@ -44,7 +44,7 @@ static int position_exponent(const hs_sim *sim)
     return hs_fixed_exponent(farthest, POSITION_BITS);
 }
 
-static void round_box(hs_box *box, double magic)
+void hs_sim_round_box(hs_box *box, double magic)
 {
     for (int axis = 0; axis < 3; ++axis) {
         if (!box->periodic[axis]) continue;
@@ -86,7 +86,7 @@ void hs_sim_settle_positions(hs_sim *sim)
     const double magic = ldexp(1.5, 52 + position_exponent(sim));
     if (magic == sim->env.position_magic) return;
     sim->env.position_magic = magic;
-    round_box(&sim->box, magic);
+    hs_sim_round_box(&sim->box, magic);
     hs_sim_round_positions(sim);
 }
 

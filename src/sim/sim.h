@@ -187,6 +187,8 @@ void hs_sim_forward_listed(hs_sim *sim);
 HS_MUST_USE hs_status hs_sim_setup_reproducible(hs_sim *sim, hs_error *err);
 /** The box has changed: choose the position grid anew, and round to it when it is another. */
 void hs_sim_settle_positions(hs_sim *sim);
+/** Round bounds and tilts of a box to a grid (env.position_magic). */
+void hs_sim_round_box(hs_box *box, double magic);
 /** Round the positions of local atoms to the present grid. */
 void hs_sim_round_positions(hs_sim *sim);
 /** Grids for the forces of this step. */

@@ -43,17 +43,9 @@ static void change_bounds(hs_env *env, const double lo[3], const double hi[3], u
     }
 }
 
-/** A tilted box that becomes another. */
-typedef struct reshape {
-    hs_box from, to;
-    double inv_length[3];      /**< of the box before */
-    double corner[3];          /**< by which the lower corner moves, */
-    double length[3], tilt[3]; /**< and by which the edges grow, distance */
-} reshape;
-
-static reshape make_reshape(const hs_box *from, const hs_box *to)
+hs_box_map hs_box_map_make(const hs_box *from, const hs_box *to)
 {
-    reshape r = {.from = *from, .to = *to};
+    hs_box_map r = {.from = *from, .to = *to};
     for (int axis = 0; axis < 3; ++axis) {
         r.inv_length[axis] = 1.0 / hs_box_length(from, axis);
         r.corner[axis] = to->lo[axis] - from->lo[axis];
@@ -63,7 +55,7 @@ static reshape make_reshape(const hs_box *from, const hs_box *to)
     return r;
 }
 
-static inline void find_fractions(const reshape *r, const double x[3], double fraction[3])
+static inline void find_fractions(const hs_box_map *r, const double x[3], double fraction[3])
 {
     const double *lo = r->from.lo, *tilt = r->from.tilt;
     fraction[2] = (x[2] - lo[2]) * r->inv_length[2];
@@ -74,7 +66,7 @@ static inline void find_fractions(const reshape *r, const double x[3], double fr
 static inline bool is_part(double fraction) { return fraction >= 0.0 && fraction < 1.0; }
 
 /** The edges between a place and its image in the box: taken off. */
-static void take_off_images(const reshape *r, double x[3], double fraction[3], int32_t n[3])
+static void take_off_images(const hs_box_map *r, double x[3], double fraction[3], int32_t n[3])
 {
     double shift[3];
     for (int axis = 0; axis < 3; ++axis)
@@ -84,8 +76,7 @@ static void take_off_images(const reshape *r, double x[3], double fraction[3], i
     find_fractions(r, x, fraction);
 }
 
-/** Move a place along, as its image in the box does. */
-static inline void follow(const reshape *r, double magic, double x[3])
+static inline void follow(const hs_box_map *r, double magic, double x[3])
 {
     double fraction[3], shift[3] = {0.0, 0.0, 0.0};
     find_fractions(r, x, fraction);
@@ -101,6 +92,8 @@ static inline void follow(const reshape *r, double magic, double x[3])
     for (int axis = 0; axis < 3; ++axis) x[axis] = hs_moved(x[axis], moved[axis], magic) + shift[axis];
 }
 
+void hs_box_map_move(const hs_box_map *map, double magic, double x[3]) { follow(map, magic, x); }
+
 static void change_tilted(hs_env *env, const double lo[3], const double hi[3], const double tilt[3], uint32_t mask)
 {
     hs_atoms *atoms = env->atoms;
@@ -111,7 +104,7 @@ static void change_tilted(hs_env *env, const double lo[3], const double hi[3], c
         to.hi[axis] = rounded(hi[axis], env->position_magic);
         if (tilt != NULL) to.tilt[axis] = rounded(tilt[axis], env->position_magic);
     }
-    const reshape change = make_reshape(&from, &to);
+    const hs_box_map change = hs_box_map_make(&from, &to);
 #pragma omp parallel for schedule(static)
     for (int i = 0; i < atoms->n_local; ++i) {
         double x[3] = {atoms->x[0][i], atoms->x[1][i], atoms->x[2][i]};

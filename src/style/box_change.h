@@ -10,6 +10,18 @@
  *  so in the image it is in, as in LAMMPS. Not collective; the same on all ranks. */
 void hs_box_change(hs_env *env, const double lo[3], const double hi[3], const double tilt[3], uint32_t mask);
 
+/** A box that becomes another: how places in it move. */
+typedef struct hs_box_map {
+    hs_box from, to;
+    double inv_length[3];      /**< of the box before */
+    double corner[3];          /**< by which the lower corner moves, */
+    double length[3], tilt[3]; /**< and by which the edges grow, distance */
+} hs_box_map;
+hs_box_map hs_box_map_make(const hs_box *from, const hs_box *to);
+/** Move a place along, as its image in the box does: it keeps its fractions. The displacement is rounded (@p magic, see hs_env). Exactly
+ *  nothing moves when both boxes are the same. */
+void hs_box_map_move(const hs_box_map *map, double magic, double x[3]);
+
 /* For fixes that change tilts, in their hook pre_exchange: atoms are brought into the box after it. Not collective. */
 
 /** The same lattice of periodic images with other edges: b becomes b + n[0] a, c becomes c + n[1] a + n[2] b, so that xy grows by n[0]

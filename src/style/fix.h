@@ -5,6 +5,7 @@
 #include "base/text.h"
 #include "core/noise.h"
 #include "style/args.h"
+#include "style/box_freedom.h"
 #include "style/env.h"
 #include "style/state.h"
 
@@ -59,6 +60,8 @@ typedef struct hs_fix_style {
      *  NULL: the style uses none. */
     HS_MUST_USE hs_status (*set_temperature)(struct hs_fix *fix, const char *id, hs_error *err);
     HS_MUST_USE hs_status (*set_pressure)(struct hs_fix *fix, const char *id, hs_error *err);
+    /** The box moves with the atoms when the energy is minimised; NULL: it stays. */
+    const hs_box_freedom *box_freedom;
     bool is_time_dependent; /**< counts steps: reset_timestep is refused while there is one */
     bool acts_in_minimize;  /**< setup and post_force are called when the energy is minimised, too */
     bool is_integrator;     /**< moves its atoms: two of them on one atom are warned about */

@@ -171,6 +171,7 @@ pair_coeff 2 2 1.0 0.85
 pair_modify shift yes
 neigh_modify every 3 delay 0 check yes
 fix 1 all nve
+${box}
 min_style ${style}
 checkpoint every 7 steps keep 9 file min.*.h5
 minimize 0 0 30 1000
@@ -178,9 +179,11 @@ run 10
 write_data end.data
 END
 mkdir -p whole
-for style in cg sd fire; do
+relax='fix r all box/relax x 1.0 y 2.0 z 0.5 vmax 0.002 nreset 5'
+for style in cg sd fire relaxed; do
     rm -f min.*.h5
-    run min.in -var style "$style" || fail "minimize with $style: $(cat err)"
+    if [ $style = relaxed ]; then words=(-var style cg -var box "$relax"); else words=(-var style $style -var box 'print nothing'); fi
+    run min.in "${words[@]}" || fail "minimize with $style: $(cat err)"
     mv end.data "whole/$style.data"
     for step in 7 28 35; do
         run resume "min.$step.h5" || fail "minimize with $style resumed from step $step: $(cat err)"

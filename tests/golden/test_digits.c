@@ -1,4 +1,4 @@
-/* Thermo tables of the decks in golden/pair, golden/styles and golden/tilted, every digit, against LAMMPS's (golden/record makes them). */
+/* Thermo tables of the decks in golden/pair, relax, styles and tilted, every digit, against LAMMPS's (golden/record makes them). */
 #define _GNU_SOURCE
 #include <glob.h>
 #include <stdio.h>
@@ -61,7 +61,11 @@ END_TEST
 START_TEST(other_styles) { check_folder(TEST_SOURCE_DIR "/golden/styles/*.in"); }
 END_TEST
 
+START_TEST(relaxed_boxes) { check_folder(TEST_SOURCE_DIR "/golden/relax/*.in"); }
+END_TEST
+
 START_TEST(tilted_boxes) { check_folder(TEST_SOURCE_DIR "/golden/tilted/*.in"); }
 END_TEST
 
-HS_TEST_MAIN("decks against every digit of LAMMPS", pair_styles, other_styles, tilted_boxes)
+HS_TEST_MAIN("decks against every digit of LAMMPS", pair_styles, other_styles, relaxed_boxes,
+             tilted_boxes)
