@@ -11,9 +11,14 @@
  *  the same time; different simulations may be. Functions return a code and leave their message in hs_simulation_error.
  *  Lengths, energies and times are in the units of the deck (`units lj|real|metal`).
  *
- *  Arrays of vectors are n rows of x, y, z. Their order is the caller's choice: HS_ORDER_ID is by increasing atom id and
- *  stays the same while atoms are neither made nor deleted; HS_ORDER_LOCAL is the order in memory, cheaper, and changes
- *  with every run or force evaluation. With several ranks all functions are collective and every rank sees all atoms. */
+ *  Arrays of vectors are n rows of x, y, z, owned by the caller. Their order is the caller's choice: HS_ORDER_ID is by increasing atom
+ *  id and stays the same while atoms are neither made nor deleted; HS_ORDER_LOCAL is the order in memory, cheaper, and changes
+ *  with every run or force evaluation.
+ *
+ *  Ranks. Where the program has called MPI_Init before it makes a simulation, the ranks of MPI_COMM_WORLD share it; else it runs on one.
+ *  All functions are then collective (to be called by every rank, with the same arguments), and every rank gets the values of all atoms; only
+ *  hs_simulation_stop, hs_simulation_error, hs_simulation_step, hs_simulation_n_atoms, hs_simulation_n_types, hs_simulation_box and
+ *  hs_simulation_tilt may be called by one alone. */
 #ifndef HALFSHELL_HALFSHELL_H
 #define HALFSHELL_HALFSHELL_H
 
@@ -65,7 +70,8 @@ typedef struct hs_simulation_options {
 HS_API const char *hs_version(void);
 
 /** New, empty simulation. The caller destroys it, also when this fails: the handle then only holds the message. NULL comes
- *  back in *simulation only when there is no memory at all. @p options may be NULL: the defaults, silent. */
+ *  back in *simulation only when there is no memory at all, and all functions then fail with HS_CODE_FAILED. @p options may be NULL: the
+ *  defaults, silent. */
 HS_API hs_code hs_simulation_create(hs_simulation **simulation, const hs_simulation_options *options);
 /** Free everything and clear the pointer. NULL is fine. Open dumps and logs are closed. */
 HS_API void hs_simulation_destroy(hs_simulation **simulation);
@@ -96,9 +102,10 @@ HS_API int64_t hs_simulation_step(const hs_simulation *simulation);
 /** Atoms, and atom types; 0 while there is no box. */
 HS_API int64_t hs_simulation_n_atoms(const hs_simulation *simulation);
 HS_API int hs_simulation_n_types(const hs_simulation *simulation);
-/** The box: lower and upper corner, and which axes are periodic (1 or 0). Any pointer may be NULL. */
+/** The box: lower and upper corner, distance, and which axes are periodic (1 or 0). Any pointer may be NULL. An error while there is no
+ *  box, as for all functions below. */
 HS_API hs_code hs_simulation_box(hs_simulation *simulation, double lo[3], double hi[3], int periodic[3]);
-/** Its tilts xy, xz, yz, all 0 in an orthogonal box: the edges are (lx, 0, 0), (xy, ly, 0) and (xz, yz, lz), with lx = hi[0] - lo[0]. */
+/** Its tilts xy, xz, yz, distance, all 0 in an orthogonal box: the edges are (lx, 0, 0), (xy, ly, 0) and (xz, yz, lz), with lx = hi[0] - lo[0]. */
 HS_API hs_code hs_simulation_tilt(hs_simulation *simulation, double tilt[3]);
 
 /** A value of the thermo output by its keyword ("temp", "pe", "press", "lx", ...), normed as the deck's thermo output is.
@@ -120,10 +127,10 @@ HS_API hs_code hs_simulation_get_forces(hs_simulation *simulation, hs_order orde
 HS_API hs_code hs_simulation_get_ids(hs_simulation *simulation, hs_order order, int64_t n, int64_t *ids);
 /** Atom types, from 1. */
 HS_API hs_code hs_simulation_get_types(hs_simulation *simulation, hs_order order, int64_t n, int32_t *types);
-/** New positions. Along periodic axes they are wrapped into the box, and the unwrapped positions are then the given ones;
- *  outside of a fixed face, or not a number, they are an error that changes nothing. */
+/** New positions, distance. Along periodic axes they are wrapped into the box, and the unwrapped positions are then the given ones;
+ *  outside of a fixed face, or not a number, they are an error that changes nothing. Forces are computed anew when they are needed next. */
 HS_API hs_code hs_simulation_set_positions(hs_simulation *simulation, hs_order order, int64_t n, const double *xyz);
-/** New velocities; a value that is not a number is an error that changes nothing. */
+/** New velocities, distance/time; a value that is not a number is an error that changes nothing. */
 HS_API hs_code hs_simulation_set_velocities(hs_simulation *simulation, hs_order order, int64_t n, const double *xyz);
 
 #ifdef __cplusplus

@@ -10,6 +10,7 @@ const char *hs_version(void) { return HALFSHELL_VERSION; }
 
 hs_status hs_api_begin(hs_simulation *simulation)
 {
+    if (simulation == NULL) return HS_ERROR_MEMORY; /* so it came from hs_simulation_create */
     hs_error_clear(&simulation->error);
     simulation->message[0] = '\0';
     if (simulation->deck != NULL) return HS_OK;
@@ -19,6 +20,7 @@ hs_status hs_api_begin(hs_simulation *simulation)
 hs_code hs_api_finish(hs_simulation *simulation, hs_status status)
 {
     if (status == HS_OK) return HS_CODE_OK;
+    if (simulation == NULL) return (hs_code)hs_exit_code(status);
     const hs_error *error = &simulation->error;
     char line[32] = "";
     if (error->line > 0) snprintf(line, sizeof line, ":%ld", error->line);
@@ -125,7 +127,7 @@ hs_code hs_simulation_deck_text(hs_simulation *simulation, const char *text)
     }
     if (status == HS_OK) status = hs_deck_check(simulation->deck, "-", err);
     if (status == HS_OK) status = hs_deck_run(simulation->deck, "-", err);
-    if (simulation->deck != NULL) {
+    if (simulation != NULL && simulation->deck != NULL) {
         hs_text_clear(&simulation->deck->input);
         simulation->deck->input_is_read = false;
     }

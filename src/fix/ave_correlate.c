@@ -188,13 +188,5 @@ const hs_fix_style hs_fix_style_ave_correlate = {
          .example = "variable pxy equal pxy\nfix SS all ave/correlate 5 400 2000 v_pxy type auto file profile.gk ave "
                     "running"},
     .state_size = sizeof(correlate_state),
-    .create = create,
-    .destroy = destroy,
-    .init = init,
-    .setup = end_of_step,
-    .end_of_step = end_of_step,
-    .keep_state = keep_state,
-    .array = hs_correlation_array,
-    .needs_energy = hs_correlation_needs_energy,
-    .is_time_dependent = true,
+    HS_CORRELATION_HOOKS,
 };

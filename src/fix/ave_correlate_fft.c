@@ -88,13 +88,5 @@ const hs_fix_style hs_fix_style_ave_correlate_fft = {
              "equal vol/temp*dt*trap(f_SS[3])\nfix long all ave/correlate/fft 10 256 100000 v_pxy levels 10 error yes "
              "file long.corr"},
     .state_size = sizeof(fft_state),
-    .create = create,
-    .destroy = destroy,
-    .init = init,
-    .setup = end_of_step,
-    .end_of_step = end_of_step,
-    .keep_state = keep_state,
-    .array = hs_correlation_array,
-    .needs_energy = hs_correlation_needs_energy,
-    .is_time_dependent = true,
+    HS_CORRELATION_HOOKS,
 };

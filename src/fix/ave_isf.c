@@ -228,12 +228,5 @@ const hs_fix_style hs_fix_style_ave_isf = {
          .example = "fix F all ave/isf 10 200 20000 8.0 40 file isf.dat\n"
                     "fix G all ave/isf 5 128 100000 8.0 levels 8 error yes file isf.long"},
     .state_size = sizeof(isf_state),
-    .create = create,
-    .destroy = destroy,
-    .init = init,
-    .setup = end_of_step,
-    .end_of_step = end_of_step,
-    .keep_state = keep_state,
-    .array = hs_correlation_array,
-    .is_time_dependent = true,
+    HS_CORRELATION_HOOKS,
 };

@@ -377,12 +377,5 @@ const hs_fix_style hs_fix_style_ave_self = {
          .example = "fix m all ave/self 10 200 2000 msd vacf isf 7.2 origins 4 com yes error yes file motion.dat\n"
                     "variable D equal (f_m[200][3]-f_m[100][3])/(6*100*10*dt)"},
     .state_size = sizeof(self_state),
-    .create = create,
-    .destroy = destroy,
-    .init = init,
-    .setup = end_of_step,
-    .end_of_step = end_of_step,
-    .keep_state = keep_state,
-    .array = hs_correlation_array,
-    .is_time_dependent = true,
+    HS_CORRELATION_HOOKS,
 };

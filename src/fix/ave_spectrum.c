@@ -192,13 +192,5 @@ const hs_fix_style hs_fix_style_ave_spectrum = {
          .example = "compute v all vacf\nvariable pxy equal pxy\nfix S all ave/spectrum 2 1000 100000 v_pxy "
                     "c_thermo_temp error yes file spectrum.dat"},
     .state_size = sizeof(spectrum_state),
-    .create = create,
-    .destroy = destroy,
-    .init = init,
-    .setup = end_of_step,
-    .end_of_step = end_of_step,
-    .keep_state = keep_state,
-    .array = hs_correlation_array,
-    .needs_energy = hs_correlation_needs_energy,
-    .is_time_dependent = true,
+    HS_CORRELATION_HOOKS,
 };

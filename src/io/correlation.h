@@ -94,8 +94,12 @@ void hs_correlation_tau_take(hs_fix *fix, hs_correlation_tau *t);
 /** Table and sums (hook keep_state). */
 HS_MUST_USE hs_status hs_correlation_tau_keep(hs_fix *fix, hs_correlation_tau *t, hs_state *kept, hs_error *err);
 
-/* Hooks as they stand in hs_fix_style */
+/* Hooks as they stand in hs_fix_style, and the rest of the descriptor. */
 bool hs_correlation_needs_energy(const hs_fix *fix, int64_t step);
 HS_MUST_USE hs_status hs_correlation_array(hs_fix *fix, int i, int j, double *value, hs_error *err);
+#define HS_CORRELATION_HOOKS                                                                                           \
+    .create = create, .destroy = destroy, .init = init, .setup = end_of_step, .end_of_step = end_of_step,              \
+    .keep_state = keep_state, .array = hs_correlation_array, .needs_energy = hs_correlation_needs_energy,              \
+    .is_time_dependent = true
 
 #endif

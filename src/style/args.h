@@ -42,10 +42,14 @@ HS_MUST_USE hs_status hs_syntax_check(const hs_syntax *syntax, const hs_args *ar
 /** Index of the first keyword at or after the positional words, args->n when there is none. */
 int hs_syntax_first_keyword(const hs_syntax *syntax, const hs_args *args);
 
-/* Strict parsing; every message names the command, the word, what was expected, and the nearest word where it helps. */
+/* Strict parsing of word i; every message names the command, the word, what was expected, and the nearest word where it helps. A word
+ * that is missing is an error, too. */
+
+/** A finite number. */
 HS_MUST_USE hs_status hs_arg_double(const hs_args *args, int i, double *value, hs_error *err);
 HS_MUST_USE hs_status hs_arg_positive(const hs_args *args, int i, double *value, hs_error *err);     /**< > 0 */
 HS_MUST_USE hs_status hs_arg_not_negative(const hs_args *args, int i, double *value, hs_error *err); /**< >= 0 */
+/** A whole number from min to max. */
 HS_MUST_USE hs_status hs_arg_int(const hs_args *args, int i, int64_t min, int64_t max, int64_t *value, hs_error *err);
 HS_MUST_USE hs_status hs_arg_bool(const hs_args *args, int i, bool *value,
                                   hs_error *err); /**< yes|no (on|off, true|false too) */

@@ -48,6 +48,7 @@ HS_MUST_USE hs_status hs_chunk_bins_read_cylinder(hs_chunk_bins *bins, const hs_
                                                   hs_error *err);
 /** `axis lo hi` of the keyword bound, from word i on. */
 HS_MUST_USE hs_status hs_chunk_bins_read_bound(hs_chunk_bins *bins, const hs_args *args, int i, hs_error *err);
+/** After all words: lengths in lattice spacings become distances. */
 void hs_chunk_bins_scale(hs_chunk_bins *bins, const hs_env *env);
 /** Lay the bins over the present box: *n of them; one, the whole box, without any. *volume is that of one bin, or with shells
  *  of all space along the axes. @p command names the caller in messages. */
@@ -55,7 +56,7 @@ HS_MUST_USE hs_status hs_chunk_bins_lay(hs_chunk_bins *bins, const hs_env *env, 
                                         double *volume, hs_error *err);
 /** Volume of bin c, from 0: distance^3, in two dimensions distance^2. @p volume is that of hs_chunk_bins_lay. */
 double hs_chunk_bins_volume(const hs_chunk_bins *bins, const hs_box *box, int64_t c, double volume);
-/** Coordinates of a bin's middle. */
+/** How many coordinates the middle of a bin has. */
 static inline int hs_chunk_bins_coordinates(const hs_chunk_bins *bins) { return bins->n_axes + (bins->shells.n > 0); }
 /** Number of the bin of local atom i, from 0, or -1: outside. */
 int64_t hs_chunk_bins_find(const hs_chunk_bins *bins, const hs_env *env, int i);

@@ -11,9 +11,9 @@ struct hs_compute;
 /** Descriptor of a compute style. Evaluations are collective; results are the same on all ranks. */
 typedef struct hs_compute_style {
     hs_description about;
-    size_t state_size;
+    size_t state_size; /**< bytes of private state, allocated zeroed before create, freed after destroy */
     HS_MUST_USE hs_status (*create)(struct hs_compute *compute, const hs_args *args, hs_error *err);
-    void (*destroy)(struct hs_compute *compute);
+    void (*destroy)(struct hs_compute *compute);                              /**< free what create allocated */
     HS_MUST_USE hs_status (*init)(struct hs_compute *compute, hs_error *err); /**< before each run */
     HS_MUST_USE hs_status (*scalar)(struct hs_compute *compute, double *value,
                                     hs_error *err); /**< NULL: has no scalar */
@@ -49,11 +49,11 @@ typedef struct hs_compute_style {
  *  evaluate at most once. */
 typedef struct hs_compute {
     const hs_compute_style *style;
-    char *id; /**< owned by hs_sim */
-    int group;
-    uint32_t mask;
-    hs_env *env;
-    void *state;
+    char *id;      /**< owned */
+    int group;     /**< bit number */
+    uint32_t mask; /**< measures atoms with (atoms->mask[i] & mask) */
+    hs_env *env;   /**< borrowed */
+    void *state;   /**< style's own */
     double scalar;
     double *vector; /**< [n_vector], allocated by create, freed by destroy of the style */
     int n_vector;

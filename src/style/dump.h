@@ -9,7 +9,7 @@ struct hs_dump;
 
 typedef struct hs_dump_style {
     hs_description about;
-    size_t state_size;
+    size_t state_size; /**< bytes of private state, allocated zeroed before create, freed after destroy */
     /** Before anything runs: what words without `$` tell beyond the syntax. NULL: nothing. */
     HS_MUST_USE hs_status (*check)(const char *file, const hs_args *args, hs_error *err);
     HS_MUST_USE hs_status (*create)(struct hs_dump *dump, const hs_args *args, hs_error *err);
@@ -25,20 +25,21 @@ typedef struct hs_dump_style {
 
 typedef struct hs_dump {
     const hs_dump_style *style;
-    char *id;
-    int group;
-    uint32_t mask;
-    hs_env *env;
-    void *state;
-    char *file;           /**< as in the deck; `*` stands for the step, a name ending in .gz is compressed */
-    int64_t every;        /**< steps between snapshots */
-    int64_t last_written; /**< step, -1 for never: a step is written once */
+    char *id;      /**< owned by hs_sim */
+    int group;     /**< bit number */
+    uint32_t mask; /**< writes atoms with (atoms->mask[i] & mask) */
+    hs_env *env;   /**< borrowed */
+    void *state;   /**< style's own */
+    char *file;    /**< owned by hs_sim; as in the deck; `*` stands for the step, a name ending in .gz is compressed */
+    int64_t every; /**< steps between snapshots */
+    int64_t last_written;                              /**< step, -1 for never: a step is written once */
     bool sort_by_id, write_first, append, flush, wrap; /**< dump_modify sort id, first, append, flush, pbc */
     bool is_resumed;   /**< the run goes on from a checkpoint: what was written of later steps is to be dropped */
     int64_t resume_at; /**< of text files then: bytes to be kept, -1: all */
     bool is_single;    /**< write_dump: one snapshot, a file that appears whole */
 } hs_dump;
 
+/** All dump styles, ended by NULL; made by the build. */
 extern const hs_dump_style *const hs_dump_styles[];
 
 #endif

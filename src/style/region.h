@@ -16,11 +16,11 @@ enum { HS_CONTACTS_MAX = 6 };
 
 typedef struct hs_region_style {
     hs_description about; /**< syntax of the style's own words; side, units, ... are common to all (style/region.c) */
-    size_t state_size;
+    size_t state_size;    /**< bytes of private state, allocated zeroed before create, freed after destroy */
     /** args: the style's own words (common keywords taken off), lengths still in the deck's units: multiply them with
      *  region->scale. Sets region->extent and has_extent of the shape itself. */
     HS_MUST_USE hs_status (*create)(struct hs_region *region, const hs_args *args, hs_error *err);
-    void (*destroy)(struct hs_region *region);
+    void (*destroy)(struct hs_region *region); /**< free what create allocated; NULL: nothing */
     /** Whether x is inside the shape, its surface included (side is applied by hs_region_contains). */
     bool (*inside)(const struct hs_region *region, const double x[3]);
     /** Surfaces nearer than cutoff to a point x that the region (with its side in or out) contains: fills contact[], gives
@@ -32,9 +32,9 @@ typedef struct hs_region_style {
 
 typedef struct hs_region {
     const hs_region_style *style;
-    char *id; /**< owned by hs_sim */
-    hs_env *env;
-    void *state;
+    char *id;            /**< owned by hs_sim */
+    hs_env *env;         /**< borrowed */
+    void *state;         /**< style's own */
     bool is_outside;     /**< side out: the complement */
     double scale[3];     /**< units lattice: spacings; units box: 1 */
     bool has_extent;     /**< bounded (never with side out): extent holds it */
@@ -95,6 +95,7 @@ HS_MUST_USE hs_status hs_region_bound(const hs_region *region, const hs_args *ar
 /** Keywords common to all region styles, ended by a NULL name. */
 extern const hs_keyword hs_region_keywords[];
 
+/** All region styles, ended by NULL; made by the build. */
 extern const hs_region_style *const hs_region_styles[];
 
 #endif

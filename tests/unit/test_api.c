@@ -284,6 +284,26 @@ START_TEST(test_variables_and_errors)
 }
 END_TEST
 
+/* What hs_simulation_create gives when there is no memory at all. */
+START_TEST(test_no_simulation)
+{
+    double value;
+    ck_assert_int_eq(hs_simulation_deck_text(NULL, melt), HS_CODE_FAILED);
+    ck_assert_int_eq(hs_simulation_deck_file(NULL, "in.melt"), HS_CODE_FAILED);
+    ck_assert_int_eq(hs_simulation_command(NULL, "units lj"), HS_CODE_FAILED);
+    ck_assert_int_eq(hs_simulation_run(NULL, 1), HS_CODE_FAILED);
+    ck_assert_int_eq(hs_simulation_thermo(NULL, "temp", &value), HS_CODE_FAILED);
+    ck_assert_int_eq(hs_simulation_get_variable(NULL, "a", &value), HS_CODE_FAILED);
+    ck_assert_int_eq(hs_simulation_get_positions(NULL, HS_ORDER_ID, 0, NULL), HS_CODE_FAILED);
+    ck_assert_int_eq(hs_simulation_set_positions(NULL, HS_ORDER_ID, 0, NULL), HS_CODE_FAILED);
+    ck_assert_int_eq(hs_simulation_box(NULL, NULL, NULL, NULL), HS_CODE_FAILED);
+    ck_assert_int_eq(hs_simulation_n_atoms(NULL), 0);
+    ck_assert_str_eq(hs_simulation_error(NULL), "out of memory");
+    hs_simulation_stop(NULL);
+    hs_simulation_destroy(NULL);
+}
+END_TEST
+
 /** A stop asked for from outside: here by the log stream, which is written to during the run. */
 static hs_simulation *to_stop;
 
@@ -317,4 +337,4 @@ START_TEST(test_stop)
 END_TEST
 
 HS_TEST_MAIN("api", test_empty, test_options, test_thermo, test_arrays, test_reversal, test_tilted_box,
-             test_set_positions, test_two_at_a_time, test_variables_and_errors, test_stop)
+             test_set_positions, test_two_at_a_time, test_variables_and_errors, test_no_simulation, test_stop)
