@@ -14,8 +14,8 @@ typedef struct chunk_state {
     chunk_kind kind;
     hs_value value;     /**< BY_VALUE */
     hs_chunk_bins bins; /**< BY_BIN */
-    char *region_id;    /**< owned; NULL: everywhere */
-    int64_t limit;      /**< 0: none */
+    hs_where where;
+    int64_t limit; /**< 0: none */
     bool is_exact_limit;
     bool is_counted_once, is_kept; /**< nchunk once; ids once or nfreq */
     bool is_set_up;                /**< chunks were counted */
@@ -58,7 +58,7 @@ static hs_status read_keyword(hs_compute *compute, const hs_args *args, int i, h
         state->is_kept = strcmp(value, "every") != 0;
         state->chunks.is_by_window = strcmp(value, "nfreq") == 0;
     } else if (strcmp(word, "region") == 0) {
-        HS_TRY(hs_memory_replace(&state->region_id, value, err));
+        HS_TRY(hs_where_set(&state->where, value, err));
     } else if (strcmp(word, "discard") == 0) {
         HS_TRY(hs_arg_choice(args, i + 1, discards, &choice, err));
         state->bins.discard = (hs_bins_discard)choice;
@@ -155,29 +155,25 @@ static void destroy(hs_compute *compute)
     HS_FREE(state->chunks.volumes);
     HS_FREE(state->chunks.original);
     HS_FREE(state->number);
-    HS_FREE(state->region_id);
+    hs_where_fini(&state->where);
     HS_FREE(state->field);
 }
 
 /** compute->atoms: numbers before they are compressed. */
 static hs_status number_raw(hs_compute *compute, hs_error *err)
 {
-    const chunk_state *state = compute->state;
+    chunk_state *state = compute->state;
     const hs_env *env = compute->env;
     const hs_atoms *atoms = env->atoms;
-    const hs_region *region = NULL;
     double *id = compute->atoms;
-    if (state->region_id != NULL && (region = env->find_region(compute->env, state->region_id)) == NULL)
-        return hs_fail(err, HS_ERROR_INPUT, "compute '%s' (chunk/atom): there is no region '%s'", compute->id,
-                       state->region_id);
+    HS_TRY(hs_where_find(&state->where, compute->env, "compute", compute->id, "chunk/atom", err));
     if (state->kind == BY_VALUE) HS_TRY(hs_value_atoms(compute->env, &state->value, id, err));
 #pragma omp parallel for schedule(static)
     for (int i = 0; i < atoms->n_local; ++i) {
-        const double x[3] = {atoms->x[0][i], atoms->x[1][i], atoms->x[2][i]};
         if (state->kind == BY_VALUE) id[i] = id[i] >= 1.0 && id[i] < INT32_MAX ? trunc(id[i]) : 0.0;
         if (state->kind == BY_TYPE) id[i] = atoms->type[i];
         if (state->kind == BY_BIN) id[i] = (double)(hs_chunk_bins_find(&state->bins, env, i) + 1);
-        if (!(atoms->mask[i] & compute->mask) || (region != NULL && !hs_region_contains(region, x))) id[i] = 0.0;
+        if (!(atoms->mask[i] & compute->mask) || !hs_where_has(&state->where, atoms, i)) id[i] = 0.0;
     }
     return HS_OK;
 }

@@ -179,10 +179,7 @@ static hs_status create_box_check(const hs_args *args, bool has_variables, hs_er
 
 static hs_status check_box_region(hs_sim *sim, const hs_args *args, const hs_region **region, hs_error *err)
 {
-    *region = hs_sim_find_region(sim, args->word[1]);
-    if (*region == NULL)
-        return hs_fail(err, HS_ERROR_INPUT, "create_box: there is no region '%s'; the command 'region' makes one",
-                       args->word[1]);
+    HS_TRY(hs_sim_need_region(sim, "create_box", args->word[1], region, err));
     if (!(*region)->has_extent)
         return hs_fail(err, HS_ERROR_INPUT,
                        "create_box: the region '%s' has no bounds (a plane, or side out); use a "

@@ -45,14 +45,6 @@ static hs_status create_check(const hs_args *args, bool has_variables, hs_error 
     return hs_syntax_check(&syntax, args, has_variables, err);
 }
 
-static hs_status find_region(hs_sim *sim, const hs_args *args, int i, const hs_region **region, hs_error *err)
-{
-    *region = hs_sim_find_region(sim, args->word[i]);
-    if (*region != NULL) return HS_OK;
-    return hs_fail(err, HS_ERROR_INPUT, "%s: there is no region '%s'; the command 'region' makes one", args->command,
-                   args->word[i]);
-}
-
 static hs_status read_type(const hs_sim *sim, const hs_args *args, int i, int *type, hs_error *err)
 {
     int64_t number = 0;
@@ -118,14 +110,15 @@ static hs_status read_keyword(hs_creation *c, const hs_args *args, int *i, hs_er
 static hs_status read_style(hs_creation *c, const hs_args *args, hs_error *err)
 {
     int64_t seed;
-    if (c->style == HS_CREATE_REGION) HS_TRY(find_region(c->sim, args, 2, &c->region, err));
+    if (c->style == HS_CREATE_REGION) HS_TRY(hs_sim_need_region(c->sim, args->command, args->word[2], &c->region, err));
     if (c->style == HS_CREATE_SINGLE)
         for (int axis = 0; axis < 3; ++axis) HS_TRY(hs_arg_double(args, 2 + axis, &c->place[axis], err));
     if (c->style == HS_CREATE_RANDOM) {
         HS_TRY(hs_arg_int(args, 2, 0, INT32_MAX, &c->n_random, err));
         HS_TRY(hs_arg_int(args, 3, 1, INT32_MAX - 1, &seed, err));
         c->seed = (int)seed;
-        if (strcmp(args->word[4], "NULL") != 0) HS_TRY(find_region(c->sim, args, 4, &c->region, err));
+        if (strcmp(args->word[4], "NULL") != 0)
+            HS_TRY(hs_sim_need_region(c->sim, args->command, args->word[4], &c->region, err));
     }
     if ((c->style == HS_CREATE_BOX || c->style == HS_CREATE_REGION) && !c->sim->lattice.is_set)
         return hs_fail(err, HS_ERROR_INPUT,

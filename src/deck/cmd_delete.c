@@ -47,14 +47,9 @@ static hs_status mark_group(hs_sim *sim, const hs_args *args, unsigned char *dro
 static hs_status mark_region(hs_sim *sim, const hs_args *args, unsigned char *drop, hs_error *err)
 {
     const hs_atoms *atoms = &sim->atoms;
-    const hs_region *region = hs_sim_find_region(sim, args->word[1]);
-    if (region == NULL)
-        return hs_fail(err, HS_ERROR_INPUT, "%s: there is no region '%s'; the command 'region' makes one",
-                       args->command, args->word[1]);
-    for (int i = 0; i < atoms->n_local; ++i) {
-        const double x[3] = {atoms->x[0][i], atoms->x[1][i], atoms->x[2][i]};
-        drop[i] = hs_region_contains(region, x);
-    }
+    const hs_region *region;
+    HS_TRY(hs_sim_need_region(sim, args->command, args->word[1], &region, err));
+    for (int i = 0; i < atoms->n_local; ++i) drop[i] = hs_region_has(region, atoms, i);
     return HS_OK;
 }
 

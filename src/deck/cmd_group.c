@@ -154,15 +154,11 @@ static hs_status select_by_number(const hs_atoms *atoms, group_style style, cons
 
 static hs_status select_by_region(hs_sim *sim, const hs_args *args, uint32_t bit, hs_error *err)
 {
-    const hs_region *region = hs_sim_find_region(sim, args->word[2]);
-    if (region == NULL)
-        return hs_fail(err, HS_ERROR_INPUT, "group: there is no region '%s'; the command 'region' makes one",
-                       args->word[2]);
+    const hs_region *region;
     hs_atoms *atoms = &sim->atoms;
-    for (int i = 0; i < atoms->n_local; ++i) {
-        const double x[3] = {atoms->x[0][i], atoms->x[1][i], atoms->x[2][i]};
-        if (hs_region_contains(region, x)) atoms->mask[i] |= bit;
-    }
+    HS_TRY(hs_sim_need_region(sim, "group", args->word[2], &region, err));
+    for (int i = 0; i < atoms->n_local; ++i)
+        if (hs_region_has(region, atoms, i)) atoms->mask[i] |= bit;
     return HS_OK;
 }
 

@@ -93,14 +93,9 @@ static hs_status read_ids(const hs_args *args, int i, int64_t *lo, int64_t *hi, 
 static hs_status select_region(selection *s, const hs_args *args, hs_error *err)
 {
     const hs_atoms *atoms = &s->sim->atoms;
-    const hs_region *region = hs_sim_find_region(s->sim, args->word[1]);
-    if (region == NULL)
-        return hs_fail(err, HS_ERROR_INPUT, "set: there is no region '%s'; the command 'region' makes one",
-                       args->word[1]);
-    for (int i = 0; i < atoms->n_local; ++i) {
-        const double x[3] = {atoms->x[0][i], atoms->x[1][i], atoms->x[2][i]};
-        s->flag[i] = hs_region_contains(region, x);
-    }
+    const hs_region *region;
+    HS_TRY(hs_sim_need_region(s->sim, "set", args->word[1], &region, err));
+    for (int i = 0; i < atoms->n_local; ++i) s->flag[i] = hs_region_has(region, atoms, i);
     return HS_OK;
 }
 

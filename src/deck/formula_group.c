@@ -22,18 +22,13 @@ static hs_status select_atoms(hs_deck *deck, const hs_node *node, selection *cho
     *chosen = (selection){.sim = sim, .mask = hs_group_mask(bit)};
     if (node->n_words < node->words_of->n_max) return HS_OK;
     const char *region = node->words[node->n_words - 1];
-    chosen->region = hs_sim_find_region(sim, region);
-    if (chosen->region != NULL) return HS_OK;
-    return hs_fail(err, HS_ERROR_INPUT, "%s: there is no region '%s': the command 'region' makes one",
-                   node->words_of->usage, region);
+    return hs_sim_need_region(sim, node->words_of->usage, region, &chosen->region, err);
 }
 
 static bool is_chosen(const selection *chosen, int i)
 {
     const hs_atoms *atoms = &chosen->sim->atoms;
-    if ((atoms->mask[i] & chosen->mask) == 0) return false;
-    const double x[3] = {atoms->x[0][i], atoms->x[1][i], atoms->x[2][i]};
-    return chosen->region == NULL || hs_region_contains(chosen->region, x);
+    return (atoms->mask[i] & chosen->mask) != 0 && (chosen->region == NULL || hs_region_has(chosen->region, atoms, i));
 }
 
 /** Place of an atom with the box lengths it has crossed added. */

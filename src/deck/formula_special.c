@@ -61,16 +61,11 @@ static hs_status do_masks(hs_deck *deck, const hs_node *node, double *values, hs
     int bit = 0;
     const hs_region *region = NULL;
     if (has_group) HS_TRY(hs_groups_get(&sim->groups, node->words[0], &bit, err));
-    if (has_region) {
-        const char *id = node->words[node->n_words - 1];
-        region = hs_sim_find_region(sim, id);
-        if (region == NULL)
-            return hs_fail(err, HS_ERROR_INPUT, "%s: there is no region '%s'", node->words_of->usage, id);
-    }
-    for (int i = 0; i < sim->atoms.n_local; ++i) {
-        const double x[3] = {sim->atoms.x[0][i], sim->atoms.x[1][i], sim->atoms.x[2][i]};
-        values[i] = (sim->atoms.mask[i] & hs_group_mask(bit)) != 0 && (region == NULL || hs_region_contains(region, x));
-    }
+    if (has_region)
+        HS_TRY(hs_sim_need_region(sim, node->words_of->usage, node->words[node->n_words - 1], &region, err));
+    for (int i = 0; i < sim->atoms.n_local; ++i)
+        values[i] =
+            (sim->atoms.mask[i] & hs_group_mask(bit)) != 0 && (region == NULL || hs_region_has(region, &sim->atoms, i));
     return HS_OK;
 }
 

@@ -33,10 +33,7 @@ static bool is_selected(const hs_dump *dump, const hs_region *region, int i)
     const hs_dump_table *table = dump->state;
     const hs_atoms *atoms = dump->env->atoms;
     if (!(atoms->mask[i] & dump->mask)) return false;
-    if (region != NULL) {
-        const double x[3] = {atoms->x[0][i], atoms->x[1][i], atoms->x[2][i]};
-        if (!hs_region_contains(region, x)) return false;
-    }
+    if (region != NULL && !hs_region_has(region, atoms, i)) return false;
     for (int k = 0; k < table->n_conditions; ++k) {
         const hs_dump_condition *condition = &table->condition[k];
         if (!compare(hs_dump_value(dump, &condition->column, i), condition->comparison, condition->value)) return false;

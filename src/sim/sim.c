@@ -175,6 +175,13 @@ hs_status hs_sim_need_box(const hs_sim *sim, const char *command, hs_error *err)
                    command);
 }
 
+hs_status hs_sim_need_region(hs_sim *sim, const char *command, const char *id, const hs_region **region, hs_error *err)
+{
+    *region = hs_sim_find_region(sim, id);
+    if (*region != NULL) return HS_OK;
+    return hs_fail(err, HS_ERROR_INPUT, "%s: there is no region '%s'; the command 'region' makes one", command, id);
+}
+
 hs_status hs_sim_need_pair(const hs_sim *sim, const char *command, hs_error *err)
 {
     if (sim->pair != NULL) return HS_OK;

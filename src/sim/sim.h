@@ -118,6 +118,9 @@ hs_fix *hs_sim_find_fix(hs_sim *sim, const char *id);
 hs_compute *hs_sim_find_compute(hs_sim *sim, const char *id);
 hs_region *hs_sim_find_region(hs_sim *sim, const char *id);
 hs_dump *hs_sim_find_dump(hs_sim *sim, const char *id);
+/** The region of that ID; an error that begins with @p command when there is none. */
+HS_MUST_USE hs_status hs_sim_need_region(hs_sim *sim, const char *command, const char *id, const hs_region **region,
+                                         hs_error *err);
 
 /** Whether this rank was asked to stop (by a signal that other ranks may not have seen yet), or its time is over. */
 bool hs_sim_is_asked_to_stop(const hs_sim *sim);

@@ -46,6 +46,13 @@ typedef struct hs_region {
 /** Whether the region holds x, with side in or out. */
 bool hs_region_contains(const hs_region *region, const double x[3]);
 
+/** Whether it holds local atom i. */
+static inline bool hs_region_has(const hs_region *region, const hs_atoms *atoms, int i)
+{
+    const double x[3] = {atoms->x[0][i], atoms->x[1][i], atoms->x[2][i]};
+    return hs_region_contains(region, x);
+}
+
 /** Where a style acts: in the region of that name, or everywhere. Zero-initialised: everywhere. */
 typedef struct hs_where {
     char *id;                /**< owned; NULL: everywhere */
@@ -61,8 +68,7 @@ HS_MUST_USE hs_status hs_where_find(hs_where *where, hs_env *env, const char *wh
 /** Whether local atom i is there. */
 static inline bool hs_where_has(const hs_where *where, const hs_atoms *atoms, int i)
 {
-    const double x[3] = {atoms->x[0][i], atoms->x[1][i], atoms->x[2][i]};
-    return where->region == NULL || hs_region_contains(where->region, x);
+    return where->region == NULL || hs_region_has(where->region, atoms, i);
 }
 
 /** Note a contact at the distance |d| along d, from the surface to the point, when it is below cutoff; *n counts. */
