@@ -1,7 +1,5 @@
 /* The program: arguments, one subcommand, and the only place that exits. */
 #define _GNU_SOURCE
-#include <omp.h>
-#include <sched.h>
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
@@ -62,22 +60,6 @@ static const hs_cli_command *find_subcommand(const char *name)
     return NULL;
 }
 
-/** With OMP_PROC_BIND and the like the OpenMP library has bound this thread to the first of its places by now, and a program started anew
- *  would inherit that: all its threads would share one core. What the library could choose from is in the list of its places. */
-static void undo_thread_binding(void)
-{
-    cpu_set_t all;
-    CPU_ZERO(&all);
-    for (int place = 0; place < omp_get_num_places(); ++place) {
-        int processor[CPU_SETSIZE];
-        const int n = omp_get_place_num_procs(place);
-        if (n > CPU_SETSIZE) return;
-        omp_get_place_proc_ids(place, processor);
-        for (int i = 0; i < n; ++i) CPU_SET((size_t)processor[i], &all);
-    }
-    if (CPU_COUNT(&all) > 0) sched_setaffinity(0, sizeof all, &all);
-}
-
 /** GNU OpenMP lets a waiting thread spin for milliseconds. On cores that other programs use too, the thread that is waited
  *  for then gets no core, and a run on two threads was measured ten times slower than on one. A short spin (some 30
  *  microseconds, longer than balanced threads wait for each other) costs nothing when the cores are free. The library reads
@@ -86,7 +68,7 @@ static void limit_spinning(char **argv)
 {
     if (getenv("GOMP_SPINCOUNT") != NULL || getenv("OMP_WAIT_POLICY") != NULL) return;
     if (setenv("GOMP_SPINCOUNT", "1000", 1) != 0) return;
-    undo_thread_binding();
+    hs_threads_unbind();
     execv("/proc/self/exe", argv);
     /* where that is not possible the run is right all the same */
 }

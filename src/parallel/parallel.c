@@ -59,6 +59,20 @@ void hs_threads_bind(void)
         sched_setaffinity(0, sizeof cores.allowed, &cores.allowed);
 }
 
+void hs_threads_unbind(void)
+{
+    cpu_set_t all;
+    CPU_ZERO(&all);
+    for (int place = 0; place < omp_get_num_places(); ++place) {
+        int processor[CPU_SETSIZE];
+        const int n = omp_get_place_num_procs(place);
+        if (n > CPU_SETSIZE) return;
+        omp_get_place_proc_ids(place, processor);
+        for (int i = 0; i < n; ++i) CPU_SET((size_t)processor[i], &all);
+    }
+    if (CPU_COUNT(&all) > 0) sched_setaffinity(0, sizeof all, &all);
+}
+
 int hs_thread_number(void) { return omp_get_thread_num(); }
 
 int hs_thread_count(void) { return omp_get_num_threads(); }

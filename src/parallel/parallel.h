@@ -57,6 +57,10 @@ int hs_threads_available(void);
  *  Not for a library, whose caller's threads these are, nor with several ranks, which mpirun places. What the user has set
  *  (OMP_PROC_BIND, OMP_PLACES, GOMP_CPU_AFFINITY) is left alone. */
 void hs_threads_bind(void);
+/** Let this thread run on all cores that the OpenMP library could choose from, before the program starts itself anew: with OMP_PROC_BIND
+ *  and the like the library has bound it to the first of its places by now, a program started by it would inherit that, and all its
+ *  threads would share one core. */
+void hs_threads_unbind(void);
 /** Number of the calling thread in its parallel region, and the region's threads. */
 int hs_thread_number(void);
 int hs_thread_count(void);
