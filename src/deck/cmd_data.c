@@ -15,6 +15,9 @@ static const hs_keyword read_keywords[] = {
     {"shift", 3, "<x> <y> <z>", "move the atoms and the box of the file, distance"},
     {"extra/atom/types", 1, "<N>", "make N more atom types than the file has"},
     {"group", 1, "<group-ID>", "the new atoms join this group, which is made if need be"},
+    {"fix", 3, "<fix-ID> NULL <section>",
+     "the section of that name has values of this fix (property/atom), one line for each atom; may be said again for "
+     "others"},
     {"nocoeff", 0, "", "pass over the coefficients in the file"},
     {NULL, 0, NULL, NULL},
 };
@@ -41,6 +44,26 @@ static hs_status read_offset(const hs_args *args, int i, hs_data_options *option
     return HS_OK;
 }
 
+/** fix <ID> <header> <section> */
+static hs_status read_section(hs_deck *deck, const hs_args *args, int i, hs_data_options *options, hs_error *err)
+{
+    hs_fix *fix = hs_sim_find_fix(deck->sim, args->word[i]);
+    const int n = options->n_sections;
+    if (fix == NULL) return hs_fail(err, HS_ERROR_INPUT, "read_data: there is no fix with the ID '%s'", args->word[i]);
+    if (fix->style->data == NULL)
+        return hs_fail(err, HS_ERROR_INPUT, "read_data: fix '%s' (%s) reads nothing from data files", fix->id,
+                       fix->style->about.name);
+    if (strcmp(args->word[i + 1], "NULL") != 0)
+        return hs_arg_refuse(args, i + 1, "NULL: fixes have no lines in the header", NULL, err);
+    for (int k = 0; k < n; ++k)
+        if (strcmp(options->section[k].name, args->word[i + 2]) == 0)
+            return hs_fail(err, HS_ERROR_INPUT, "read_data: the section '%s' is that of fix '%s' already",
+                           args->word[i + 2], options->section[k].fix->id);
+    HS_TRY(HS_GROW(options->section, (size_t)n, (size_t)n + 1, err));
+    options->section[options->n_sections++] = (hs_data_section){.fix = fix, .name = args->word[i + 2]};
+    return HS_OK;
+}
+
 static hs_status read_options(hs_deck *deck, const hs_args *args, hs_data_options *options, hs_error *err)
 {
     for (int i = 1; i < args->n; ++i) {
@@ -60,6 +83,9 @@ static hs_status read_options(hs_deck *deck, const hs_args *args, hs_data_option
         } else if (strcmp(keyword, "group") == 0) {
             HS_TRY(hs_groups_add(&deck->sim->groups, args->word[++i], &bit, err));
             options->mask |= hs_group_mask(bit);
+        } else if (strcmp(keyword, "fix") == 0) {
+            HS_TRY(read_section(deck, args, i + 1, options, err));
+            i += 3;
         } else {
             options->no_coeffs = true; /* nocoeff; the syntax allows nothing else */
         }
@@ -72,6 +98,25 @@ static hs_status set_coefficients(void *context, const hs_args *args, hs_error *
     return hs_sim_pair_coeff(context, args, err);
 }
 
+static hs_status read_data(hs_deck *deck, const hs_args *args, hs_data_options *options, hs_error *err)
+{
+    hs_sim *sim = deck->sim;
+    HS_TRY(read_options(deck, args, options, err));
+    if (sim->box.exists && !options->is_added)
+        return hs_fail(err, HS_ERROR_INPUT,
+                       "read_data: there is a box already; the keyword 'add' adds to it, 'clear' starts anew");
+    if (!sim->box.exists && options->is_added)
+        return hs_fail(err, HS_ERROR_INPUT, "read_data: the keyword 'add' needs a box and atoms to add to");
+    if (options->is_added && options->n_extra_types > 0)
+        return hs_fail(err, HS_ERROR_INPUT, "read_data: extra/atom/types goes with the first file, not with 'add'");
+    if (sim->box.dimension == 2 && !sim->box.periodic[2])
+        return hs_fail(err, HS_ERROR_INPUT,
+                       "read_data: in two dimensions the boundary of z must be periodic (boundary x y p)");
+    HS_TRY(hs_data_read(&sim->env, args->word[0], options, err));
+    hs_sim_atoms_changed(sim);
+    return HS_OK;
+}
+
 static hs_status run_read_data(hs_deck *deck, const hs_args *args, hs_error *err)
 {
     hs_sim *sim = deck->sim;
@@ -79,26 +124,15 @@ static hs_status run_read_data(hs_deck *deck, const hs_args *args, hs_error *err
                                .pair_coeff = set_coefficients,
                                .may_be_skewed = sim->may_be_skewed,
                                .context = sim};
-    HS_TRY(read_options(deck, args, &options, err));
-    if (sim->box.exists && !options.is_added)
-        return hs_fail(err, HS_ERROR_INPUT,
-                       "read_data: there is a box already; the keyword 'add' adds to it, 'clear' starts anew");
-    if (!sim->box.exists && options.is_added)
-        return hs_fail(err, HS_ERROR_INPUT, "read_data: the keyword 'add' needs a box and atoms to add to");
-    if (options.is_added && options.n_extra_types > 0)
-        return hs_fail(err, HS_ERROR_INPUT, "read_data: extra/atom/types goes with the first file, not with 'add'");
-    if (sim->box.dimension == 2 && !sim->box.periodic[2])
-        return hs_fail(err, HS_ERROR_INPUT,
-                       "read_data: in two dimensions the boundary of z must be periodic (boundary x y p)");
-    HS_TRY(hs_data_read(&sim->env, args->word[0], &options, err));
-    hs_sim_atoms_changed(sim);
-    return HS_OK;
+    const hs_status status = read_data(deck, args, &options, err);
+    HS_FREE(options.section);
+    return status;
 }
 
 static const hs_keyword write_keywords[] = {
     {"pair", 1, "ii|ij", "coefficients of each type (default), or of each pair of types"},
     {"nocoeff", 0, "", "write no coefficients"},
-    {"nofix", 0, "", "accepted: no fix of this version writes to data files"},
+    {"nofix", 0, "", "leave out the values of fix property/atom"},
     {NULL, 0, NULL, NULL},
 };
 
@@ -126,7 +160,7 @@ static void warn_of_unlike_pairs(const hs_sim *sim)
 static hs_status run_write_data(hs_deck *deck, const hs_args *args, hs_error *err)
 {
     hs_sim *sim = deck->sim;
-    hs_data_write_options options = {.pair = HS_DATA_PAIR_II};
+    hs_data_write_options options = {.pair = HS_DATA_PAIR_II, .fix = sim->fix, .n_fixes = sim->n_fixes};
     HS_TRY(hs_sim_need_box(sim, args->command, err));
     HS_TRY(hs_sim_need_masses(sim, args->command, err));
     for (int i = 1; i < args->n; ++i) {
@@ -134,6 +168,8 @@ static hs_status run_write_data(hs_deck *deck, const hs_args *args, hs_error *er
             options.pair = strcmp(args->word[++i], "ij") == 0 ? HS_DATA_PAIR_IJ : HS_DATA_PAIR_II;
         else if (strcmp(args->word[i], "nocoeff") == 0)
             options.pair = HS_DATA_PAIR_NONE;
+        else
+            options.n_fixes = 0; /* nofix */
     }
     if (options.pair != HS_DATA_PAIR_NONE && sim->pair != NULL && sim->pair->style->write_coeff != NULL) {
         HS_TRY(hs_sim_setup_pair(sim, err));
@@ -156,21 +192,24 @@ static hs_status run_write_data(hs_deck *deck, const hs_args *args, hs_error *er
 }
 
 const hs_command hs_commands_data[] = {
-    {.about =
-         {.name = "read_data",
-          .syntax = {.usage = "<file> [<keyword> <value> ...]", .n_min = 1, .n_max = 1, .keywords = read_keywords},
-          .summary = "Read box, atoms and coefficients from a LAMMPS data file",
-          .details =
-              "The file has the columns of the present atom_style (as in LAMMPS; charges must be 0) and may be "
-              "compressed (`.gz`). The header gives `atoms`, `atom types`, `xlo "
-              "xhi`, "
-              "`ylo yhi`, `zlo zhi`; and, in a tilted box, `xy xz yz`; counts for bonds and the like must be 0. "
-              "Sections: "
-              "Masses, Atoms (`id type x y z` for style atomic, and three image flags or none), Velocities, Pair "
-              "Coeffs, PairIJ Coeffs "
-              "(these need a pair style before). Every number is checked; a bad one stops the run with file and line. "
-              "Positions outside of a periodic box are wrapped, outside of another they are an error.",
-          .example = "read_data start.data\nread_data more.data.gz add append shift 20 0 0 group new"},
+    {.about = {.name = "read_data",
+               .syntax = {.usage = "<file> [<keyword> <value> ...]", .n_min = 1, .n_max = 1, .keywords = read_keywords},
+               .summary = "Read box, atoms and coefficients from a LAMMPS data file",
+               .details =
+                   "The file has the columns of the present atom_style (as in LAMMPS; charges must be 0) and may be "
+                   "compressed (`.gz`). The header gives `atoms`, `atom types`, `xlo "
+                   "xhi`, "
+                   "`ylo yhi`, `zlo zhi`; and, in a tilted box, `xy xz yz`; counts for bonds and the like must be 0. "
+                   "Sections: "
+                   "Masses, Atoms (`id type x y z` for style atomic, and three image flags or none), Velocities, Pair "
+                   "Coeffs, PairIJ Coeffs "
+                   "(these need a pair style before), and those that `fix` names: lines of an atom id and the values "
+                   "of a fix "
+                   "property/atom, which must be there before. Every number is checked; a bad one stops the run with "
+                   "file and line. "
+                   "Positions outside of a periodic box are wrapped, outside of another they are an error.",
+               .example = "read_data start.data\nfix p all property/atom i_origin d_dose\nread_data doses.data fix p "
+                          "NULL p\nread_data more.data.gz add append shift 20 0 0 group new"},
      .run = run_read_data},
     {.about =
          {.name = "write_data",
@@ -179,7 +218,8 @@ const hs_command hs_commands_data[] = {
           .details =
               "A `*` in the name becomes the step; a name ending in `.gz` is compressed. Numbers have the digits that "
               "give "
-              "the same bits when read. Atoms are in the order of their ids. The file appears whole or not at all.",
+              "the same bits when read. Atoms are in the order of their ids. Values of fix property/atom are in a "
+              "section with the fix's ID. The file appears whole or not at all.",
           .example = "write_data end.data\nwrite_data end.*.data pair ij"},
      .run = run_write_data},
     {.run = NULL},

@@ -2,6 +2,7 @@
 #include <string.h>
 
 #include "base/memory.h"
+#include "io/data_file.h"
 #include "style/custom_atom.h"
 #include "style/fix.h"
 
@@ -75,6 +76,57 @@ static void destroy(hs_fix *fix)
     HS_FREE(state->added);
 }
 
+/* ---- Data files ---- */
+
+static const char *name_of(const property *p) { return p->name + strlen("fix "); }
+static bool is_whole(const property *p) { return name_of(p)[0] == 'i'; }
+
+static int n_values(const hs_fix *fix) { return ((const property_state *)fix->state)->n; }
+
+static hs_status append_names(const hs_fix *fix, hs_text *text, hs_error *err)
+{
+    const property_state *state = fix->state;
+    for (int k = 0; k < state->n; ++k)
+        HS_TRY(hs_text_printf(text, err, "%s%s", k > 0 ? " " : "", name_of(&state->added[k])));
+    return HS_OK;
+}
+
+static hs_status format(const hs_fix *fix, int i, hs_text *row, hs_error *err)
+{
+    const property_state *state = fix->state;
+    char text[HS_SHORTEST_SIZE];
+    for (int k = 0; k < state->n; ++k) {
+        const property *p = &state->added[k];
+        if (is_whole(p))
+            HS_TRY(hs_text_printf(row, err, " %d", (int)((const int32_t *)p->values)[i]));
+        else
+            HS_TRY(hs_text_printf(row, err, " %s", hs_data_shortest(((const double *)p->values)[i], text)));
+    }
+    return HS_OK;
+}
+
+static hs_status parse(hs_fix *fix, int i, const char *const *word, hs_error *err)
+{
+    property_state *state = fix->state;
+    for (int k = 0; k < state->n; ++k) {
+        property *p = &state->added[k];
+        int64_t whole;
+        double real;
+        if (is_whole(p)) {
+            if (!hs_text_to_int64(word[k], &whole) || whole < INT32_MIN || whole > INT32_MAX)
+                return hs_fail(err, HS_ERROR_INPUT, "'%s' is not a whole number of 32 bits (%s)", word[k], name_of(p));
+            if (i >= 0) ((int32_t *)p->values)[i] = (int32_t)whole;
+        } else {
+            if (!hs_text_to_double(word[k], &real))
+                return hs_fail(err, HS_ERROR_INPUT, "'%s' is not a finite number (%s)", word[k], name_of(p));
+            if (i >= 0) ((double *)p->values)[i] = real;
+        }
+    }
+    return HS_OK;
+}
+
+static const hs_fix_data data = {.n_values = n_values, .names = append_names, .format = format, .parse = parse};
+
 const hs_fix_style hs_fix_style_property_atom = {
     .about =
         {.name = "property/atom",
@@ -89,10 +141,14 @@ const hs_fix_style hs_fix_style_property_atom = {
              "`weight store`. Wherever a value per atom can be named, `i_<name>` and `d_<name>` can: in dump custom, "
              "compute property/atom, compute reduce, fix ave/histo, fix ave/chunk and the formulas of atom-style "
              "variables. With `ghost yes` the copies of atoms near the borders between ranks have them as well; "
-             "nothing that comes with Halfshell reads them there. LAMMPS's `mol`, `q` and `rmass` are refused.",
+             "nothing that comes with Halfshell reads them there. `write_data` writes them into a section with the "
+             "fix's ID, "
+             "from which `read_data ... fix ID NULL ID` reads them. LAMMPS's `mol`, `q` and `rmass` are refused.",
          .example = "fix p all property/atom i_origin d_dose\nset region left i_origin 1\n"
                     "dump 1 all custom 100 traj.dump id x y z i_origin d_dose"},
     .state_size = sizeof(property_state),
     .create = create,
     .destroy = destroy,
+    .needs_no_box = true,
+    .data = &data,
 };

@@ -30,7 +30,7 @@ static hs_status read_doubles(const hs_lines *lines, int first, int n, double *v
     return HS_OK;
 }
 
-static hs_status read_id(const hs_data_reader *reader, const char *word, int64_t *id, hs_error *err)
+hs_status hs_data_read_id(const hs_data_reader *reader, const char *word, int64_t *id, hs_error *err)
 {
     if (!hs_text_to_int64(word, id) || *id < 1)
         return hs_fail(err, HS_ERROR_INPUT, "'%s' is not an atom id (a whole number of 1 or more)", word);
@@ -153,7 +153,7 @@ static hs_status read_atom(hs_data_reader *reader, hs_error *err)
     const hs_data_columns layout = hs_data_columns_of(&atoms->style);
     if (lines->n_words != layout.n_words && lines->n_words != layout.n_words + 3)
         return hs_data_refuse_columns(&atoms->style, lines->n_words, err);
-    HS_TRY(read_id(reader, lines->word[0], &id, err));
+    HS_TRY(hs_data_read_id(reader, lines->word[0], &id, err));
     HS_TRY(read_type(reader, lines->word[1], &type, err));
     HS_TRY(read_doubles(lines, 2, layout.n_words - 2, value, layout.n > 1 ? "value of an atom" : "coordinate", err));
     HS_TRY(read_images(lines, layout.n_words, image, err));
@@ -231,47 +231,56 @@ hs_status hs_data_read_atoms(hs_data_reader *reader, hs_error *err)
     return HS_OK;
 }
 
-/** The rank that watches an id finds out whether there is such an atom, and no velocity of it yet. The others read on, so it
+/** The rank that watches an id finds out whether there is such an atom, and whether it had its line already. The others read on, so it
  *  keeps the first error for the end of the section. */
-static void note_velocity(hs_data_reader *reader, hs_data_id *found)
+static void note_line(hs_data_reader *reader, hs_data_id *found, int32_t section, const char *name)
 {
     const hs_lines *lines = &reader->lines;
     if (found == NULL)
         (void)hs_fail(&reader->late, HS_ERROR_INPUT, "the section Atoms has no atom with id %s", lines->word[0]);
-    else if (found->has_velocity)
+    else if (found->section == section && section == HS_DATA_VELOCITIES)
         (void)hs_fail(&reader->late, HS_ERROR_INPUT, "atom %s has a velocity already", lines->word[0]);
+    else if (found->section == section)
+        (void)hs_fail(&reader->late, HS_ERROR_INPUT, "atom %s has a line in section %s already", lines->word[0], name);
     else
-        found->has_velocity = true;
+        found->section = section;
     if (reader->late.status != HS_OK) hs_error_locate(&reader->late, lines->path, lines->number);
+}
+
+int hs_data_find_atom(hs_data_reader *reader, int64_t id, int32_t section, const char *name, bool *is_new)
+{
+    /* line is not compared: every id occurs once */
+    int64_t lo = 0, hi = reader->n_ids;
+    while (lo < hi) {
+        const int64_t middle = lo + (hi - lo) / 2;
+        if (reader->id[middle].id < id)
+            lo = middle + 1;
+        else
+            hi = middle;
+    }
+    hs_data_id *found = lo < reader->n_ids && reader->id[lo].id == id ? &reader->id[lo] : NULL;
+    *is_new = found != NULL && found->line != 0;
+    if (is_watched(reader, id)) note_line(reader, *is_new ? found : NULL, section, name);
+    return *is_new ? found->index : -1;
 }
 
 static hs_status read_velocity(hs_data_reader *reader, hs_error *err)
 {
     const hs_lines *lines = &reader->lines;
-    hs_data_id key = {0};
+    int64_t id;
+    bool is_new;
     double v[6];
     const bool has_omega = reader->env->atoms->omega[0] != NULL;
     const int n_values = has_omega ? 6 : 3;
     if (lines->n_words != 1 + n_values)
         return hs_fail(err, HS_ERROR_INPUT, "a line of Velocities is 'id vx vy vz%s'; this one has %d words",
                        has_omega ? " wx wy wz" : "", lines->n_words);
-    HS_TRY(read_id(reader, lines->word[0], &key.id, err));
+    HS_TRY(hs_data_read_id(reader, lines->word[0], &id, err));
     HS_TRY(read_doubles(lines, 1, n_values, v, "velocity", err));
-    /* line is not compared: every id occurs once */
-    int64_t lo = 0, hi = reader->n_ids;
-    while (lo < hi) {
-        const int64_t middle = lo + (hi - lo) / 2;
-        if (reader->id[middle].id < key.id)
-            lo = middle + 1;
-        else
-            hi = middle;
-    }
-    hs_data_id *found = lo < reader->n_ids && reader->id[lo].id == key.id ? &reader->id[lo] : NULL;
-    const bool is_new = found != NULL && found->line != 0;
-    if (is_watched(reader, key.id)) note_velocity(reader, is_new ? found : NULL);
-    if (!is_new || found->index < 0) return HS_OK;
-    for (int axis = 0; axis < 3; ++axis) reader->env->atoms->v[axis][found->index] = v[axis];
-    for (int axis = 0; axis < 3 && has_omega; ++axis) reader->env->atoms->omega[axis][found->index] = v[3 + axis];
+    const int i = hs_data_find_atom(reader, id, HS_DATA_VELOCITIES, "Velocities", &is_new);
+    if (i < 0) return HS_OK;
+    for (int axis = 0; axis < 3; ++axis) reader->env->atoms->v[axis][i] = v[axis];
+    for (int axis = 0; axis < 3 && has_omega; ++axis) reader->env->atoms->omega[axis][i] = v[3 + axis];
     return HS_OK;
 }
 

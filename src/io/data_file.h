@@ -8,6 +8,14 @@
 
 enum { HS_DATA_TYPES_MAX = 10000 };
 
+struct hs_fix;
+
+/** read_data fix <ID> NULL <name>: values of a fix, which has some, are read from a section of that name. */
+typedef struct hs_data_section {
+    struct hs_fix *fix; /**< borrowed */
+    const char *name;   /**< borrowed */
+} hs_data_section;
+
 /** Words of read_data, and what the reader needs of the pair style. */
 typedef struct hs_data_options {
     bool is_added;     /**< add append|merge|N: to the box and atoms there are */
@@ -16,8 +24,10 @@ typedef struct hs_data_options {
     int type_offset;   /**< offset */
     double shift[3];   /**< distance */
     int n_extra_types;
-    bool may_be_skewed;     /**< box tilt large */
-    uint32_t mask;          /**< groups that new atoms join, besides all */
+    bool may_be_skewed;       /**< box tilt large */
+    uint32_t mask;            /**< groups that new atoms join, besides all */
+    hs_data_section *section; /**< owned by the command [n_sections] */
+    int n_sections;
     bool no_coeffs;         /**< pass over the coefficients */
     const char *pair_style; /**< name of the present pair style, NULL without one */
     /** pair_coeff with the words "I J coefficients..." */
@@ -39,6 +49,8 @@ typedef struct hs_data_write_options {
     /** Append the coefficients of types i <= j, separated by spaces. */
     HS_MUST_USE hs_status (*write_coeff)(void *context, int i, int j, hs_text *words, hs_error *err);
     void *context;
+    struct hs_fix *const *fix; /**< borrowed [n_fixes]: those that have sections write them */
+    int n_fixes;
 } hs_data_write_options;
 
 /** Write a data file that LAMMPS reads too, wholly or not at all: positions in the box, shortest digits that give

@@ -4,6 +4,7 @@
 
 #include "io/data_file.h"
 #include "io/line_reader.h"
+#include "style/fix.h"
 
 /** Place of an atom by its id. A rank knows the atoms it owns, and of the others those whose ids it watches for being
  *  given twice: each id is watched by one rank, so that no rank knows all. */
@@ -11,8 +12,10 @@ typedef struct hs_data_id {
     int64_t id;
     long line;     /**< of the file, 0 for atoms that were there before */
     int32_t index; /**< local index, -1: the atom is another rank's */
-    bool has_velocity;
+    int32_t
+        section; /**< the last section that had a line for it; HS_DATA_VELOCITIES, or one after that for each of the fixes */
 } hs_data_id;
+enum { HS_DATA_VELOCITIES = 1 };
 
 /** A data file being read. */
 typedef struct hs_data_reader {
@@ -35,6 +38,7 @@ typedef struct hs_data_reader {
     hs_error late;       /**< an error that only this rank has met; agreed at the end of the section */
     bool image_reset[3]; /**< image flags along an axis that is not periodic were met */
     bool has_atoms, has_velocities, has_masses;
+    bool *has_section; /**< owned [options->n_sections] */
 } hs_data_reader;
 
 /** What stands in a line of the section Atoms after id and type. */
@@ -60,6 +64,14 @@ HS_MUST_USE hs_status hs_data_read_header(hs_data_reader *reader, hs_error *err)
 /** The section Atoms (the present line is its name). */
 HS_MUST_USE hs_status hs_data_read_atoms(hs_data_reader *reader, hs_error *err);
 HS_MUST_USE hs_status hs_data_read_velocities(hs_data_reader *reader, hs_error *err);
+/** Local index of a new atom, -1 where it is another rank's or none of the file's (*is_new false). The rank that watches the id keeps an error
+ *  for the end of the section (late) when there is no such atom in the file, or it had a line in this section already. */
+int hs_data_find_atom(hs_data_reader *reader, int64_t id, int32_t section, const char *name, bool *is_new);
+HS_MUST_USE hs_status hs_data_read_id(const hs_data_reader *reader, const char *word, int64_t *id, hs_error *err);
+/** The section of a fix by its name, NULL: there is none. */
+const hs_data_section *hs_data_find_section(const hs_data_reader *reader, const char *name);
+HS_MUST_USE hs_status hs_data_read_section(hs_data_reader *reader, const hs_data_section *section, hs_error *err);
+void hs_data_warn_of_missing(const hs_data_reader *reader);
 /** Next line of a section that should have n lines, of which k were read; an error when the section ends early. */
 HS_MUST_USE hs_status hs_data_next_row(hs_data_reader *reader, const char *section, int64_t k, int64_t n,
                                        hs_error *err);

@@ -155,11 +155,13 @@ static bool is_foreign(const char *name)
 static hs_status read_section(hs_data_reader *reader, hs_error *err)
 {
     const hs_lines *lines = &reader->lines;
-    char name[128];
-    snprintf(name, sizeof name, "%.60s%s%.60s", lines->word[0], lines->n_words > 1 ? " " : "",
-             lines->n_words > 1 ? lines->word[1] : "");
+    char name[256] = "";
+    for (int k = 0; k < lines->n_words && strlen(name) + strlen(lines->word[k]) + 2 <= sizeof name; ++k)
+        strcat(strcat(name, k > 0 ? " " : ""), lines->word[k]);
+    const hs_data_section *of_fix = hs_data_find_section(reader, name);
     int section = 0;
-    while (section < N_SECTIONS && (lines->n_words > 2 || strcmp(sections[section], name) != 0)) ++section;
+    if (of_fix != NULL) return hs_data_read_section(reader, of_fix, err);
+    while (section < N_SECTIONS && strcmp(sections[section], name) != 0) ++section;
     switch (section) {
     case MASSES:
         return read_masses(reader, err);
@@ -182,8 +184,10 @@ static hs_status read_section(hs_data_reader *reader, hs_error *err)
                        "header says, or this one has no name",
                        name);
     const char *nearest = hs_text_nearest(name, sections, N_SECTIONS);
-    return hs_fail(err, HS_ERROR_INPUT, "unknown section '%s'%s%s%s", name, nearest != NULL ? "; did you mean '" : "",
-                   nearest != NULL ? nearest : "", nearest != NULL ? "'?" : "");
+    if (nearest != NULL) return hs_fail(err, HS_ERROR_INPUT, "unknown section '%s'; did you mean '%s'?", name, nearest);
+    return hs_fail(err, HS_ERROR_INPUT,
+                   "unknown section '%s'; values of a fix property/atom are read with 'read_data ... fix <ID> NULL %s'",
+                   name, name);
 }
 
 static hs_status read_file(hs_data_reader *reader, hs_error *err)
@@ -198,6 +202,7 @@ static hs_status read_file(hs_data_reader *reader, hs_error *err)
     if (reader->n_atoms > 0 && !reader->has_atoms)
         return hs_fail(err, HS_ERROR_INPUT, "the file has no section Atoms, but the header says there are %lld atoms",
                        (long long)reader->n_atoms);
+    hs_data_warn_of_missing(reader);
     return HS_OK;
 }
 
@@ -219,8 +224,13 @@ hs_status hs_data_read(hs_env *env, const char *path, const hs_data_options *opt
     hs_parallel_max_int64(env->parallel, &max_id, 1);
     reader.id_offset = options->is_appended ? max_id : options->id_offset;
     hs_say(env->out, "Reading data file ...\n");
-    HS_TRY(hs_lines_open(&reader.lines, path, env->parallel, err));
-    const hs_status status = read_file(&reader, err);
+    HS_TRY(HS_ALLOC(reader.has_section, (size_t)options->n_sections, err));
+    hs_status status = hs_lines_open(&reader.lines, path, env->parallel, err);
+    if (status != HS_OK) {
+        HS_FREE(reader.has_section);
+        return status;
+    }
+    status = read_file(&reader, err);
     if (status != HS_OK) {
         hs_error_locate(err, path, reader.lines.number);
         undo(&reader, &box_before);
@@ -230,5 +240,6 @@ hs_status hs_data_read(hs_env *env, const char *path, const hs_data_options *opt
     hs_lines_close(&reader.lines);
     HS_FREE(reader.id);
     HS_FREE(reader.before);
+    HS_FREE(reader.has_section);
     return status;
 }

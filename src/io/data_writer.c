@@ -8,6 +8,7 @@
 #include "io/row_stream.h"
 #include "io/writer.h"
 #include "style/box_flow.h"
+#include "style/fix.h"
 
 const char *hs_data_shortest(double value, char text[HS_SHORTEST_SIZE])
 {
@@ -85,6 +86,7 @@ static hs_status sort_atoms(const hs_atoms *atoms, id_index **order, hs_error *e
 typedef struct row_source {
     const hs_env *env;
     const id_index *order;
+    const hs_fix *fix; /**< whose section it is */
 } row_source;
 
 static hs_row_key row_key(const void *context, int64_t k)
@@ -138,14 +140,38 @@ static hs_status append_velocity(const void *context, int64_t k, hs_text *row, h
     return hs_text_append(row, "\n", 1, err);
 }
 
-/** The sections Atoms and Velocities (collective). */
-static hs_status write_atoms(const hs_env *env, hs_writer *writer, hs_error *err)
+static hs_status append_fix(const void *context, int64_t k, hs_text *row, hs_error *err)
+{
+    const row_source *source = context;
+    const int i = source->order[k].index;
+    HS_TRY(hs_text_printf(row, err, "%lld", (long long)source->env->atoms->id[i]));
+    HS_TRY(source->fix->style->data->format(source->fix, i, row, err));
+    return hs_text_append(row, "\n", 1, err);
+}
+
+/** The section of a fix (collective). */
+static hs_status write_section(row_source *source, const hs_fix *fix, hs_writer *writer, hs_error *err)
+{
+    const hs_text_rows rows = {
+        .n = source->env->atoms->n_local, .key = row_key, .format = append_fix, .context = source};
+    hs_text names = {0};
+    source->fix = fix;
+    if (writer != NULL) {
+        HS_UNLESS_FAILED(err, fix->style->data->names(fix, &names, err));
+        HS_UNLESS_FAILED(err, hs_writer_printf(writer, err, "\n%s # %s\n\n", fix->id, hs_text_get(&names)));
+        hs_text_fini(&names);
+    }
+    return hs_text_rows_write(&rows, writer, source->env->parallel, err);
+}
+
+/** The sections Atoms and Velocities, and those of fixes (collective). */
+static hs_status write_atoms(const hs_env *env, hs_writer *writer, const hs_data_write_options *options, hs_error *err)
 {
     id_index *order = NULL;
     char style[HS_ATOM_STYLE_NAME_SIZE];
     hs_atom_style_name(&env->atoms->style, style);
     HS_UNLESS_FAILED(err, sort_atoms(env->atoms, &order, err));
-    const row_source source = {.env = env, .order = order};
+    row_source source = {.env = env, .order = order};
     hs_text_rows rows = {.n = env->atoms->n_local, .key = row_key, .format = append_atom, .context = &source};
     if (writer != NULL)
         HS_UNLESS_FAILED(
@@ -156,6 +182,8 @@ static hs_status write_atoms(const hs_env *env, hs_writer *writer, hs_error *err
         rows.format = append_velocity;
         status = hs_text_rows_write(&rows, writer, env->parallel, err);
     }
+    for (int k = 0; k < options->n_fixes && status == HS_OK; ++k)
+        if (options->fix[k]->style->data != NULL) status = write_section(&source, options->fix[k], writer, err);
     HS_FREE(order);
     return status;
 }
@@ -170,7 +198,7 @@ static hs_status write_file(const hs_env *env, hs_writer *writer, const hs_data_
         if (options->pair != HS_DATA_PAIR_NONE && options->pair_style != NULL)
             HS_UNLESS_FAILED(err, write_coefficients(env, writer, options, err));
     }
-    return n_atoms > 0 ? write_atoms(env, writer, err) : hs_parallel_agree(env->parallel, err);
+    return n_atoms > 0 ? write_atoms(env, writer, options, err) : hs_parallel_agree(env->parallel, err);
 }
 
 hs_status hs_data_write(const hs_env *env, const char *path, const hs_data_write_options *options, hs_error *err)

@@ -173,7 +173,7 @@ hs_status hs_sim_add_fix(hs_sim *sim, const char *id, const char *group, const c
     LOOK_UP(hs_fix_styles, "fix", name, style, err);
     HS_TRY(check_words("fix", &style->about, args, command, sizeof command, &named, err));
     HS_TRY(check_id("fix", id, err));
-    HS_TRY(hs_sim_need_box(sim, "fix", err));
+    if (!style->needs_no_box) HS_TRY(hs_sim_need_box(sim, "fix", err));
     HS_TRY(hs_groups_get(&sim->groups, group, &bit, err));
     while (place < sim->n_fixes && strcmp(sim->fix[place]->id, id) != 0) ++place;
     if (place < sim->n_fixes && sim->fix[place]->style != style)

@@ -11,6 +11,17 @@
 
 struct hs_fix;
 
+/** A section of data files with a line for each atom: its id and values of the fix. */
+typedef struct hs_fix_data {
+    int (*n_values)(const struct hs_fix *fix);
+    /** Their names, separated by spaces: a comment beside the section's name. */
+    HS_MUST_USE hs_status (*names)(const struct hs_fix *fix, hs_text *text, hs_error *err);
+    /** Append the values of local atom i, each after a space. */
+    HS_MUST_USE hs_status (*format)(const struct hs_fix *fix, int i, hs_text *row, hs_error *err);
+    /** Give local atom i the values that these words are; i = -1: only refuse words that are none. */
+    HS_MUST_USE hs_status (*parse)(struct hs_fix *fix, int i, const char *const *word, hs_error *err);
+} hs_fix_data;
+
 /** Descriptor of a fix style. Hooks that a style does not use are NULL. Hooks run on every rank, outside of parallel
  *  regions, in the order in which the deck defined the fixes. */
 typedef struct hs_fix_style {
@@ -60,6 +71,8 @@ typedef struct hs_fix_style {
      *  NULL: the style uses none. */
     HS_MUST_USE hs_status (*set_temperature)(struct hs_fix *fix, const char *id, hs_error *err);
     HS_MUST_USE hs_status (*set_pressure)(struct hs_fix *fix, const char *id, hs_error *err);
+    bool needs_no_box;       /**< may be defined before there is a box */
+    const hs_fix_data *data; /**< what write_data writes and read_data can read; NULL: nothing */
     /** The box moves with the atoms when the energy is minimised; NULL: it stays. */
     const hs_box_freedom *box_freedom;
     bool is_time_dependent; /**< counts steps: reset_timestep is refused while there is one */

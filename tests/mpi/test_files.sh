@@ -30,7 +30,12 @@ dump d all custom 4 d.dump id x
 dump_modify d sort off region half
 neigh_modify every 2 delay 0 check no
 run 0
+fix p all property/atom i_n d_w
+set type 1 i_n 3
+variable w atom x*0.3
+set group all d_w v_w
 write_data start.data
+write_data pure.data nofix
 write_data packed.data.gz pair ij
 print "atoms $(count(all)) low $(count(low)) left $(bound(all,xmin):%.12g) mass $(mass(all))" file said
 run 4
@@ -39,11 +44,12 @@ D
 
 cat >in.read <<'D'
 pair_style lj/cut 2.5
-read_data ../0/start.data extra/atom/types 1
+fix p all property/atom i_n d_w
+read_data ../0/start.data extra/atom/types 1 fix p NULL p
 pair_coeff * * 1.0 1.0
 mass 3 1.0
 group old id 1:480
-read_data ../0/start.data add append shift 0 0 9 group new nocoeff
+read_data ../0/pure.data add append shift 0 0 9 group new nocoeff
 group count_new subtract new old
 print "$(count(all)) $(count(new)) $(count(old))" file said.2
 write_data twice.data nocoeff

@@ -103,7 +103,7 @@ START_TEST(test_add)
         {"read_data good.data nocoeff\nread_data good.data add merge nocoeff\n", "exists already"},
         {"read_data good.data nocoeff\nread_data good.data add append offset 1 0 0 0 0 nocoeff\n",
          "has 2 atom types (offset 1)"},
-        {"read_data good.data fix 1 a b\n", "unknown keyword 'fix'"},
+        {"read_data good.data fix 1 a b\n", "there is no fix with the ID '1'"},
         {"read_data good.data extra/bond/types 2\n", "unknown keyword 'extra/bond/types'"},
         {"read_data nope.data\n", "'nope.data' cannot be read: No such file"},
         {"read_data /tmp\n", "it is a directory"},
@@ -195,7 +195,7 @@ START_TEST(test_bad_sections)
     expect_error_with("7 2 1 2 3 1 -2 0", "7 2 1 2 3 9999999999 -2 0", 22, "is not an image flag");
     expect_error_with("3 1 -0.5 10.0 -5.5\n", "", 25, "section Atoms ends after 1 lines; the header says there are 2");
     expect_error_with("3 1 -0.5 10.0 -5.5\n", "3 1 -0.5 10.0 -5.5\n4 1 1 1 1\n", 25,
-                      "a section name was expected, not '4 1'");
+                      "a section name was expected, not '4 1 1 1 1'");
     expect_error_with("3 1 2 3\n", "4 1 2 3\n", 28, "no atom with id 4");
     expect_error_with("3 1 2 3\n", "7 1 2 3\n", 29, "atom 7 has a velocity already");
     expect_error_with("3 1 2 3\n", "3 1 2\n", 28, "this one has 3 words");
@@ -284,6 +284,65 @@ START_TEST(test_garbage)
 }
 END_TEST
 
+static const char with_values[] =
+    "title\n\n2 atoms\n1 atom types\n0 10 xlo xhi\n0 10 ylo yhi\n0 10 zlo zhi\n\nAtoms\n\n7 1 1 2 3\n3 1 4 5 6\n\n"
+    "my values # i_n d_w\n\n3 -4 0.1\n7 5 1e-3\n\nothers\n\n7 2.5\n3 -1\n";
+
+static const char reads_values[] = "fix p all property/atom i_n d_w\nfix q all property/atom d_e\n"
+                                   "read_data values.data fix p NULL 'my values' fix q NULL others\nmass 1 1\n";
+
+/** That deck with a file in which one piece is replaced must fail with these words. */
+static void expect_bad_values(const char *old, const char *new, long line, const char *words)
+{
+    char text[4096];
+    hs_error err;
+    const char *at = strstr(with_values, old);
+    ck_assert_ptr_nonnull(at);
+    snprintf(text, sizeof text, "%.*s%s%s", (int)(at - with_values), with_values, new, at + strlen(old));
+    hs_test_write_file("values.data", text);
+    free(run(reads_values, &err));
+    ck_assert_msg(err.status == HS_ERROR_INPUT && err.line == line && strcmp(err.text, words) == 0,
+                  "line %ld: '%s', not line %ld: '%s'", err.line, err.text, line, words);
+}
+
+/* Values of fix property/atom go to a data file and come back with all digits. */
+START_TEST(test_values_of_fixes)
+{
+    char deck[1024];
+    hs_error err;
+    hs_test_enter_folder();
+    hs_test_write_file("values.data", with_values);
+    snprintf(deck, sizeof deck, "%swrite_data out.data\nwrite_data less.data nofix\n", reads_values);
+    run_good(deck);
+    char *text = hs_test_read_file("out.data");
+    ck_assert_msg(strstr(text, "\np # i_n d_w\n\n3 -4 0.1\n7 5 0.001\n\nq # d_e\n\n3 -1\n7 2.5\n") != NULL, "%s", text);
+    free(text);
+    text = hs_test_read_file("less.data");
+    ck_assert_ptr_null(strstr(text, "d_w"));
+    free(text);
+    run_good("fix p all property/atom i_n d_w\nfix q all property/atom d_e\n"
+             "read_data out.data fix p NULL p fix q NULL q\nwrite_data again.data\n");
+    ck_assert_int_eq(system("cmp out.data again.data"), 0);
+    char *log = run("fix p all property/atom i_n d_w\nread_data less.data fix p NULL p\n", &err);
+    ck_assert_ptr_nonnull(strstr(log, "WARNING: less.data: there is no section 'p' for fix 'p'"));
+    free(log);
+    expect_bad_values("5 1e-3", "5.5 1", 17, "'5.5' is not a whole number of 32 bits (i_n)");
+    expect_bad_values("-4 0.1", "2147483648 0.1", 16, "'2147483648' is not a whole number of 32 bits (i_n)");
+    expect_bad_values("1e-3", "nan", 17, "'nan' is not a finite number (d_w)");
+    expect_bad_values("-4 0.1", "-4", 16,
+                      "a line of section my values is an atom id and 2 values; this one has 2 words");
+    expect_bad_values("7 5 1e-3", "3 5 1e-3", 17, "atom 3 has a line in section my values already");
+    expect_bad_values("3 -1", "4 -1", 22, "the section Atoms has no atom with id 4");
+    expect_bad_values("7 2.5\n", "", 21, "section others ends after 1 lines; the header says there are 2");
+    expect_bad_values("others", "my values", 19, "there is a section my values already");
+    expect_bad_values(
+        "others", "else", 19,
+        "unknown section 'else'; values of a fix property/atom are read with 'read_data ... fix <ID> NULL "
+        "else'");
+    expect_bad_values("Atoms\n\n", "others\n\n", 9, "the section others must come after Atoms");
+}
+END_TEST
+
 START_TEST(test_shortest)
 {
     char text[HS_SHORTEST_SIZE];
@@ -302,4 +361,4 @@ START_TEST(test_shortest)
 END_TEST
 
 HS_TEST_MAIN("data_file", test_read_and_write, test_add, test_bad_headers, test_tilted_box, test_bad_sections,
-             test_box_edges, test_truncated, test_garbage, test_shortest)
+             test_box_edges, test_truncated, test_garbage, test_shortest, test_values_of_fixes)
