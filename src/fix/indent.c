@@ -4,9 +4,9 @@
 
 #include "base/wide.h"
 #include "core/lattice.h"
+#include "style/box_shape.h"
 #include "style/nearest_image.h"
 #include "style/shown_sums.h"
-#include "style/upright.h"
 #include "style/varying.h"
 
 typedef enum { INDENT_SPHERE, INDENT_CYLINDER, INDENT_PLANE } indent_shape;
@@ -91,10 +91,25 @@ static void destroy(hs_fix *fix)
     hs_varying_fini(&state->radius);
 }
 
+/** An endless cylinder goes on into its own image where it leaves the box: the edge along its axis must not lean. */
+static hs_status check_axis(const hs_fix *fix, hs_error *err)
+{
+    const indent_state *state = fix->state;
+    const hs_box *box = fix->env->box;
+    for (int k = 0; k < 3 && state->shape == INDENT_CYLINDER; ++k)
+        if (hs_tilt_second(k) == state->axis && box->tilt[k] != 0.0)
+            return hs_fail(
+                err, HS_ERROR_INPUT,
+                "fix '%s' (indent): a cylinder along %c does not meet its own images in a box with the tilt %s "
+                "(%g); one along x always does",
+                fix->id, "xyz"[state->axis], hs_tilt_names[k], box -> tilt[k]);
+    return HS_OK;
+}
+
 static hs_status init(hs_fix *fix, hs_error *err)
 {
     const indent_state *state = fix->state;
-    if (state->shape == INDENT_CYLINDER) HS_TRY(hs_need_upright(fix->env, "fix indent with a cylinder", err));
+    HS_TRY(check_axis(fix, err));
     for (int axis = 0; axis < 3; ++axis) HS_TRY(hs_varying_check(&state->place[axis], fix, err));
     return hs_varying_check(&state->radius, fix, err);
 }
@@ -103,9 +118,10 @@ static hs_status init(hs_fix *fix, hs_error *err)
 typedef struct indenter {
     const hs_fix *fix;
     const indent_state *state;
-    double length[3];     /**< of the box where the nearest image counts along each axis, else INFINITY */
-    const hs_box *tilted; /**< the box where it counts and is tilted, else NULL */
-    bool counts[3];       /**< axes along which distance counts */
+    double length[3]; /**< of the box where the nearest image counts along each axis, else INFINITY */
+    bool is_tilted;   /**< it counts in a tilted box: */
+    hs_box box;       /**< that, seen along the axis of a cylinder */
+    bool counts[3];   /**< axes along which distance counts */
     double radius2;
 } indenter;
 
@@ -114,7 +130,10 @@ static indenter indenter_now(const hs_fix *fix)
     const indent_state *state = fix->state;
     const hs_box *box = fix->env->box;
     indenter now = {.fix = fix, .state = state, .radius2 = state->radius.value * state->radius.value};
-    now.tilted = box->is_tilted && state->shape != INDENT_PLANE ? box : NULL;
+    now.is_tilted = box->is_tilted && state->shape != INDENT_PLANE;
+    now.box = *box;
+    for (int k = 0; k < 3 && state->shape == INDENT_CYLINDER; ++k)
+        if (hs_tilt_first(k) == state->axis) now.box.tilt[k] = 0.0;
     for (int axis = 0; axis < 3; ++axis) {
         const bool is_of_axis = axis == state->axis;
         now.counts[axis] = state->shape == INDENT_SPHERE || is_of_axis == (state->shape == INDENT_PLANE);
@@ -138,7 +157,7 @@ static inline bool force_of(const indenter *now, const hs_atoms *atoms, int i, d
     double d[3] = {0.0}, r2 = 0.0, depth;
     for (int axis = 0; axis < 3; ++axis)
         if (now->counts[axis]) d[axis] = distance_along(now, axis, atoms->x[axis][i]);
-    if (now->tilted != NULL) hs_nearest_image(now->tilted, d);
+    if (now->is_tilted) hs_nearest_image(&now->box, d);
     for (int axis = 0; axis < 3; ++axis) r2 += d[axis] * d[axis];
     if (state->shape == INDENT_PLANE) {
         depth = state->side * -d[state->axis]; /* how far it is on the wrong side */
@@ -174,7 +193,7 @@ static void push(const hs_atoms *atoms, const void *context, int begin, int end,
 {
     const indenter *now = context;
     const bool is_inside = now->state->is_inside, is_plane = now->state->shape == INDENT_PLANE;
-    const bool takes_all = is_plane || now->tilted != NULL;
+    const bool takes_all = is_plane || now->is_tilted;
     double r2[HS_EXACT_ARRAY_MAX];
     if (!takes_all) find_distances(now, atoms, begin, end, r2);
     for (int i = begin; i < end; ++i) {
@@ -194,6 +213,7 @@ static hs_status post_force(hs_fix *fix, hs_error *err)
     indent_state *state = fix->state;
     for (int axis = 0; axis < 3; ++axis) HS_TRY(hs_varying_update(&state->place[axis], fix->env, err));
     HS_TRY(hs_varying_update(&state->radius, fix->env, err));
+    if (fix->env->box->is_tilted) HS_TRY(check_axis(fix, err)); /* tilts may change */
     const indenter now = indenter_now(fix);
     hs_late_sums_make(&state->sums, fix->env->atoms, push, &now, HS_N_SHOWN);
     return HS_OK;
@@ -213,8 +233,8 @@ const hs_fix_style hs_fix_style_indent = {
              "a container, which pushes atoms inward that are outside of it. `plane <axis> <position> hi` pushes atoms "
              "above the position down, `lo` atoms below it up. Places and radius may be equal-style variables "
              "`v_name`, evaluated at each step, so that the indenter moves; their values are in distance units. In a "
-             "tilted box "
-             "there are no cylinders.\n\n"
+             "tilted box a cylinder is along an edge: along x, along y unless there is a tilt xy, along z unless there "
+             "are xz or yz.\n\n"
              "The scalar `f_ID` is the energy, the vector `f_ID[1]` to `f_ID[3]` the force on the indenter. "
              "`fix_modify "
              "energy yes` adds the energy to the potential energy.",
