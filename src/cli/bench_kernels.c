@@ -150,9 +150,7 @@ static hs_status open_table(const request *r, hs_writer **csv, hs_error *err)
         return hs_fail(err, HS_ERROR_INPUT, "-out: the name is too long");
     HS_TRY(hs_writer_open(csv, path, HS_WRITE_WHOLE, err));
     return hs_writer_printf(
-        *csv, err,
-        "instruction set,form,computed,ns an atom,million pairs/s,lanes an atom,lanes used,share of "
-        "peak\n");
+        *csv, err, "instruction set,form,computed,ns an atom,million pairs/s,lanes an atom,lanes used,share of peak\n");
 }
 
 /** All forms of one instruction set, each a line of the table. */

@@ -139,8 +139,8 @@ static hs_status write_command_line(const char *directory, hs_error *err)
         "The environment's `OMP_NUM_THREADS` and `HALFSHELL_ISA` stand in for `-threads` and `-isa` where those are "
         "not given, but runs with fewer than 1,000 atoms a rank then take one thread: they would be slower with "
         "more.\n\n"
-        "Errors go to standard error as `DECK:LINE: error: what, why, what would be right`; see "
-        "[exit codes](exit-codes.md).\n",
+        "Errors go to standard error as `DECK:LINE: error: what, why, what would be right`; see [exit "
+        "codes](exit-codes.md).\n",
         page);
     return close_page(page, err);
 }

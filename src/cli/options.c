@@ -72,8 +72,7 @@ const hs_cli_option hs_cli_options[] = {
     {"-out", "-o", "FILE", REPORT, "the page (default: the run's name and .html)"},
     {"-x", NULL, "COLUMN", PLOT,
      "column of the horizontal axis, by name or number; `time`: steps times the timestep (default: time, step, "
-     "distance, "
-     "whichever the file has)"},
+     "distance, whichever the file has)"},
     {"-y", NULL, "LIST", PLOT,
      "columns to draw, by name, number, or a pattern with * and ?, as in Temp,E_* (default: all that change)"},
     {"-errors", NULL, "LIST|none", PLOT,

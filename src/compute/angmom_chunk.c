@@ -24,10 +24,8 @@ const hs_compute_style hs_compute_style_angmom_chunk = {
               .syntax = {.usage = "<chunk-ID>", .n_min = 1, .n_max = 1},
               .summary = "angular momentum of each chunk",
               .details = "The array `c_ID` has a row for each chunk of the compute chunk/atom: the sum of m (r - r_cm) "
-                         "x v over those of "
-                         "its atoms that are in the group, along x, y and z (mass distance^2/time), with unwrapped "
-                         "places and the chunk's "
-                         "center of mass; 0 without any.",
+                         "x v over those of its atoms that are in the group, along x, y and z (mass distance^2/time), "
+                         "with unwrapped places and the chunk's center of mass; 0 without any.",
               .example = "compute c all cluster/atom 1.5\ncompute drops all chunk/atom c_c compress yes\n"
                          "compute spin all angmom/chunk drops"},
     .state_size = sizeof(hs_per_chunk),

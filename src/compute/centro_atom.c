@@ -98,13 +98,10 @@ const hs_compute_style hs_compute_style_centro_atom = {
          .summary = "deviation from central symmetry of each atom",
          .details =
              "The value per atom is the sum of the N/2 least |r_i + r_j|^2 (distance^2) over all pairs of its N "
-             "nearest "
-             "neighbors, r being the vectors to them: 0 in a perfect lattice, small where it is strained or warm, "
-             "large at "
-             "dislocations, stacking faults and surfaces. N is even; `fcc` stands for 12, `bcc` for 8, and 6 is right "
-             "for "
-             "a hexagonal plane. Neighbors are looked for within the pair style's cutoff, and need not belong to the "
-             "group; an atom that has fewer than N there has 0.",
+             "nearest neighbors, r being the vectors to them: 0 in a perfect lattice, small where it is strained or "
+             "warm, large at dislocations, stacking faults and surfaces. N is even; `fcc` stands for 12, `bcc` for 8, "
+             "and 6 is right for a hexagonal plane. Neighbors are looked for within the pair style's cutoff, and need "
+             "not belong to the group; an atom that has fewer than N there has 0.",
          .reference = "C. L. Kelchner, S. J. Plimpton, J. C. Hamilton, Phys. Rev. B 58, 11085 (1998), "
                       "doi:10.1103/PhysRevB.58.11085",
          .example = "compute csym all centro/atom fcc\ndump d all custom 1000 flaws.txt id x y z c_csym"},

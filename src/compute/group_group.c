@@ -124,12 +124,10 @@ const hs_compute_style hs_compute_style_group_group = {
          .details =
              "The scalar `c_ID` is the energy of all pairs with one atom in the compute's group and one in the other "
              "group (energy), the vector `c_ID[1]` ... `c_ID[3]` the sum of the forces that atoms of the other group "
-             "exert on "
-             "atoms of the compute's group. A pair whose atoms are both in both groups counts once in the energy, and "
-             "its "
-             "forces cancel; so a group with itself has its inner energy. Long-range corrections (pair_modify tail) "
-             "are "
-             "left out. The pairs are found anew for each evaluation, which takes some timesteps' time.",
+             "exert on atoms of the compute's group. A pair whose atoms are both in both groups counts once in the "
+             "energy, and its forces cancel; so a group with itself has its inner energy. Long-range corrections "
+             "(pair_modify tail) are left out. The pairs are found anew for each evaluation, which takes some "
+             "timesteps' time.",
          .example = "compute pull solute group/group solvent\nthermo_style custom step temp c_pull c_pull[1]"},
     .state_size = sizeof(group_state),
     .create = create,

@@ -25,10 +25,8 @@ const hs_compute_style hs_compute_style_inertia_chunk = {
               .syntax = {.usage = "<chunk-ID>", .n_min = 1, .n_max = 1},
               .summary = "moments of inertia of each chunk",
               .details = "The array `c_ID` has a row for each chunk of the compute chunk/atom: the six moments of "
-                         "inertia xx, yy, zz, xy, "
-                         "yz, xz (mass distance^2) of those of its atoms that are in the group, from their unwrapped "
-                         "places relative to "
-                         "the chunk's center of mass; 0 without any.",
+                         "inertia xx, yy, zz, xy, yz, xz (mass distance^2) of those of its atoms that are in the "
+                         "group, from their unwrapped places relative to the chunk's center of mass; 0 without any.",
               .example = "compute c all cluster/atom 1.5\ncompute drops all chunk/atom c_c compress yes\n"
                          "compute moments all inertia/chunk drops"},
     .state_size = sizeof(hs_per_chunk),

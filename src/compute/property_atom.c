@@ -69,11 +69,10 @@ const hs_compute_style hs_compute_style_property_atom = {
          .summary = "attributes of atoms as values per atom",
          .details =
              "The values per atom are the attributes of the atoms: `id`, `type`, `mass`, `proc`, `procp1`; positions "
-             "`x y z` (distance), scaled `xs ys zs`, unwrapped `xu yu zu`, unwrapped and scaled `xsu ysu zsu`; "
-             "images `ix iy iz`; velocities `vx vy vz` (distance/time); forces `fx fy fz` (energy/distance); dipoles "
-             "`mux muy muz` and their length `mu` (atom_style dipole); `radius`, `diameter` (distance) and angular "
-             "velocities `omegax omegay omegaz` (atom_style sphere); `i_<name>` and `d_<name>` of fix property/atom. "
-             "With one "
+             "`x y z` (distance), scaled `xs ys zs`, unwrapped `xu yu zu`, unwrapped and scaled `xsu ysu zsu`; images "
+             "`ix iy iz`; velocities `vx vy vz` (distance/time); forces `fx fy fz` (energy/distance); dipoles `mux muy "
+             "muz` and their length `mu` (atom_style dipole); `radius`, `diameter` (distance) and angular velocities "
+             "`omegax omegay omegaz` (atom_style sphere); `i_<name>` and `d_<name>` of fix property/atom. With one "
              "attribute it is `c_ID`, with several `c_ID[1]` and so on. Atoms outside the group have 0.",
          .example = "compute p all property/atom xu yu zu"},
     .state_size = sizeof(property_state),

@@ -263,13 +263,10 @@ const hs_compute_style hs_compute_style_rdf = {
              "up to the bin's end; with several pairs of types, two more columns for each. Types are single ones or "
              "ranges as in pair_coeff; without any, all atoms count. Only atoms of the group count.\n\n"
              "Up to the pair style's cutoff, with one kind of pairs, method `cluster`, and at most 256 bins, the force "
-             "kernel "
-             "counts the pairs on its way where `fix ave/time` asks for them (double precision, steps without "
-             "energies), "
-             "else the pairs of its list are counted, at a fraction of a timestep's cost. In all other cases, as for a "
-             "`cutoff` of any length, beyond half the box too, the pairs are found anew, which takes some timesteps' "
-             "time. "
-             "`fix ave/time ... c_ID[*] mode vector` averages and writes it.",
+             "kernel counts the pairs on its way where `fix ave/time` asks for them (double precision, steps without "
+             "energies), else the pairs of its list are counted, at a fraction of a timestep's cost. In all other "
+             "cases, as for a `cutoff` of any length, beyond half the box too, the pairs are found anew, which takes "
+             "some timesteps' time. `fix ave/time ... c_ID[*] mode vector` averages and writes it.",
          .reference = "M. P. Allen, D. J. Tildesley, Computer Simulation of Liquids, 2nd ed. (2017), section 8.2",
          .example = "compute myRDF all rdf 50\nfix 2 all ave/time 100 10 1000 c_myRDF[*] file tmp.rdf mode vector"},
     .state_size = sizeof(rdf_state),

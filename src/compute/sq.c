@@ -126,17 +126,13 @@ const hs_compute_style hs_compute_style_sq = {
          .summary = "static structure factor",
          .details =
              "S(q) = |sum over atoms of exp(-i q r)|^2 / N for the wave vectors q = 2 pi (n_x/L_x, n_y/L_y, n_z/L_z) "
-             "of the "
-             "periodic box with 0 < |q| <= q_max (1/distance), of the group's atoms; a tilted box has those whose "
-             "products with its edges are multiples of 2 pi. The array has one row for each of "
-             "Nbin "
-             "shells of equal width (default: 100): the mean |q| of its vectors, the mean S, and the number of "
-             "vectors, 0 "
-             "for a shell without any.\n\n"
+             "of the periodic box with 0 < |q| <= q_max (1/distance), of the group's atoms; a tilted box has those "
+             "whose products with its edges are multiples of 2 pi. The array has one row for each of Nbin shells of "
+             "equal width (default: 100): the mean |q| of its vectors, the mean S, and the number of vectors, 0 for a "
+             "shell without any.\n\n"
              "With `vectors yes` there is one row for each wave vector, of q and -q one: q_x, q_y, q_z, S(q), and the "
-             "real "
-             "and imaginary part of the sum; correlations of these in time (`fix ave/correlate`) give the intermediate "
-             "scattering function F(q,t) N.\n\n"
+             "real and imaginary part of the sum; correlations of these in time (`fix ave/correlate`) give the "
+             "intermediate scattering function F(q,t) N.\n\n"
              "A non-uniform fast Fourier transform computes all of them at once, exact to 1e-10, at a cost of a few "
              "microseconds an atom. All directions (in two dimensions x and y) must be periodic.",
          .reference =

@@ -24,10 +24,8 @@ const hs_compute_style hs_compute_style_torque_chunk = {
               .syntax = {.usage = "<chunk-ID>", .n_min = 1, .n_max = 1},
               .summary = "torque on each chunk",
               .details = "The array `c_ID` has a row for each chunk of the compute chunk/atom: the sum of (r - r_cm) x "
-                         "f over those of "
-                         "its atoms that are in the group, along x, y and z (energy), with unwrapped places and the "
-                         "chunk's center of "
-                         "mass; 0 without any.",
+                         "f over those of its atoms that are in the group, along x, y and z (energy), with unwrapped "
+                         "places and the chunk's center of mass; 0 without any.",
               .example = "compute c all cluster/atom 1.5\ncompute drops all chunk/atom c_c compress yes\n"
                          "compute turn all torque/chunk drops"},
     .state_size = sizeof(hs_per_chunk),

@@ -64,11 +64,9 @@ const hs_compute_style hs_compute_style_vacf = {
          .summary = "velocity autocorrelation",
          .details =
              "The vector `c_ID[1]` ... `c_ID[4]` is the mean over the group's atoms of v_x(t) v_x(0), the same of y "
-             "and "
-             "z, and of their sum (velocity^2), with t counted from the definition of the compute. The integral of "
+             "and z, and of their sum (velocity^2), with t counted from the definition of the compute. The integral of "
              "`c_ID[4]` over time is dim D, with D the diffusion coefficient. Starting velocities travel with the "
-             "atoms "
-             "and are part of checkpoints; after `read_restart` a compute of the same ID goes on from them.",
+             "atoms and are part of checkpoints; after `read_restart` a compute of the same ID goes on from them.",
          .reference = "R. Kubo, J. Phys. Soc. Jpn. 12, 570 (1957), doi:10.1143/JPSJ.12.570",
          .example = "compute vacf all vacf\nfix 5 all vector 1 c_vacf[4]\nvariable D equal dt*trap(f_5)/3"},
     .state_size = sizeof(vacf_state),

@@ -108,9 +108,8 @@ static hs_status check_orient(const hs_lattice *lattice, hs_error *err)
             return hs_fail(err, HS_ERROR_INPUT, "lattice: the orientation of %c is 0 0 0", "xyz"[p]);
         if ((int64_t)o[p][0] * o[q][0] + (int64_t)o[p][1] * o[q][1] + (int64_t)o[p][2] * o[q][2] != 0)
             return hs_fail(err, HS_ERROR_INPUT,
-                           "lattice: the orientations of %c (%d %d %d) and %c (%d %d %d) are not "
-                           "orthogonal",
-                           "xyz"[p], o[p][0], o[p][1], o[p][2], "xyz"[q], o[q][0], o[q][1], o[q][2]);
+                           "lattice: the orientations of %c (%d %d %d) and %c (%d %d %d) are not orthogonal", "xyz"[p],
+                           o[p][0], o[p][1], o[p][2], "xyz"[q], o[q][0], o[q][1], o[q][2]);
     }
     const int64_t handed = ((int64_t)o[0][1] * o[1][2] - (int64_t)o[0][2] * o[1][1]) * o[2][0] +
                            ((int64_t)o[0][2] * o[1][0] - (int64_t)o[0][0] * o[1][2]) * o[2][1] +
@@ -127,8 +126,7 @@ static hs_status check_2d(const hs_lattice *lattice, hs_error *err)
     const int(*orient)[3] = lattice->orient;
     if (orient[0][2] != 0 || orient[1][2] != 0 || orient[2][0] != 0 || orient[2][1] != 0)
         return hs_fail(err, HS_ERROR_INPUT,
-                       "lattice: in two dimensions x and y must be oriented within the plane, z "
-                       "along z");
+                       "lattice: in two dimensions x and y must be oriented within the plane, z along z");
     if (lattice->a[0][2] != 0.0 || lattice->a[1][2] != 0.0 || lattice->a[2][0] != 0.0 || lattice->a[2][1] != 0.0)
         return hs_fail(err, HS_ERROR_INPUT, "lattice: in two dimensions a1 and a2 must lie in the plane, a3 along z");
     return HS_OK;
@@ -178,8 +176,8 @@ static hs_status check_cell(const hs_lattice *lattice, const hs_lattice_size *si
     const double volume = cell_volume(lattice);
     if (!(volume > 0.0) || !isfinite(volume))
         return hs_fail(err, HS_ERROR_INPUT,
-                       "lattice: a1, a2, a3 span the volume %g; it must be greater than 0 (a "
-                       "right-handed set, not in one plane)",
+                       "lattice: a1, a2, a3 span the volume %g; it must be greater than 0 (a right-handed set, not in "
+                       "one plane)",
                        volume);
     return HS_OK;
 }
@@ -210,8 +208,7 @@ hs_status hs_lattice_finish(hs_lattice *lattice, const hs_lattice_size *size, hs
     for (int axis = 0; axis < 3; ++axis)
         if (!isfinite(lattice->spacing[axis]) || !(lattice->spacing[axis] > 0.0))
             return hs_fail(err, HS_ERROR_INPUT,
-                           "lattice: the spacing along %c would be %g; the scale or density is "
-                           "out of range",
+                           "lattice: the spacing along %c would be %g; the scale or density is out of range",
                            "xyz"[axis], lattice -> spacing[axis]);
     return HS_OK;
 }
@@ -263,9 +260,7 @@ hs_status hs_lattice_range(const hs_lattice *lattice, const double box_lo[3], co
         const double limit = 1.0e9;
         if (!(least[axis] > -limit && most[axis] < limit))
             return hs_fail(err, HS_ERROR_INPUT,
-                           "the box spans more than %g cells of the lattice; is it in the right "
-                           "units?",
-                           limit);
+                           "the box spans more than %g cells of the lattice; is it in the right units?", limit);
         /* basis atoms lie up to one cell above their cell's corner; one more for rounding */
         lo[axis] = (int)floor(least[axis]) - 2;
         hi[axis] = (int)ceil(most[axis]) + 1;

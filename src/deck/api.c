@@ -36,8 +36,8 @@ static hs_status create(hs_simulation *simulation, const hs_simulation_options *
     if (given != NULL) {
         if (given->size == 0 || given->size > sizeof settings)
             return hs_fail(err, HS_ERROR_INPUT,
-                           "hs_simulation_options: size is %zu, this library knows up to %zu; set it "
-                           "with HS_SIMULATION_OPTIONS_INIT",
+                           "hs_simulation_options: size is %zu, this library knows up to %zu; set it with "
+                           "HS_SIMULATION_OPTIONS_INIT",
                            given->size, sizeof settings);
         memcpy(&settings, given, given->size);
     }

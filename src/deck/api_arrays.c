@@ -76,8 +76,7 @@ static hs_status make_rows(hs_simulation *simulation, hs_order order, int64_t n,
         return hs_fail(err, HS_ERROR_INPUT, "order is %d; HS_ORDER_ID and HS_ORDER_LOCAL are the orders", (int)order);
     if (n != atoms->n_all)
         return hs_fail(err, HS_ERROR_INPUT,
-                       "the array has room for %lld atoms, the simulation has %lld; see "
-                       "hs_simulation_n_atoms",
+                       "the array has room for %lld atoms, the simulation has %lld; see hs_simulation_n_atoms",
                        (long long)n, (long long)atoms->n_all);
     HS_TRY(HS_ALLOC(rows->row, (size_t)atoms->n_local, err));
     int64_t offset, max_id = hs_atoms_max_id(atoms);

@@ -179,15 +179,12 @@ const hs_command hs_commands_balance[] = {
           .summary = "place the planes between the ranks' parts of the box",
           .details =
               "`x`, `y`, `z` put the planes that cut the box at equal distances (`uniform`) or at the fractions given, "
-              "one "
-              "fewer than there are bricks along the axis. `shift` moves them along the axes named (`x`, `xy`, `zyx`, "
-              "...) until the slabs between them hold equal loads, if the largest load of a rank exceeds the mean by "
-              "more "
-              "than the threshold (1.1: ten per cent); each iteration finds the places 16 times more exactly, and an "
-              "axis "
-              "is done when its slabs are within the stop factor. `rcb`, which in LAMMPS cuts the box into parts that "
-              "are not in rows, moves the planes along all axes here. The load of a rank is the sum of its atoms' "
-              "costs.\n\n" HS_BALANCE_WEIGHT_DETAILS
+              "one fewer than there are bricks along the axis. `shift` moves them along the axes named (`x`, `xy`, "
+              "`zyx`, ...) until the slabs between them hold equal loads, if the largest load of a rank exceeds the "
+              "mean by more than the threshold (1.1: ten per cent); each iteration finds the places 16 times more "
+              "exactly, and an axis is done when its slabs are within the stop factor. `rcb`, which in LAMMPS cuts the "
+              "box into parts that are not in rows, moves the planes along all axes here. The load of a rank is the "
+              "sum of its atoms' costs.\n\n" HS_BALANCE_WEIGHT_DETAILS
               " (In the last run.)\n\n`fix balance` does the same during a run. Results do not depend on where the "
               "planes are. `out` is refused.",
           .example = "balance 1.1 shift xy 10 1.02\nbalance 1.0 x uniform z 0.4 0.5 0.6"},

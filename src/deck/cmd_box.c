@@ -14,8 +14,7 @@ static bool is_variable(const char *word) { return strchr(word, '$') != NULL; }
 static const hs_keyword lattice_keywords[] = {
     {"origin", 3, "<x> <y> <z>", "shift of all sites, in fractions of the spacings, 0 <= x < 1; default 0 0 0"},
     {"orient", 4, "<x|y|z> <i> <j> <k>",
-     "integer vector of the lattice that becomes x, y or z; default x 1 0 0, y 0 "
-     "1 0, z 0 0 1"},
+     "integer vector of the lattice that becomes x, y or z; default x 1 0 0, y 0 1 0, z 0 0 1"},
     {"spacing", 3, "<dx> <dy> <dz>", "spacings in units of the scale, instead of the extent of the rotated cell"},
     {"a1", 3, "<x> <y> <z>", "first edge of the cell, in units of the scale; style custom only"},
     {"a2", 3, "<x> <y> <z>", "second edge"},
@@ -170,8 +169,7 @@ static hs_status create_box_check(const hs_args *args, bool has_variables, hs_er
         for (int k = 0; molecular[k] != NULL; ++k)
             if (strcmp(args->word[i], molecular[k]) == 0)
                 return hs_fail(err, HS_ERROR_INPUT,
-                               "create_box: '%s' is for bonded atoms, which the atom style "
-                               "atomic has not",
+                               "create_box: '%s' is for bonded atoms, which the atom style atomic has not",
                                args->word[i]);
     const hs_syntax syntax = {"<N> <region-ID> [extra/special/per/atom <N>]", 2, 2, create_box_keywords};
     return hs_syntax_check(&syntax, args, has_variables, err);
@@ -182,15 +180,12 @@ static hs_status check_box_region(hs_sim *sim, const hs_args *args, const hs_reg
     HS_TRY(hs_sim_need_region(sim, "create_box", args->word[1], region, err));
     if (!(*region)->has_extent)
         return hs_fail(err, HS_ERROR_INPUT,
-                       "create_box: the region '%s' has no bounds (a plane, or side out); use a "
-                       "block",
-                       args->word[1]);
+                       "create_box: the region '%s' has no bounds (a plane, or side out); use a block", args->word[1]);
     for (int axis = 0; axis < 3; ++axis) {
         const double lo = (*region)->extent[axis][0], hi = (*region)->extent[axis][1];
         if (!(lo < hi) || !isfinite(lo) || !isfinite(hi) || hi - lo > HS_REGION_FAR)
             return hs_fail(err, HS_ERROR_INPUT,
-                           "create_box: the region '%s' extends from %g to %g along %c, which "
-                           "cannot be a box",
+                           "create_box: the region '%s' extends from %g to %g along %c, which cannot be a box",
                            args->word[1], lo, hi, "xyz"[axis]);
     }
     return HS_OK;
@@ -220,8 +215,7 @@ static hs_status create_box_run(hs_deck *deck, const hs_args *args, hs_error *er
     HS_TRY(check_box_region(sim, args, &region, err));
     if (box->dimension == 2 && !box->periodic[2])
         return hs_fail(err, HS_ERROR_INPUT,
-                       "create_box: in two dimensions the boundary of z must be periodic "
-                       "(boundary x y p)");
+                       "create_box: in two dimensions the boundary of z must be periodic (boundary x y p)");
     for (int i = 2; i < args->n; i += 2) {
         int64_t ignored;
         HS_TRY(hs_arg_int(args, i + 1, 0, INT32_MAX, &ignored, err));
@@ -254,15 +248,13 @@ const hs_command hs_commands_box[] = {
                     "and `custom`, which needs at least one `basis`. `scale` is, in units lj, the reduced density N "
                     "sigma^d / V, from\n"
                     "which the length of the cell follows; in other units the length of one lattice unit. The "
-                    "hexagonal "
-                    "cells are\n"
+                    "hexagonal cells are\n"
                     "rectangular: `hex` 1 by sqrt(3), `hcp` 1 by sqrt(3) by sqrt(8/3).\n\n"
                     "The spacings in x, y and z, which are printed, are the extent of the rotated cell; other commands "
                     "count lengths in\n"
                     "them unless told `units box`. Without a lattice, or after `none 1`, the spacings are 1.\n\n"
                     "The three `orient` vectors must be orthogonal and right-handed. In two dimensions the lattice "
-                    "must "
-                    "lie in the\n"
+                    "must lie in the\n"
                     "plane. The place of a site is: cell times edges, times scale, rotated, plus spacing times "
                     "origin.\n",
                 .example = "lattice fcc 0.8442\nlattice custom 3.52 a1 1 0 0 a2 0.5 0.866 0 a3 0 0 1 basis 0 0 0 basis "
@@ -279,14 +271,11 @@ const hs_command hs_commands_box[] = {
                 .summary = "A part of space, for making boxes, atoms and groups",
                 .details =
                     "The styles are `block`, `cylinder`, `plane`, `prism`, `sphere`, `union` and `intersect`; each has "
-                    "a "
-                    "page of its own.\n"
+                    "a page of its own.\n"
                     "`side out` takes the complement. Lengths are in lattice spacings at the time of the command "
-                    "(`units "
-                    "lattice`, the\n"
+                    "(`units lattice`, the\n"
                     "default) or in distance units (`units box`). Periodic images do not count: a region holds what "
-                    "lies "
-                    "in it by\n"
+                    "lies in it by\n"
                     "coordinates. `delete` removes a region. LAMMPS's `move`, `rotate` and `open` are refused.\n",
                 .example = "region box block 0 10 0 10 0 10\nregion gap cylinder z 5 5 2 INF INF side out\nregion gap "
                            "delete",
@@ -304,11 +293,9 @@ const hs_command hs_commands_box[] = {
                     "`N` is the number of atom types, from 1. The box is the extent of the region, which must have "
                     "bounds; of a `prism`\n"
                     "it is a tilted (triclinic) box, periodic along y where xy is not 0, and along z where xz or yz is "
-                    "not 0. Shrink-wrapped faces (`boundary s`) start 0.0001 of the box "
-                    "outside of the\n"
+                    "not 0. Shrink-wrapped faces (`boundary s`) start 0.0001 of the box outside of the\n"
                     "region, so that atoms on it are within. In two dimensions z must be periodic. Keywords for bonds "
-                    "are "
-                    "refused.\n",
+                    "are refused.\n",
                 .example = "region box block 0 20 0 20 0 20\ncreate_box 2 box",
             },
         .run = create_box_run,

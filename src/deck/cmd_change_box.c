@@ -253,8 +253,8 @@ const hs_command hs_commands_change_box[] = {
             {
                 .name = "change_box",
                 .syntax = {"<group-ID> <x|y|z> final <lo> <hi> | delta <dlo> <dhi> | scale <factor> | volume ... "
-                           "<xy|xz|yz> final <tilt> | delta <dtilt> ... [triclinic|ortho] "
-                           "[boundary <x> <y> <z>] [set] [remap] [units lattice|box]",
+                           "<xy|xz|yz> final <tilt> | delta <dtilt> ... [triclinic|ortho] [boundary <x> <y> <z>] [set] "
+                           "[remap] [units lattice|box]",
                            2, -1, NULL},
                 .summary = "Change the lengths, tilts and boundaries of the box between runs",
                 .details =
@@ -262,16 +262,14 @@ const hs_command hs_commands_change_box[] = {
                     "them, `scale` multiplies the length about its middle, `volume` gives the volume back that the "
                     "operation before has changed; two `volume` in a row share that. `xy`, `xz` and `yz` set a tilt "
                     "(`final`) or add to it (`delta`); `triclinic` makes an orthogonal box one that can be tilted, "
-                    "`ortho` "
-                    "the opposite, when all tilts are 0. A tilt may be half of the length along its first axis, unless "
-                    "`box tilt large` came before the box was made.\n\n"
+                    "`ortho` the opposite, when all tilts are 0. A tilt may be half of the length along its first "
+                    "axis, unless `box tilt large` came before the box was made.\n\n"
                     "Atoms stay where they are, until `remap` brings those of the group along: from the box at the "
-                    "start "
-                    "of the command, or at the last `set` or `remap`, to the present one. In the end atoms outside of "
-                    "a periodic box are wrapped into it. `boundary` sets new boundaries (see `boundary`).\n\n"
+                    "start of the command, or at the last `set` or `remap`, to the present one. In the end atoms "
+                    "outside of a periodic box are wrapped into it. `boundary` sets new boundaries (see "
+                    "`boundary`).\n\n"
                     "Lengths are in lattice spacings unless `units box` is said: `xy` and `xz` in that of x, `yz` in "
-                    "that "
-                    "of y.\n",
+                    "that of y.\n",
                 .example = "change_box all x scale 1.1 y volume z volume remap\n"
                            "change_box all z final -5 25 boundary p p f units box\n"
                            "change_box all triclinic xy final 0.5 remap units box",

@@ -35,9 +35,7 @@ static hs_status create_check(const hs_args *args, bool has_variables, hs_error 
         const char *word = args->word[i];
         if (strcmp(word, "mol") == 0 || strcmp(word, "rotate") == 0)
             return hs_fail(err, HS_ERROR_INPUT,
-                           "create_atoms: the keyword '%s' is for molecules, which are not "
-                           "supported",
-                           word);
+                           "create_atoms: the keyword '%s' is for molecules, which are not supported", word);
     }
     const hs_syntax syntax = {"<type> box | region <ID> | single <x> <y> <z> | random <N> <seed> <region-ID>|NULL "
                               "[keyword value ...]",
@@ -85,8 +83,7 @@ static hs_status read_keyword(hs_creation *c, const hs_args *args, int *i, hs_er
     if (strcmp(keyword, "basis") == 0) {
         if (!c->sim->lattice.is_set)
             return hs_fail(err, HS_ERROR_INPUT,
-                           "create_atoms: 'basis' needs a lattice: the command 'lattice' comes "
-                           "first");
+                           "create_atoms: 'basis' needs a lattice: the command 'lattice' comes first");
         HS_TRY(hs_arg_int(args, *i + 1, 1, c->sim->lattice.n_basis, &number, err));
         HS_TRY(read_type(c->sim, args, *i + 2, &c->basis_type[number - 1], err));
         *i += 2;
@@ -122,8 +119,7 @@ static hs_status read_style(hs_creation *c, const hs_args *args, hs_error *err)
     }
     if ((c->style == HS_CREATE_BOX || c->style == HS_CREATE_REGION) && !c->sim->lattice.is_set)
         return hs_fail(err, HS_ERROR_INPUT,
-                       "create_atoms: there is no lattice to put atoms on; the command 'lattice' "
-                       "makes one");
+                       "create_atoms: there is no lattice to put atoms on; the command 'lattice' makes one");
     return HS_OK;
 }
 
@@ -141,8 +137,8 @@ static hs_status read_words(hs_creation *c, const hs_args *args, hs_error *err)
     const bool has_coordinate = c->coordinate[0] != NULL || c->coordinate[1] != NULL || c->coordinate[2] != NULL;
     if ((c->test != NULL) != has_coordinate)
         return hs_fail(err, HS_ERROR_INPUT,
-                       "create_atoms: 'var' and 'set' need each other: set x|y|z <name> names "
-                       "the internal variables that the formula reads");
+                       "create_atoms: 'var' and 'set' need each other: set x|y|z <name> names the internal variables "
+                       "that the formula reads");
     return HS_OK;
 }
 
@@ -195,14 +191,11 @@ const hs_command hs_commands_create[] = {
                 .summary = "Create atoms on the lattice, at one place, or at random places",
                 .details =
                     "`box` fills the box with atoms on the sites of the lattice, `region` only a region of it. Sites "
-                    "on "
-                    "the lower face\n"
+                    "on the lower face\n"
                     "of a periodic box are filled, those on the upper face are not; on other faces, lower ones belong "
-                    "to "
-                    "the box,\n"
+                    "to the box,\n"
                     "upper ones do not. IDs go on from the highest one; the third lattice direction is the slowest, "
-                    "basis "
-                    "atoms are\n"
+                    "basis atoms are\n"
                     "the fastest. `single` makes one atom at x, y, z, or none if the place is outside of the box. "
                     "`random` makes N\n"
                     "atoms at random places of the box or of a region; the places may overlap. Places, IDs and the "
@@ -225,10 +218,8 @@ const hs_command hs_commands_create[] = {
                     "`type` is a number or a range (`*`, `2*`, `*3`, `2*3`); `mass` is greater than 0, in mass units. "
                     "Every type needs\n"
                     "one before the first run or the first `velocity`. The box must exist. Atoms of style sphere have "
-                    "masses of "
-                    "their own: there the command is refused, or, with `hybrid dipole sphere`, its values are not used "
-                    "(as in "
-                    "LAMMPS).\n",
+                    "masses of their own: there the command is refused, or, with `hybrid dipole sphere`, its values "
+                    "are not used (as in LAMMPS).\n",
                 .example = "mass 1 1.0\nmass * 39.95",
             },
         .run = mass_run,

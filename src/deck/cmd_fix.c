@@ -141,8 +141,8 @@ const hs_command hs_commands_fix[] = {
                .summary = "change settings of a temperature compute",
                .details =
                    "A temperature has n_dof = dim N - dim degrees of freedom; `extra/dof` says how many are taken off "
-                   "instead of dim. They are counted at the start of each run, with "
-                   "`dynamic/dof yes` at each evaluation, as is needed where atoms come, go or change groups.",
+                   "instead of dim. They are counted at the start of each run, with `dynamic/dof yes` at each "
+                   "evaluation, as is needed where atoms come, go or change groups.",
                .example = "compute_modify thermo_temp extra/dof 0\ncompute_modify hot dynamic/dof yes"},
      .run = run_compute_modify},
     {.about = {.name = "uncompute",

@@ -291,8 +291,7 @@ const hs_command hs_commands_group[] = {
                 .summary = "Name a set of atoms",
                 .details =
                     "Atoms are added to the group `ID`, which is made if it is new; group `all` holds every atom. "
-                    "There "
-                    "can be 32 groups.\n\n"
+                    "There can be 32 groups.\n\n"
                     "| style | atoms |\n|---|---|\n"
                     "| `type` or `id`, then numbers and ranges | of these types or IDs; ranges are `first:last` or "
                     "`first:last:stride` |\n"

@@ -95,8 +95,7 @@ static const hs_keyword modify_keywords[] = {
     {"dmax", 1, "<distance>", "farthest that an atom may move along an axis in one iteration (default: 0.1)"},
     {"line", 1, "backtrack|quadratic",
      "line search of cg and sd: halving until the energy falls enough; `quadratic` (default) also tries the minimum of "
-     "a "
-     "parabola through the last two places"},
+     "a parabola through the last two places"},
     {"norm", 1, "two|inf|max",
      "what the force tolerance is compared with: the length of the vector of all forces (`two`, default), the largest "
      "component (`inf`), or the largest force on an atom (`max`)"},
@@ -209,27 +208,20 @@ const hs_command hs_commands_minimize[] = {
                 .summary = "Move atoms to a minimum of the energy",
                 .details =
                     "Ends as soon as the energy changes in one iteration by less than the energy tolerance times its "
-                    "size, "
-                    "the length of the force vector (`min_modify norm`; force units) is below the force tolerance, or "
-                    "so "
-                    "many iterations or evaluations of the forces were made. A tolerance of 0 never ends it. The log "
-                    "tells "
-                    "which it was, with energies and forces. Iterations count as steps, for thermo output and dumps "
-                    "too.\n\n"
+                    "size, the length of the force vector (`min_modify norm`; force units) is below the force "
+                    "tolerance, or so many iterations or evaluations of the forces were made. A tolerance of 0 never "
+                    "ends it. The log tells which it was, with energies and forces. Iterations count as steps, for "
+                    "thermo output and dumps too.\n\n"
                     "Lists of neighbors are made as `neigh_modify every 1 delay 0 check yes` says. Of the fixes, those "
                     "act that give or constrain forces: walls, spring/self, addforce, setforce, aveforce, enforce2d; "
-                    "their "
-                    "energy counts where `fix_modify energy yes` was said, and should where they have one. With fix "
-                    "box/relax the box changes, "
-                    "too. Nothing is "
-                    "integrated in time, and there is no noise, friction or propulsion. A potential that jumps at its "
-                    "cutoff ends line searches early: `pair_modify shift yes` helps.\n\n"
+                    "their energy counts where `fix_modify energy yes` was said, and should where they have one. With "
+                    "fix box/relax the box changes, too. Nothing is integrated in time, and there is no noise, "
+                    "friction or propulsion. A potential that jumps at its cutoff ends line searches early: "
+                    "`pair_modify shift yes` helps.\n\n"
                     "The styles are chosen by `min_style`. Sums over atoms are exact: reproducible runs reach the same "
                     "bits on any number of threads and ranks. Velocities stay as they are, except with style fire, "
-                    "which "
-                    "begins with all atoms at rest and leaves its own. A minimisation that a checkpoint interrupts "
-                    "goes on "
-                    "with new search directions, as does the one that wrote it.\n",
+                    "which begins with all atoms at rest and leaves its own. A minimisation that a checkpoint "
+                    "interrupts goes on with new search directions, as does the one that wrote it.\n",
                 .example = "minimize 1.0e-6 1.0e-4 1000 10000",
             },
         .run = run_minimize,
@@ -245,8 +237,8 @@ const hs_command hs_commands_minimize[] = {
                     "`cg` (default): conjugate gradients in the form of Polak and Ribiere, with line searches. `sd`: "
                     "steepest descent, each line along the forces. `fire`: damped dynamics (FIRE 2.0), with the masses "
                     "and, at first, the timestep of the deck. Settings are those of `min_modify`. `fire/old`: FIRE as "
-                    "first published, whose settings are "
-                    "fixed but for dmax: explicit Euler steps, delaystep 5, tmax 10, tmin 0, no half step back.\n",
+                    "first published, whose settings are fixed but for dmax: explicit Euler steps, delaystep 5, tmax "
+                    "10, tmin 0, no half step back.\n",
                 .reference =
                     "J. Guenole et al., Comput. Mater. Sci. 175, 109584 (2020), doi:10.1016/j.commatsci.2020.109584",
                 .example = "min_style fire",

@@ -103,19 +103,16 @@ static hs_status run_neigh_modify(hs_deck *deck, const hs_args *args, hs_error *
 static const hs_keyword method_keywords[] = {
     {"pairs", 1, "scheduled|exact",
      "`scheduled` (default): count the pairs that LAMMPS's lists hold under neigh_modify's schedule; `exact`: every "
-     "pair within "
-     "the cutoff at every step"},
+     "pair within the cutoff at every step"},
     {"cell", 1, "<fraction>",
      "edge of the cells as a fraction of the largest cutoff, 0.05 to 20 (default: 1 for linked, incremental and hash; "
      "chosen by density for cell, verlet and cluster, where it is the width of the columns)"},
     {"order", 1, "morton|row|none",
      "how cells are numbered and atoms sorted in memory: along the Morton curve (default) or row by row; `none` "
-     "(linked, "
-     "incremental, hash): atoms stay as they were created"},
+     "(linked, incremental, hash): atoms stay as they were created"},
     {"stencil", 1, "sphere|cube",
      "linked, incremental, hash: search the cells that a sphere of the cutoff's radius can reach (default), or the "
-     "whole "
-     "cube around them"},
+     "whole cube around them"},
     {0},
 };
 
@@ -275,18 +272,14 @@ const hs_command hs_commands_neighbor[] = {
           .summary = "how pairs are found (Halfshell's own command)",
           .details =
               "Methods give the same forces to rounding. `nsq` is the double loop. `linked`, `incremental` and `hash` "
-              "are "
-              "the cell methods of the textbooks, for teaching and for comparison: chains of the atoms in each cell, "
-              "built "
-              "anew at every step, or brought up to date where atoms have changed cell, or for the occupied cells "
-              "only. "
-              "`cell` sorts atoms into Morton-ordered cells at every step, `verlet` keeps a list of the neighbors of "
-              "each "
-              "atom, `cluster` lists of pairs of four-atom clusters; `auto` (default) begins with `cluster`, and runs "
-              "of 1,000 steps and more try `verlet` too, and keep the faster one. docs/neighbor-methods.md measures "
-              "them. "
-              "Keywords that a command does not name go back to their defaults (except `pairs`). The command "
-              "line's `-neigh` wins over the deck's method, whose keywords are then not used.",
+              "are the cell methods of the textbooks, for teaching and for comparison: chains of the atoms in each "
+              "cell, built anew at every step, or brought up to date where atoms have changed cell, or for the "
+              "occupied cells only. `cell` sorts atoms into Morton-ordered cells at every step, `verlet` keeps a list "
+              "of the neighbors of each atom, `cluster` lists of pairs of four-atom clusters; `auto` (default) begins "
+              "with `cluster`, and runs of 1,000 steps and more try `verlet` too, and keep the faster one. "
+              "docs/neighbor-methods.md measures them. Keywords that a command does not name go back to their defaults "
+              "(except `pairs`). The command line's `-neigh` wins over the deck's method, whose keywords are then not "
+              "used.",
           .example =
               "neighbor_method cell\nneighbor_method cluster pairs exact\nneighbor_method linked cell 0.5 order row"},
      .run = run_neighbor_method,
@@ -308,18 +301,14 @@ const hs_command hs_commands_neighbor[] = {
           .summary = "the same bits on any number of threads and ranks (Halfshell's own command)",
           .details =
               "`on` (default in double precision) gives the same bits of positions, velocities and thermo output on "
-              "any "
-              "number of threads and ranks, with any neighbor method, with AVX2 and AVX-512 kernels, and after any "
+              "any number of threads and ranks, with any neighbor method, with AVX2 and AVX-512 kernels, and after any "
               "restart. Positions and the box are kept on a grid of a power of two (some 1e-14 of the box, so a "
-              "lattice "
-              "site on the very face of a region may come to lie beyond it when a run starts), forces and energies of "
-              "pairs are added "
-              "as 64-bit integers, sums over atoms are exact. The SSE2 and portable kernels, which have no fused "
-              "multiply-add, are "
-              "reproducible among themselves. `off` adds in floating point, a tenth faster; on several threads, which "
-              "take "
-              "work from each other, the last bits then differ from run to run. It is off in mixed precision, where "
-              "`on` is refused. The command line's `-reproducible` wins over the deck.",
+              "lattice site on the very face of a region may come to lie beyond it when a run starts), forces and "
+              "energies of pairs are added as 64-bit integers, sums over atoms are exact. The SSE2 and portable "
+              "kernels, which have no fused multiply-add, are reproducible among themselves. `off` adds in floating "
+              "point, a tenth faster; on several threads, which take work from each other, the last bits then differ "
+              "from run to run. It is off in mixed precision, where `on` is refused. The command line's "
+              "`-reproducible` wins over the deck.",
           .example = "reproducible off"},
      .run = run_reproducible,
      .check = check_reproducible},

@@ -108,8 +108,7 @@ const hs_command hs_commands_replicate[] = {
                 .details =
                     "The box becomes nx, ny and nz times as long and is filled with copies of its atoms, which have "
                     "the velocities, groups and all else of their originals. Ids of copy k (x fastest, then y, then z) "
-                    "are "
-                    "those of the originals plus k times the highest. Atoms that had crossed periodic faces count "
+                    "are those of the originals plus k times the highest. Atoms that had crossed periodic faces count "
                     "where they are without images, as in LAMMPS; images start at 0.\n",
                 .example = "replicate 2 2 1",
             },

@@ -244,8 +244,8 @@ const hs_command hs_commands_run[] = {
                 .syntax = {"<N> [keyword value ...]", 1, 1, run_keywords},
                 .summary = "Run N timesteps",
                 .details = "With `every`, the run is cut into runs of M steps, each with its own table, and the "
-                           "commands, each one quoted, are "
-                           "carried\nout after each. Everything behind `every M` is a command. `quit` ends the run.\n",
+                           "commands, each one quoted, are carried\nout after each. Everything behind `every M` is a "
+                           "command. `quit` ends the run.\n",
                 .example =
                     "run 1000\nrun 5000 upto\nrun 1000 start 0 stop 10000\nrun 1000 every 100 \"print 'T = $(temp)'\"",
             },
@@ -259,8 +259,7 @@ const hs_command hs_commands_run[] = {
                 .syntax = {"<dt>", 1, 1, NULL},
                 .summary = "Length of a timestep",
                 .details = "In time units. The default depends on `units`: 0.005 for lj, 1 fs for real, 0.001 ps for "
-                           "metal. A negative step "
-                           "runs\nbackwards in time.\n",
+                           "metal. A negative step runs\nbackwards in time.\n",
                 .example = "timestep 0.002",
             },
         .run = timestep_run,

@@ -245,8 +245,7 @@ const hs_command hs_commands_script[] = {
                 .syntax = {"none|screen|log|both", 1, 1, NULL},
                 .summary = "Where commands are echoed as they are read",
                 .details = "Each command is shown as it stands in the deck; where variables are replaced in it, once "
-                           "more after "
-                           "each replacement.\nThe default, `log`, is changed by the option `-echo`.\n",
+                           "more after each replacement.\nThe default, `log`, is changed by the option `-echo`.\n",
                 .example = "echo both",
             },
         .run = echo_run,
@@ -259,8 +258,7 @@ const hs_command hs_commands_script[] = {
                 .syntax = {"<file>|none [append]", 1, 2, NULL},
                 .summary = "Go on with another log file",
                 .details = "The present log file is closed. `none` writes no log from here on. `append` adds to the "
-                           "end of the file, "
-                           "which else is\nemptied.\n",
+                           "end of the file, which else is\nemptied.\n",
                 .example = "log log.melt\nlog log.$t append",
             },
         .run = log_run,
@@ -273,8 +271,8 @@ const hs_command hs_commands_script[] = {
                 .syntax = {"\"<text>\" [keyword value ...]", 1, 1, print_keywords},
                 .summary = "Print a line to screen, log and files",
                 .details = "A text with blanks needs quotes: `'...'`, `\"...\"`, or `\"\"\"...\"\"\"`, which may hold "
-                           "several lines. "
-                           "Variables in it are\nreplaced, but not within further quotes inside of the text.\n",
+                           "several lines. Variables in it are\nreplaced, but not within further quotes inside of the "
+                           "text.\n",
                 .example = "print \"T = $T, pressure $(press:%.4f)\" append results.txt screen no",
             },
         .run = print_run,
@@ -297,8 +295,7 @@ const hs_command hs_commands_script[] = {
                 .syntax = {"<file>|SELF [label]", 1, 2, NULL},
                 .summary = "Go on reading at the start, or at a label, of a file",
                 .details = "`SELF` is the present file. Lines up to `label <label>` are skipped. After `next` has come "
-                           "to the end of its "
-                           "variables,\nthe next `jump` does nothing: that is how loops end.\n",
+                           "to the end of its variables,\nthe next `jump` does nothing: that is how loops end.\n",
                 .example = "variable i loop 10\nlabel loop\nrun 100\nnext i\njump SELF loop",
             },
         .run = jump_run,
@@ -321,8 +318,7 @@ const hs_command hs_commands_script[] = {
                 .syntax = {"<variable> ...", 1, -1, NULL},
                 .summary = "Give variables their next values",
                 .details = "All must be `index` variables, or all `loop` variables. When one has no further value, all "
-                           "of them are "
-                           "deleted and the\nnext `jump` is skipped.\n",
+                           "of them are deleted and the\nnext `jump` is skipped.\n",
                 .example = "variable T index 0.7 0.8 0.9\nlabel loop\nprint \"T = $T\"\nnext T\njump SELF loop",
             },
         .run = next_run,
@@ -335,12 +331,10 @@ const hs_command hs_commands_script[] = {
                            0, -1, NULL},
                 .summary = "Carry out commands only if a condition holds",
                 .details = "A condition compares numbers with `== != < <= > >=` and words with `==` and `!=`; `&& || "
-                           "|^ !` and parentheses "
-                           "join\ncomparisons. A number alone holds unless it is 0. Arithmetic needs an immediate "
-                           "variable: `$(v_a+1)`. "
-                           "Conditions with\nblanks, and commands, are quoted; a command that itself holds quotes goes "
-                           "into the other kind. "
-                           "All branches are checked\nbefore anything runs.\n",
+                           "|^ !` and parentheses join\ncomparisons. A number alone holds unless it is 0. Arithmetic "
+                           "needs an immediate variable: `$(v_a+1)`. Conditions with\nblanks, and commands, are "
+                           "quoted; a command that itself holds quotes goes into the other kind. All branches are "
+                           "checked\nbefore anything runs.\n",
                 .example = "if \"$(step) > 1000 && ${mode} == fast\" then \"timestep 0.01\" \"run 100\" else \"quit\"",
             },
         .run = if_run,
@@ -353,8 +347,7 @@ const hs_command hs_commands_script[] = {
                 .syntax = {"[status]", 0, 1, NULL},
                 .summary = "End here",
                 .details = "The program's exit code is `status`, 0 to 255 (default 0). What stands behind a `quit` "
-                           "outside of `if` is not "
-                           "read, up to\nthe next `label`.\n",
+                           "outside of `if` is not read, up to\nthe next `label`.\n",
                 .example = "if \"$(v_error) > 0.1\" then \"quit 1\"",
             },
         .run = quit_run,

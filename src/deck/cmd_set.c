@@ -83,10 +83,7 @@ static hs_status read_ids(const hs_args *args, int i, int64_t *lo, int64_t *hi, 
         }
     }
     if (!is_good || *lo < 1 || *lo > *hi)
-        return hs_arg_refuse(args, i,
-                             "an atom ID or range of IDs (n, *, n*, *n, "
-                             "m*n)",
-                             NULL, err);
+        return hs_arg_refuse(args, i, "an atom ID or range of IDs (n, *, n*, *n, m*n)", NULL, err);
     return HS_OK;
 }
 
@@ -203,10 +200,9 @@ static hs_status set_image(const selection *s, const hs_args *args, int i, hs_er
                 status = hs_fail(err, HS_ERROR_INPUT, "set: %s gives the image number %g; a whole number is needed",
                                  args->word[i + 1 + axis], values[k]);
             else if (values[k] != 0.0 && !s->sim->box.periodic[axis])
-                status = hs_fail(err, HS_ERROR_INPUT,
-                                 "set: the image number along %c must be 0, since %c is not "
-                                 "periodic",
-                                 "xyz"[axis], "xyz"[axis]);
+                status =
+                    hs_fail(err, HS_ERROR_INPUT, "set: the image number along %c must be 0, since %c is not periodic",
+                            "xyz"[axis], "xyz"[axis]);
             else
                 atoms->image[axis][k] = (int32_t)values[k];
         }
@@ -301,29 +297,23 @@ const hs_command hs_commands_set[] = {
                     "The atoms are chosen by ID or range of IDs (`atom 3`, `atom 5*10`), by type or range of types, by "
                     "group, or by\n"
                     "region, once for all keywords of the command, which act one after the other. A value `v_name` "
-                    "takes "
-                    "an atom-style\n"
+                    "takes an atom-style\n"
                     "variable's value for each atom. Positions are in distance units and are not wrapped into the box "
                     "until the\n"
                     "next run; `run ... pre no` after a command that sets only positions and velocities goes on with "
-                    "the "
-                    "forces and lists\n"
+                    "the forces and lists\n"
                     "there are, which is what Monte Carlo moves want. `type/fraction` draws for each atom from its "
-                    "place, so that the number of atoms is only "
-                    "about right;\n"
+                    "place, so that the number of atoms is only about right;\n"
                     "`type/ratio` and `type/subset` hit it exactly, going through atoms by ID. The choices are those "
-                    "of "
-                    "LAMMPS on\n"
+                    "of LAMMPS on\n"
                     "one rank (before the first run of a deck; after it LAMMPS has reordered its atoms), whatever the "
                     "number of ranks.\n"
                     "Image numbers must be 0 along axes that are not periodic.\n\n"
                     "`i_<name>` and `d_<name>` are values of your own, which fix property/atom has added.\n\n"
                     "`diameter`, `density`, `density/disc`, `mass` and `omega` need spheres, `dipole` and "
-                    "`dipole/random` need "
-                    "dipoles (atom_style). `density` uses the present diameter, so set the diameter first. "
-                    "`dipole/random` "
-                    "gives LAMMPS's directions; in three dimensions they are not quite evenly spread, which rotational "
-                    "diffusion forgets.\n",
+                    "`dipole/random` need dipoles (atom_style). `density` uses the present diameter, so set the "
+                    "diameter first. `dipole/random` gives LAMMPS's directions; in three dimensions they are not quite "
+                    "evenly spread, which rotational diffusion forgets.\n",
                 .example = "set type 1 type/fraction 2 0.5 12393\nset group left vx 0.5\nset atom 7 x 1.0 y 1.0",
             },
         .run = set_run,

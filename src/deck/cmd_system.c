@@ -10,9 +10,7 @@ static hs_status need_no_box(const hs_deck *deck, const char *command, hs_error 
 {
     if (!deck->sim->box.exists) return HS_OK;
     return hs_fail(err, HS_ERROR_INPUT,
-                   "%s: must come before the box is made (create_box, read_data); 'clear' starts "
-                   "anew",
-                   command);
+                   "%s: must come before the box is made (create_box, read_data); 'clear' starts anew", command);
 }
 
 static bool is_variable(const char *word) { return strchr(word, '$') != NULL; }
@@ -225,9 +223,8 @@ static hs_status processors_run(hs_deck *deck, const hs_args *args, hs_error *er
     }
     if (is_free ? n_ranks % product != 0 : product != n_ranks)
         return hs_fail(err, HS_ERROR_INPUT,
-                       "processors: a grid of %s x %s x %s does not fit this run's %lld MPI "
-                       "rank%s",
-                       args->word[0], args->word[1], args->word[2], (long long)n_ranks, n_ranks == 1 ? "" : "s");
+                       "processors: a grid of %s x %s x %s does not fit this run's %lld MPI rank%s", args->word[0],
+                       args->word[1], args->word[2], (long long)n_ranks, n_ranks == 1 ? "" : "s");
     memcpy(deck->sim->domain.wanted, wanted, sizeof wanted);
     return HS_OK;
 }
@@ -247,8 +244,7 @@ const hs_command hs_commands_system[] = {
                     "| temperature | epsilon/k | K | K |\n| pressure | epsilon/sigma^3 | atm | bar |\n"
                     "| default timestep | 0.005 | 1 | 0.001 |\n| default skin | 0.3 | 2 | 2 |\n\n"
                     "Must come before the box; the default is `lj`. Also sets the timestep and the skin to the "
-                    "defaults "
-                    "of the\n"
+                    "defaults of the\n"
                     "system. In `lj`, the number of the command `lattice` is a density and energies are printed per "
                     "atom.\n",
                 .example = "units lj",
@@ -263,12 +259,9 @@ const hs_command hs_commands_system[] = {
                 .syntax = {"tilt small|large", 0, 0, box_keywords},
                 .summary = "Allow or refuse boxes that are tilted more than they need be",
                 .details = "A box whose tilt `xy` is more than half of its length in x (`xz` likewise, `yz` in y) has "
-                           "the same "
-                           "periodic images as one with a tilt that is less by that length. As in LAMMPS such boxes "
-                           "are refused, "
-                           "with `tilt large` they are only worth a warning: they have more surface to their volume, "
-                           "so that runs "
-                           "are slower. Must come before the box.\n",
+                           "the same periodic images as one with a tilt that is less by that length. As in LAMMPS such "
+                           "boxes are refused, with `tilt large` they are only worth a warning: they have more surface "
+                           "to their volume, so that runs are slower. Must come before the box.\n",
                 .example = "box tilt large",
             },
         .run = box_run,
@@ -280,8 +273,7 @@ const hs_command hs_commands_system[] = {
                 .syntax = {"2|3", 1, 1, NULL},
                 .summary = "Two or three dimensions",
                 .details = "Must come before the box; the default is 3. In two dimensions z must be periodic and atoms "
-                           "lie at z "
-                           "= 0;\n"
+                           "lie at z = 0;\n"
                            "temperatures count two degrees of freedom an atom, and volumes are areas.\n",
                 .example = "dimension 2",
             },
@@ -295,11 +287,9 @@ const hs_command hs_commands_system[] = {
                 .summary = "Periodic, fixed or shrink-wrapped faces of the box",
                 .details =
                     "One word for each axis, of one letter for both faces or of two for the lower and the upper one: "
-                    "`p` "
-                    "periodic\n"
+                    "`p` periodic\n"
                     "(both faces or neither), `f` fixed: atoms that leave are lost, `s` shrink-wrapped: the face "
-                    "follows "
-                    "the\n"
+                    "follows the\n"
                     "outermost atom, `m` the same, but never inside of its first place. Must come before the box; the "
                     "default\n"
                     "is `p p p`.\n",
@@ -316,17 +306,13 @@ const hs_command hs_commands_system[] = {
                 .summary = "What atoms have: size, own mass, direction",
                 .details =
                     "`atomic` (the default): atoms are points with a type, a position and a velocity; masses belong to "
-                    "types. "
-                    "`sphere`: each atom also has a diameter, a mass (set by its density) and an angular velocity; new "
-                    "atoms "
-                    "have diameter 1 and density 1, and the command mass is refused (a 0 or 1 after it, LAMMPS's mark "
-                    "of "
-                    "diameters that may change, has no effect: they may). `dipole`: each atom has a dipole "
-                    "moment, "
-                    "0 at first, which is also the direction of an active particle; there are no charges and no dipole "
-                    "forces. `hybrid` joins them; `hybrid dipole sphere` is the style of active Brownian particles. As "
-                    "in "
-                    "LAMMPS, masses of types are then not used. Must come before the box.\n",
+                    "types. `sphere`: each atom also has a diameter, a mass (set by its density) and an angular "
+                    "velocity; new atoms have diameter 1 and density 1, and the command mass is refused (a 0 or 1 "
+                    "after it, LAMMPS's mark of diameters that may change, has no effect: they may). `dipole`: each "
+                    "atom has a dipole moment, 0 at first, which is also the direction of an active particle; there "
+                    "are no charges and no dipole forces. `hybrid` joins them; `hybrid dipole sphere` is the style of "
+                    "active Brownian particles. As in LAMMPS, masses of types are then not used. Must come before the "
+                    "box.\n",
                 .example = "atom_style atomic\natom_style hybrid dipole sphere",
             },
         .run = atom_style_run,
@@ -355,8 +341,7 @@ const hs_command hs_commands_system[] = {
                 .syntax = {"on|off [on|off]", 1, 2, NULL},
                 .summary = "Use of Newton's third law between ranks in LAMMPS, accepted without effect",
                 .details = "One word for pairs and bonds, or one for each. Halfshell computes every pair once and "
-                           "chooses itself "
-                           "how; the\n"
+                           "chooses itself how; the\n"
                            "results do not depend on it.\n",
                 .example = "newton on",
             },
@@ -370,8 +355,7 @@ const hs_command hs_commands_system[] = {
                 .summary = "Grid of MPI ranks as LAMMPS divides the box, checked against the number of ranks",
                 .details =
                     "`Px Py Pz` are ranks along each axis, `*` leaves one free. The grid must fit the number of ranks "
-                    "of "
-                    "the run, as\n"
+                    "of the run, as\n"
                     "in LAMMPS; how the box is then divided is up to Halfshell, and results do not depend on it. Must "
                     "come\n"
                     "before the box.\n",

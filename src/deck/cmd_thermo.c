@@ -69,8 +69,7 @@ const hs_command hs_commands_thermo[] = {
           .details =
               "The first and the last step of a run always have a row; with N = 0, the default, only they have. With "
               "`v_name` the variable gives the step of the next row, is evaluated anew at each row, and decides "
-              "whether the "
-              "last step has one.",
+              "whether the last step has one.",
           .example = "thermo 100\nvariable s equal logfreq(10,3,10)\nthermo v_s"},
      .run = run_thermo,
      .check = check_thermo},
@@ -94,13 +93,11 @@ const hs_command hs_commands_thermo[] = {
           .summary = "Change numbers, formats and checks of thermodynamic output",
           .details =
               "Formats are those of printf with one conversion: `%d` for whole numbers, `%e`, `%f` or `%g` for others. "
-              "A column's own format (`format N`) wins over `format int` and `format float`, these over `format "
-              "line`, which has one word for each column. `temp` and `press` name computes; the pressure then uses "
-              "that temperature. `means yes` prints after each run, below what log readers look at, the mean of each "
-              "column over the "
-              "rows of the run (without the first, which is the last of the run before), its standard error and "
-              "statistical "
-              "inefficiency from blocks of rows, and the drift of the total energy per atom and time.",
+              "A column's own format (`format N`) wins over `format int` and `format float`, these over `format line`, "
+              "which has one word for each column. `temp` and `press` name computes; the pressure then uses that "
+              "temperature. `means yes` prints after each run, below what log readers look at, the mean of each column "
+              "over the rows of the run (without the first, which is the last of the run before), its standard error "
+              "and statistical inefficiency from blocks of rows, and the drift of the total energy per atom and time.",
           .example = "thermo_modify norm no flush yes\nthermo_modify format float %15.8g format 1 %10d"},
      .run = run_thermo_modify},
     {.run = NULL},

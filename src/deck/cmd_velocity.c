@@ -30,8 +30,7 @@ static const hs_keyword velocity_keywords[] = {
     {"bias", 1, "yes|no", "create, scale: leave the bias of the compute alone; only `no` is supported"},
     {"loop", 1, "all|local|geom", "create: what the random numbers of an atom belong to (default all)"},
     {"units", 1, "lattice|box",
-     "set, ramp: velocities and coordinates in lattice spacings (default) or distance "
-     "units"},
+     "set, ramp: velocities and coordinates in lattice spacings (default) or distance units"},
     {NULL, 0, NULL, NULL},
 };
 
@@ -57,8 +56,7 @@ static hs_status velocity_check(const hs_args *args, bool has_variables, hs_erro
     for (int i = 2 + velocity_words[style]; i < args->n; ++i)
         if (strcmp(args->word[i], "rigid") == 0)
             return hs_fail(err, HS_ERROR_INPUT,
-                           "velocity: the keyword 'rigid' is not supported: there are no rigid "
-                           "bodies");
+                           "velocity: the keyword 'rigid' is not supported: there are no rigid bodies");
     const int n = 2 + velocity_words[style];
     const hs_syntax syntax = {usage, n, n, velocity_keywords};
     return hs_syntax_check(&syntax, args, has_variables, err);
@@ -125,8 +123,7 @@ static hs_status draw_by_id(const velocity *vel, int seed, hs_error *err)
     hs_parallel_max_int64(&vel->sim->parallel, &max_id, 1);
     if (max_id != atoms->n_all)
         return hs_fail(err, HS_ERROR_INPUT,
-                       "velocity: 'loop all' needs the IDs 1 to %lld, but the highest is %lld; "
-                       "'loop geom' does not",
+                       "velocity: 'loop all' needs the IDs 1 to %lld, but the highest is %lld; 'loop geom' does not",
                        (long long)atoms->n_all, (long long)max_id);
     hs_park park;
     hs_park_init(&park, seed);
@@ -377,14 +374,12 @@ const hs_command hs_commands_velocity[] = {
                     "`rot yes` the angular momentum about the center of mass), and scales to the temperature `T`, 0 or "
                     "more, counting\n"
                     "dim N - dim degrees of freedom. `loop all` draws for each ID in order, `loop local` for the "
-                    "group's "
-                    "atoms by ID,\n"
+                    "group's atoms by ID,\n"
                     "`loop geom` from the bits of each atom's position. The numbers are LAMMPS's on one rank (`loop "
                     "local`: before\n"
                     "the first run), whatever the number of ranks; `loop all` needs IDs 1 to N.\n\n"
                     "`set` gives all atoms one velocity; each component is a number in lattice spacings or distance "
-                    "units "
-                    "per time, a\n"
+                    "units per time, a\n"
                     "variable `v_name` (equal or atom style, not scaled by `units`), or `NULL` to leave it. `scale` "
                     "scales to the\n"
                     "temperature `T`. `ramp` interpolates one component linearly between two coordinates, and keeps it "

@@ -199,8 +199,8 @@ static hs_status create_random(hs_creation *c, hs_error *err)
         for (int try = 0; !is_wanted; ++try) {
             if (try == N_TRIES)
                 return hs_fail(err, HS_ERROR_INPUT,
-                               "create_atoms: %d tries found no place for a random atom; does "
-                               "the region have a volume inside of the box?",
+                               "create_atoms: %d tries found no place for a random atom; does the region have a volume "
+                               "inside of the box?",
                                N_TRIES);
             for (int axis = 0; axis < 3; ++axis) x[axis] = lo[axis] + hs_park_uniform(&park) * (hi[axis] - lo[axis]);
             if (c->sim->box.dimension == 2) x[2] = lo[2] + 0.5 * (hi[2] - lo[2]);

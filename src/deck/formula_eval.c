@@ -280,8 +280,7 @@ static hs_status eval_atom_of_variable(const hs_node *node, hs_deck *deck, doubl
     if (variable == NULL) return hs_variables_rounded(deck, node->text, value, err); /* which names the nearest */
     if (variable->style != HS_VARIABLE_ATOM)
         return hs_fail(err, HS_ERROR_INPUT,
-                       "v_%s[...]: the variable has a single value; atom-style ones have one for "
-                       "each atom",
+                       "v_%s[...]: the variable has a single value; atom-style ones have one for each atom",
                        node->text);
     HS_TRY(HS_ALLOC(values, (size_t)deck->sim->atoms.n_local + 1, err));
     hs_status status = hs_variables_atoms(deck, node->text, values, err);

@@ -275,10 +275,8 @@ const hs_function hs_math_functions[] = {
     {"atan2", 2, do_atan2, HS_DRAWS_NOTHING, "atan2(y,x)", "arc tangent of y/x in the right quadrant"},
     {"random", 3, do_random, HS_DRAWS_UNIFORM, "random(lo,hi,seed)",
      "uniform random number from lo to hi; the first call's seed starts the generator, of which there is one for "
-     "equal-style "
-     "and one for atom-style variables. Between runs atoms draw in the order of their IDs; during a run an atom's "
-     "numbers "
-     "follow from seed, ID and count of draws, so that they do not depend on ranks"},
+     "equal-style and one for atom-style variables. Between runs atoms draw in the order of their IDs; during a run an "
+     "atom's numbers follow from seed, ID and count of draws, so that they do not depend on ranks"},
     {"normal", 3, do_normal, HS_DRAWS_NORMAL, "normal(mean,width,seed)", "normal random number"},
     {"ceil", 1, do_ceil, HS_DRAWS_NOTHING, "ceil(x)", "next whole number above"},
     {"floor", 1, do_floor, HS_DRAWS_NOTHING, "floor(x)", "next whole number below"},

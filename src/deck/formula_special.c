@@ -39,8 +39,8 @@ static hs_status do_vector(hs_deck *deck, const hs_node *node, double *value, hs
     double *x = NULL;
     if (node->words[0][0] == 'v')
         return hs_fail(err, HS_ERROR_INPUT,
-                       "%s: '%s' must be c_ID or f_ID, the vector of a compute or fix, or c_ID[j] or "
-                       "f_ID[j], a column of an array",
+                       "%s: '%s' must be c_ID or f_ID, the vector of a compute or fix, or c_ID[j] or f_ID[j], a column "
+                       "of an array",
                        args.command, node->words[0]);
     HS_TRY(hs_value_init(&vector, env, &args, 0, HS_VALUE_VECTOR, err));
     hs_status status = hs_value_refresh(env, &vector, err);

@@ -48,8 +48,7 @@ hs_status hs_velocity_rescale(const hs_velocity_group *group, double present, do
 {
     if (!(present > 0.0))
         return hs_fail(err, HS_ERROR_INPUT,
-                       "velocity: the temperature is 0 (atoms at rest, or only one), and cannot "
-                       "be scaled to %g",
+                       "velocity: the temperature is 0 (atoms at rest, or only one), and cannot be scaled to %g",
                        wanted);
     const double factor = sqrt(wanted / present);
     hs_atoms *atoms = &group->sim->atoms;

@@ -78,8 +78,8 @@ const hs_fix_style hs_fix_style_ave_correlate_fft = {
              "The array `f_ID[i][j]` has the columns time in steps, number of samples, and one for each pair of values "
              "(`type`); lags are not equally spaced beyond the first Nlags rows. With `error yes` a column of standard "
              "errors for each pair follows, from the scatter of blocks of Nlags samples, and then one of "
-             "inefficiencies "
-             "(blocks that count as one); both are `nan` before two blocks are complete. The group has no meaning.",
+             "inefficiencies (blocks that count as one); both are `nan` before two blocks are complete. The group has "
+             "no meaning.",
          .reference =
              "W. H. Press et al., Numerical Recipes, 3rd ed. (2007), section 13.2; J. Ramirez et al., J. Chem. "
              "Phys. 133, 154103 (2010), doi:10.1063/1.3491098",

@@ -211,19 +211,17 @@ const hs_fix_style hs_fix_style_ave_isf = {
          .details =
              "The coherent intermediate scattering function F(q,t) = <rho(q,s)* rho(q,s+t)> / N of the group's atoms, "
              "rho(q) = sum of exp(-i q r), for the wave vectors of the periodic box with 0 < |q| <= q_max "
-             "(1/distance), "
-             "averaged over shells of equal width in |q| (Nbin, default 20; shells without vectors are left out). "
-             "F(q,0) is the static structure factor. Its self part is a quantity of `fix ave/self`.\n\n"
+             "(1/distance), averaged over shells of equal width in |q| (Nbin, default 20; shells without vectors are "
+             "left out). F(q,0) is the static structure factor. Its self part is a quantity of `fix ave/self`.\n\n"
              "Modes are taken every Nevery steps by a non-uniform fast Fourier transform, as in compute sq, and "
              "correlated up to Nlags - 1 samples apart over the whole run, as in fix ave/correlate/fft; `levels` goes "
              "on beyond that in the same way. Memory: 32 Nlags bytes for each wave vector and level. Results come "
              "every Nfreq steps; the file holds the last ones.\n\n"
              "The array `f_ID[i][j]` has the columns time in steps, number of samples, and F for each shell, whose "
-             "mean "
-             "|q| is in the name of the column in the file, F(|q|). With `error yes` a column of standard errors for "
-             "each shell follows, from the scatter of blocks of Nlags samples, and then one of inefficiencies (blocks "
-             "that count as one); `nan` before two blocks are complete. The box must be periodic and keep its size. "
-             "Results are the same on any number of threads and ranks.",
+             "mean |q| is in the name of the column in the file, F(|q|). With `error yes` a column of standard errors "
+             "for each shell follows, from the scatter of blocks of Nlags samples, and then one of inefficiencies "
+             "(blocks that count as one); `nan` before two blocks are complete. The box must be periodic and keep its "
+             "size. Results are the same on any number of threads and ranks.",
          .reference = "J.-P. Hansen, I. R. McDonald, Theory of Simple Liquids, 4th ed. (2013), section 7.4",
          .example = "fix F all ave/isf 10 200 20000 8.0 40 file isf.dat\n"
                     "fix G all ave/isf 5 128 100000 8.0 levels 8 error yes file isf.long"},

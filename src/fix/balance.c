@@ -32,8 +32,8 @@ static hs_status read_keywords(hs_fix *fix, const hs_args *args, int first, hs_e
         HS_TRY(hs_arg_choice(args, i, names, &which, err));
         if (which == 1)
             return hs_fail(err, HS_ERROR_INPUT,
-                           "%s: the keyword 'out' is not supported; dump custom with the attribute "
-                           "proc shows who owns which atoms",
+                           "%s: the keyword 'out' is not supported; dump custom with the attribute proc shows who owns "
+                           "which atoms",
                            args->command);
         ++i;
         HS_TRY(hs_balance_weight_read(&state->weight, args, &i, err));

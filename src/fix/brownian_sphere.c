@@ -115,9 +115,8 @@ const hs_fix_style hs_fix_style_brownian_sphere = {
              "Atoms move as with `fix brownian`, and their dipoles turn by rotational diffusion, D_r = k T / gamma_r: "
              "<e(t).e(0)> = exp(-(d - 1) D_r t). In two dimensions the angle makes a random walk (with `rng gaussian` "
              "exact for any timestep), in three the dipole is turned by the whole random rotation of a step, not by "
-             "its "
-             "linear part, so its length stays what it was. The two frictions are independent. The atoms need dipoles "
-             "(`atom_style dipole`, or `hybrid dipole sphere`).\n\n" BROWNIAN_DETAILS,
+             "its linear part, so its length stays what it was. The two frictions are independent. The atoms need "
+             "dipoles (`atom_style dipole`, or `hybrid dipole sphere`).\n\n" BROWNIAN_DETAILS,
          .reference = "I. M. Ilie et al., J. Chem. Phys. 142, 114103 (2015), doi:10.1063/1.4914322",
          .example = "fix 1 all brownian/sphere 1.0 12345 gamma_t 1.0 gamma_r 0.33"},
     .state_size = sizeof(brownian_state),

@@ -30,8 +30,7 @@ static const hs_keyword keywords[] = {
     {"yz", -1, "final|delta|vel|erate|trate|wiggle|variable <numbers>", "of z along y"},
     {"remap", 1, "x|v|none",
      "atoms of the group go along (x, the default), stay where they are (none), or take another velocity with the "
-     "image "
-     "(v)"},
+     "image (v)"},
     {"flip", 1, "yes|no", "a tilt beyond half of the edge gives way to an equivalent one (default: yes)"},
     {"units", 1, "lattice|box", "lengths are in lattice spacings (default) or in distance units"},
     {NULL, 0, NULL, NULL},
@@ -45,8 +44,8 @@ static hs_status check_axis(const hs_fix *fix, const hs_args *args, int axis, hs
     for (int side = 0; side < 2; ++side)
         if (box->boundary[axis][side] == HS_BOUNDARY_SHRINK || box->boundary[axis][side] == HS_BOUNDARY_SHRINK_MIN)
             return hs_fail(err, HS_ERROR_INPUT,
-                           "%s: the faces in %c follow the atoms (boundary s or m), so their "
-                           "length cannot be prescribed",
+                           "%s: the faces in %c follow the atoms (boundary s or m), so their length cannot be "
+                           "prescribed",
                            args->command, "xyz"[axis]);
     return HS_OK;
 }
@@ -285,19 +284,13 @@ const hs_fix_style hs_fix_style_deform = {
          .summary = "change the lengths and tilts of the box during a run",
          .details =
              "At multiples of N steps the box gets the lengths and tilts that the styles of its axes give; axes that "
-             "are "
-             "not named keep theirs. Over the run (or from `run start` to `stop`) `final <lo> <hi>` brings the bounds "
-             "to "
-             "these places, `delta <dlo> <dhi>` moves them by so much, `scale <factor>` multiplies the length. At "
-             "constant "
-             "velocity `vel <V>` makes the box longer by V a unit of time; `erate <R>` by R times the first length, "
-             "`trate <R>` by R times the present length; `wiggle <A> <Tp>` by A sin(2 pi t/Tp); `variable v_name "
-             "v_rate` by "
-             "the value of an equal-style variable (distance units), the second of which is its rate. `volume` makes "
-             "up "
-             "for the others, so that the volume stays; two such axes share that. All but final and delta keep the "
-             "middle "
-             "of the box.\n\n"
+             "are not named keep theirs. Over the run (or from `run start` to `stop`) `final <lo> <hi>` brings the "
+             "bounds to these places, `delta <dlo> <dhi>` moves them by so much, `scale <factor>` multiplies the "
+             "length. At constant velocity `vel <V>` makes the box longer by V a unit of time; `erate <R>` by R times "
+             "the first length, `trate <R>` by R times the present length; `wiggle <A> <Tp>` by A sin(2 pi t/Tp); "
+             "`variable v_name v_rate` by the value of an equal-style variable (distance units), the second of which "
+             "is its rate. `volume` makes up for the others, so that the volume stays; two such axes share that. All "
+             "but final and delta keep the middle of the box.\n\n"
              "Tilts need a tilted (triclinic) box, which may have tilts of 0: of `create_box` with a prism, of "
              "`read_data`, or of `change_box all triclinic`. `xy` has the styles `final <tilt>`, `delta <dtilt>`, `vel "
              "<V>`, `erate <R>` (the tilt grows by R times the box's first length in y a unit of time: R is the shear "
@@ -309,8 +302,7 @@ const hs_fix_style hs_fix_style_deform = {
              "flows, with `fix nvt/sllod` or `compute temp/deform`. With `remap none` nothing happens to them, and new "
              "pairs come about at periodic faces. The fix moves nothing else: use it with `fix nve` or another "
              "integrator; a barostat may act on the axes that it leaves alone. docs/shear-flow.md has an example. A "
-             "deck has "
-             "one fix deform.",
+             "deck has one fix deform.",
          .example =
              "fix 2 all deform 1 x erate 0.001 y volume z volume\nfix 3 all deform 10 z scale 0.5 units box\nfix 4 "
              "all deform 1 xy erate 0.05 remap v"},

@@ -45,8 +45,7 @@ static hs_status find_region(const hs_fix *fix, hs_error *err)
     const hs_region *region = state->where.region;
     if (!region->has_extent)
         return hs_fail(err, HS_ERROR_INPUT,
-                       "fix '%s' (deposit): the region '%s' has no bounds, so that no places can "
-                       "be drawn in it",
+                       "fix '%s' (deposit): the region '%s' has no bounds, so that no places can be drawn in it",
                        fix->id, region->id);
     double lo[3], hi[3];
     hs_box_bounds(box, lo, hi);
@@ -242,15 +241,11 @@ const hs_fix_style hs_fix_style_deposit = {
          .summary = "add atoms one by one at random places of a region",
          .details =
              "Every M steps an atom of the type is put at a random place in the region, until N have been added. It "
-             "belongs to "
-             "group all and to the fix's group, so that other fixes of that group act on it. A place is taken when no "
-             "atom "
-             "is nearer than `near`; after `attempt` places in vain (a warning says so) the next try is M steps later. "
-             "Velocities are even between the bounds of `vx`, `vy` and `vz`. The first atom comes M steps after the "
-             "step "
-             "that follows the fix's definition. Random numbers, and so places and velocities, are those of LAMMPS "
-             "with the same seed, "
-             "whatever the number of ranks.\n\n"
+             "belongs to group all and to the fix's group, so that other fixes of that group act on it. A place is "
+             "taken when no atom is nearer than `near`; after `attempt` places in vain (a warning says so) the next "
+             "try is M steps later. Velocities are even between the bounds of `vx`, `vy` and `vz`. The first atom "
+             "comes M steps after the step that follows the fix's definition. Random numbers, and so places and "
+             "velocities, are those of LAMMPS with the same seed, whatever the number of ranks.\n\n"
              "The scalar `f_ID` is the number of atoms added. Temperatures of groups that grow need `compute_modify "
              "dynamic/dof yes`.",
          .example = "fix 4 adatoms deposit 100 2 100 12345 region slab near 1.0 vz -1.0 -1.0"},

@@ -137,10 +137,9 @@ const hs_fix_style hs_fix_style_ehex = {
          .summary = "add heat to atoms, or take it, at constant momentum and without drift of the energy",
          .details =
              "At multiples of N steps the velocities of the group's atoms (with `region`, of those that are in it at "
-             "the step) relative to that of their center of mass are scaled so that their kinetic energy grows by "
-             "rate times N timesteps, as `fix heat` does; the rate (energy/time) is negative to take heat. Then the "
-             "places are corrected by terms of third order in the timestep, which takes away most of the loss of "
-             "energy that "
+             "the step) relative to that of their center of mass are scaled so that their kinetic energy grows by rate "
+             "times N timesteps, as `fix heat` does; the rate (energy/time) is negative to take heat. Then the places "
+             "are corrected by terms of third order in the timestep, which takes away most of the loss of energy that "
              "fix heat has in long runs. `hex` leaves the correction out. Use it with `fix nve`.\n\n"
              "The scalar `f_ID` is the factor on the velocities of the latest step. More heat than the atoms have "
              "cannot be taken: that stops the run.",

@@ -117,11 +117,10 @@ const hs_fix_style hs_fix_style_flow_gauss = {
              "does. In a steady flow the fix heats the system, so that a thermostat is needed that leaves the flow "
              "alone, such as one with `compute temp/profile`; a thermostat that acts on other atoms too would change "
              "the flow.\n\n"
-             "The vector `f_ID[1]` ... `f_ID[3]` is the force on the whole group at the latest step (force units): "
-             "its mean divided by the cross-section of a pipe is the pressure drop along it. The scalar `f_ID` is "
-             "minus the work "
-             "done since the fix was made (energy units), for tests of the conservation of energy; it is counted with "
-             "`energy yes`, or when `fix_modify energy yes` adds it to the potential energy, and else 0.",
+             "The vector `f_ID[1]` ... `f_ID[3]` is the force on the whole group at the latest step (force units): its "
+             "mean divided by the cross-section of a pipe is the pressure drop along it. The scalar `f_ID` is minus "
+             "the work done since the fix was made (energy units), for tests of the conservation of energy; it is "
+             "counted with `energy yes`, or when `fix_modify energy yes` adds it to the potential energy, and else 0.",
          .reference = "D. J. Evans, G. P. Morriss, Phys. Rev. Lett. 56, 2172 (1986), doi:10.1103/PhysRevLett.56.2172; "
                       "S. E. Strong, J. D. Eaves, J. Phys. Chem. Lett. 7, 1907 (2016), doi:10.1021/acs.jpclett.6b00748",
          .example = "velocity fluid set 0.1 0 0 sum yes\nfix GD fluid flow/gauss 1 0 0\nfix GD fluid flow/gauss 1 1 1 "

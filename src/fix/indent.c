@@ -229,15 +229,14 @@ const hs_fix_style hs_fix_style_indent = {
          .summary = "a sphere, cylinder or plane that pushes atoms away",
          .details =
              "An atom that is within the indenter by a depth d feels the force K d^2 away from its center (axis, "
-             "plane); the energy is K d^3/3; K has units of force/distance^2. With `side in` the indenter is "
-             "a container, which pushes atoms inward that are outside of it. `plane <axis> <position> hi` pushes atoms "
+             "plane); the energy is K d^3/3; K has units of force/distance^2. With `side in` the indenter is a "
+             "container, which pushes atoms inward that are outside of it. `plane <axis> <position> hi` pushes atoms "
              "above the position down, `lo` atoms below it up. Places and radius may be equal-style variables "
              "`v_name`, evaluated at each step, so that the indenter moves; their values are in distance units. In a "
              "tilted box a cylinder is along an edge: along x, along y unless there is a tilt xy, along z unless there "
              "are xz or yz.\n\n"
              "The scalar `f_ID` is the energy, the vector `f_ID[1]` to `f_ID[3]` the force on the indenter. "
-             "`fix_modify "
-             "energy yes` adds the energy to the potential energy.",
+             "`fix_modify energy yes` adds the energy to the potential energy.",
          .example = "variable y equal 13.0-0.02*step*dt\nfix 4 all indent 1000.0 sphere 10 v_y 0 5.0\n"
                     "fix 5 all indent 10.0 cylinder z 10 10 8.0 side in units box"},
     .state_size = sizeof(indent_state),

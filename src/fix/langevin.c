@@ -299,8 +299,7 @@ const hs_fix_style hs_fix_style_langevin = {
              "group as a whole. `omega`, `angmom` and `gjf` are known and only `no` is supported.\n\n"
              "After `fix_modify temp` only the thermal part of the velocities in that temperature feels friction, and "
              "components that it leaves out altogether (atoms outside of the region of temp/region, axes of "
-             "temp/partial) "
-             "feel neither friction nor noise.",
+             "temp/partial) feel neither friction nor noise.",
          .reference = "T. Schneider, E. Stoll, Phys. Rev. B 17, 1302 (1978), doi:10.1103/PhysRevB.17.1302",
          .example = "fix 1 all nve\nfix 2 all langevin 1.0 1.0 0.5 48279"},
     .state_size = sizeof(langevin_state),

@@ -15,10 +15,9 @@ const hs_fix_style hs_fix_style_nvt = {
               .summary = "integrate at constant temperature with Nose-Hoover chains",
               .details =
                   "Moves the atoms of the group, in the place of fix nve, and keeps their temperature by a chain of "
-                  "thermostats: "
-                  "averages are those of the canonical ensemble. `temp` gives the temperature at the start and at the "
-                  "end of a run (or of `run start` to `stop`) and the time Tdamp in which it relaxes: some hundred "
-                  "timesteps are usual; much less makes the temperature swing.\n\n"
+                  "thermostats: averages are those of the canonical ensemble. `temp` gives the temperature at the "
+                  "start and at the end of a run (or of `run start` to `stop`) and the time Tdamp in which it relaxes: "
+                  "some hundred timesteps are usual; much less makes the temperature swing.\n\n"
                   "The fix makes the compute `ID_temp`, the temperature of its group; `fix_modify temp` takes another "
                   "one, of which only the thermal part of the velocities is scaled.\n\n"
                   "The scalar `f_ID` is the energy of the chain: it and the energy of the atoms together are constant "

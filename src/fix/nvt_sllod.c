@@ -41,20 +41,15 @@ const hs_fix_style hs_fix_style_nvt_sllod = {
              "without the flow (compute temp/deform, which the fix makes as `ID_temp`). `tchain` is 1 by default, for "
              "longer chains take long to become steady in a flow.\n\n"
              "With the velocity u of a place in the flow, its gradient G and c = v - u the equations are x' = v, m v' "
-             "= "
-             "f - m G c - (p_eta/Q) m c, as LAMMPS integrates them. The flow acts on c twice in this, here and as "
-             "atoms "
-             "move to places with another u: docs/shear-flow.md tells how much that is (some percent of a liquid's "
-             "viscosity), and how to do without. `psllod yes` has G v in place of G c (p-SLLOD), the same for a simple "
-             "shear: LAMMPS of 2021 has only this variant, later versions have both, and this default.\n\n"
+             "= f - m G c - (p_eta/Q) m c, as LAMMPS integrates them. The flow acts on c twice in this, here and as "
+             "atoms move to places with another u: docs/shear-flow.md tells how much that is (some percent of a "
+             "liquid's viscosity), and how to do without. `psllod yes` has G v in place of G c (p-SLLOD), the same for "
+             "a simple shear: LAMMPS of 2021 has only this variant, later versions have both, and this default.\n\n"
              "With `fix deform ... xy erate <R>` the viscosity is -<Pxy>/R, where the pressure's kinetic part is that "
-             "of "
-             "the thermal velocities: `thermo_modify temp ID_temp`. At high rates a fluid thins.\n\n"
+             "of the thermal velocities: `thermo_modify temp ID_temp`. At high rates a fluid thins.\n\n"
              "A fluid that is at rest when the box begins to move is set into motion in some time; `velocity all ramp "
-             "vx "
-             "... y ...` begins with the profile. `compute temp/profile`, or fix ave/chunk, shows it. Scalar and "
-             "vector "
-             "are those of fix nvt.",
+             "vx ... y ...` begins with the profile. `compute temp/profile`, or fix ave/chunk, shows it. Scalar and "
+             "vector are those of fix nvt.",
          .reference =
              "D. J. Evans, G. P. Morriss, Phys. Rev. A 30, 1528 (1984), doi:10.1103/PhysRevA.30.1528; P. J. Daivis, "
              "B. D. Todd, J. Chem. Phys. 124, 194103 (2006), doi:10.1063/1.2192775",

@@ -142,8 +142,8 @@ const hs_fix_style hs_fix_style_property_atom = {
              "compute property/atom, compute reduce, fix ave/histo, fix ave/chunk and the formulas of atom-style "
              "variables. With `ghost yes` the copies of atoms near the borders between ranks have them as well; "
              "nothing that comes with Halfshell reads them there. `write_data` writes them into a section with the "
-             "fix's ID, "
-             "from which `read_data ... fix ID NULL ID` reads them. LAMMPS's `mol`, `q` and `rmass` are refused.",
+             "fix's ID, from which `read_data ... fix ID NULL ID` reads them. LAMMPS's `mol`, `q` and `rmass` are "
+             "refused.",
          .example = "fix p all property/atom i_origin d_dose\nset region left i_origin 1\n"
                     "dump 1 all custom 100 traj.dump id x y z i_origin d_dose"},
     .state_size = sizeof(property_state),

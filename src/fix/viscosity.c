@@ -96,11 +96,9 @@ const hs_fix_style hs_fix_style_viscosity = {
              "stationary profile of the velocity builds up, which `fix ave/chunk` over a `chunk/atom` of such layers "
              "shows.\n\n"
              "The scalar `f_ID` is the momentum that the lowest layer has gained since the fix was defined (below 0). "
-             "The viscosity is "
-             "-(f_ID/(2 t A))/(dv/dz) with A the area of a layer's face: momentum flows both ways, through the upper "
-             "and "
-             "the lower half of the box. Use it with `fix nve`; the choice of atoms does not depend on ranks or "
-             "threads.",
+             "The viscosity is -(f_ID/(2 t A))/(dv/dz) with A the area of a layer's face: momentum flows both ways, "
+             "through the upper and the lower half of the box. Use it with `fix nve`; the choice of atoms does not "
+             "depend on ranks or threads.",
          .reference = "F. Müller-Plathe, Phys. Rev. E 59, 4894 (1999), doi:10.1103/PhysRevE.59.4894",
          .example = "fix flow all viscosity 100 x z 20\nfix flow all viscosity 50 x y 20 swap 2 vtarget 1.5"},
     .state_size = sizeof(viscosity_state),

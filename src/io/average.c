@@ -12,13 +12,13 @@ hs_status hs_schedule_init(hs_schedule *schedule, const hs_args *args, int first
     HS_TRY(hs_arg_int(args, first + 2, 1, INT64_MAX / 4, &schedule->freq, err));
     if (schedule->freq % schedule->every != 0)
         return hs_fail(err, HS_ERROR_INPUT,
-                       "%s: windows end every %lld steps (Nfreq), which must be a multiple of the %lld "
-                       "steps between samples (Nevery)",
+                       "%s: windows end every %lld steps (Nfreq), which must be a multiple of the %lld steps between "
+                       "samples (Nevery)",
                        args->command, (long long)schedule->freq, (long long)schedule->every);
     if (schedule->repeat * schedule->every > schedule->freq)
         return hs_fail(err, HS_ERROR_INPUT,
-                       "%s: %lld samples (Nrepeat) every %lld steps (Nevery) do not fit into windows of "
-                       "%lld steps (Nfreq)",
+                       "%s: %lld samples (Nrepeat) every %lld steps (Nevery) do not fit into windows of %lld steps "
+                       "(Nfreq)",
                        args->command, (long long)schedule->repeat, (long long)schedule->every,
                        (long long)schedule->freq);
     return HS_OK;

@@ -75,10 +75,9 @@ const hs_pair_style hs_pair_style_born = {
               .summary = "Born-Mayer-Huggins potential of ionic crystals, without charges",
               .details = "U(r) = A exp((sigma - r)/rho) - C/r^6 + D/r^8 for r < cutoff, 0 beyond.\n\n"
                          "`pair_coeff I J <A> <rho> <sigma> <C> <D> [<cutoff>]`: A (energy), rho (distance, above "
-                         "zero), sigma (distance), C (energy x "
-                         "distance^6), D (energy x distance^8). `pair_modify shift yes` makes the energy zero at the "
-                         "cutoff; `tail yes` adds the long-range part. "
-                         "Unlike pairs are not mixed: every pair of types must be given.",
+                         "zero), sigma (distance), C (energy x distance^6), D (energy x distance^8). `pair_modify "
+                         "shift yes` makes the energy zero at the cutoff; `tail yes` adds the long-range part. Unlike "
+                         "pairs are not mixed: every pair of types must be given.",
               .reference =
                   "F. G. Fumi, M. P. Tosi, J. Phys. Chem. Solids 25, 31 (1964), doi:10.1016/0022-3697(64)90159-3",
               .example = "pair_style born 2.5\npair_coeff * * 2.0 0.3 1.0 1.0 0.5"},

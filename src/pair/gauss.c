@@ -64,10 +64,9 @@ const hs_pair_style hs_pair_style_gauss = {
               .summary = "Gaussian well or repulsive Gaussian core",
               .details = "U(r) = -A exp(-B r^2) for r < cutoff, 0 beyond.\n\n"
                          "`pair_coeff I J <A> <B> [<cutoff>]`: A (energy) is the depth of the well; negative, it is "
-                         "the height of a repulsive core. "
-                         "B (1/distance^2). `pair_modify shift yes` makes the energy zero at the cutoff. Unlike pairs "
-                         "are mixed: A by the geometric mean "
-                         "of the sizes, the width 1/sqrt(2 B) and the cutoff as distances (`pair_modify mix`).",
+                         "the height of a repulsive core. B (1/distance^2). `pair_modify shift yes` makes the energy "
+                         "zero at the cutoff. Unlike pairs are mixed: A by the geometric mean of the sizes, the width "
+                         "1/sqrt(2 B) and the cutoff as distances (`pair_modify mix`).",
               .reference = "F. H. Stillinger, J. Chem. Phys. 65, 3968 (1976), doi:10.1063/1.432891",
               .example = "pair_style gauss 3.0\npair_coeff * * -10.0 1.0"},
     .coeff_syntax = {.usage = "<A> <B> [<cutoff>]", .n_min = 2, .n_max = 3},

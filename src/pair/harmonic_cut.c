@@ -53,10 +53,9 @@ const hs_pair_style hs_pair_style_harmonic_cut = {
               .summary = "harmonic repulsion k (r_c - r)^2 below a cutoff",
               .details = "U(r) = k (cutoff - r)^2 for r < cutoff, 0 beyond.\n\n"
                          "`pair_coeff I J <k> <cutoff>`: k (energy/distance^2; there is no factor 1/2 in front) and "
-                         "cutoff (distance). Energy and force "
-                         "are zero at the cutoff. Unlike pairs are mixed: k by the geometric mean, the cutoff as a "
-                         "distance (`pair_modify mix`). "
-                         "The same potential with the factors usual in work on jamming is `harmonic/repulsion`.",
+                         "cutoff (distance). Energy and force are zero at the cutoff. Unlike pairs are mixed: k by the "
+                         "geometric mean, the cutoff as a distance (`pair_modify mix`). The same potential with the "
+                         "factors usual in work on jamming is `harmonic/repulsion`.",
               .reference = NULL,
               .example = "pair_style harmonic/cut\npair_coeff * * 50.0 1.0"},
     .coeff_syntax = {.usage = "<k> <cutoff>", .n_min = 2, .n_max = 2},

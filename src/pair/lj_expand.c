@@ -86,10 +86,9 @@ const hs_pair_style hs_pair_style_lj_expand = {
          .details =
              "U(r) = 4 epsilon [(sigma/(r - delta))^12 - (sigma/(r - delta))^6] for r < cutoff + delta, 0 beyond.\n\n"
              "`pair_coeff I J <epsilon> <sigma> <delta> [<cutoff>]`: energy, length, shift (distance, of either sign), "
-             "and a cutoff for r - delta. "
-             "`pair_modify shift yes` makes the energy zero at the cutoff; `tail yes` adds the long-range part. Unlike "
-             "pairs are "
-             "mixed: epsilon, sigma and cutoff as in lj/cut, delta by the arithmetic mean always.",
+             "and a cutoff for r - delta. `pair_modify shift yes` makes the energy zero at the cutoff; `tail yes` adds "
+             "the long-range part. Unlike pairs are mixed: epsilon, sigma and cutoff as in lj/cut, delta by the "
+             "arithmetic mean always.",
          .reference = NULL,
          .example = "pair_style lj/expand 2.5\npair_coeff * * 1.0 1.0 0.5\npair_coeff 1 2 1.0 1.0 -0.2 2.0"},
     .coeff_syntax = {.usage = "<epsilon> <sigma> <delta> [<cutoff>]", .n_min = 3, .n_max = 4},

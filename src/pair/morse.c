@@ -49,10 +49,8 @@ const hs_pair_style hs_pair_style_morse = {
               .summary = "Morse potential",
               .details = "U(r) = D [exp(-2 alpha (r - r0)) - 2 exp(-alpha (r - r0))] for r < cutoff, 0 beyond.\n\n"
                          "`pair_coeff I J <D> <alpha> <r0> [<cutoff>]`: depth D (energy), inverse width alpha "
-                         "(1/distance), place of the minimum r0 "
-                         "(distance). `pair_modify shift yes` makes the energy zero at the cutoff. Unlike pairs are "
-                         "not mixed: every pair of types "
-                         "must be given.",
+                         "(1/distance), place of the minimum r0 (distance). `pair_modify shift yes` makes the energy "
+                         "zero at the cutoff. Unlike pairs are not mixed: every pair of types must be given.",
               .reference = "P. M. Morse, Phys. Rev. 34, 57 (1929), doi:10.1103/PhysRev.34.57",
               .example = "pair_style morse 2.5\npair_coeff * * 100.0 2.0 1.5"},
     .coeff_syntax = {.usage = "<D> <alpha> <r0> [<cutoff>]", .n_min = 3, .n_max = 4},

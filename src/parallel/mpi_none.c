@@ -10,8 +10,8 @@ hs_status hs_parallel_init(hs_parallel *parallel, hs_error *err)
          ++name)
         if (getenv(*name) != NULL && atoi(getenv(*name)) > 1)
             return hs_fail(err, HS_ERROR_INPUT,
-                           "this halfshell was built without MPI and cannot run on several ranks; "
-                           "build it with the preset 'release', or start it without mpirun");
+                           "this halfshell was built without MPI and cannot run on several ranks; build it with the "
+                           "preset 'release', or start it without mpirun");
     return HS_OK;
 }
 

@@ -42,11 +42,9 @@ const hs_region_style hs_region_style_intersect = {
             .syntax = {"<N> <region-ID> <region-ID> ... [side in|out] [units lattice|box]", 3, -1, NULL},
             .summary = "What lies in all of several regions",
             .details = "`N` is the number of regions, 2 or more, and is followed by their IDs. Their own `side` "
-                       "counts: a member "
-                       "with `side out`\n"
+                       "counts: a member with `side out`\n"
                        "cuts its shape away. A region that is part of an intersection cannot be deleted before the "
-                       "intersection. "
-                       "`units`\n"
+                       "intersection. `units`\n"
                        "changes nothing, since an intersection has no lengths of its own.\n",
             .example = "region shell intersect 2 outer_ball not_inner_ball",
         },

@@ -47,8 +47,7 @@ const hs_region_style hs_region_style_sphere = {
             .summary = "Ball",
             .details =
                 "`x y z` is the center and `radius` the radius, 0 or more. Lengths are in lattice spacings (the radius "
-                "in "
-                "that of\n"
+                "in that of\n"
                 "x), or in distance units after `units box`. The surface belongs to the ball. A radius that follows a "
                 "variable\n"
                 "(`v_name`) is refused.\n",

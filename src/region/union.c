@@ -42,8 +42,7 @@ const hs_region_style hs_region_style_union = {
             .summary = "What lies in at least one of several regions",
             .details =
                 "`N` is the number of regions, 2 or more, and is followed by their IDs. Their own `side` counts: a "
-                "member "
-                "with `side out`\n"
+                "member with `side out`\n"
                 "adds what lies outside of its shape. A region that is part of a union cannot be deleted before the "
                 "union. `units`\n"
                 "changes nothing, since a union has no lengths of its own.\n",

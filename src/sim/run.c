@@ -243,9 +243,8 @@ static void warn_of_late_lists(hs_sim *sim)
     hs_warn(
         sim->env.out,
         "on %lld steps (the first is %lld) atoms had moved more than half the skin before neigh_modify's schedule "
-        "allowed "
-        "new lists. As in LAMMPS, pairs that came within the cutoff meanwhile were not counted, and energy may drift. "
-        "'neigh_modify every 1 delay 0 check yes' or 'neighbor_method %s pairs exact' counts every pair",
+        "allowed new lists. As in LAMMPS, pairs that came within the cutoff meanwhile were not counted, and energy may "
+        "drift. 'neigh_modify every 1 delay 0 check yes' or 'neighbor_method %s pairs exact' counts every pair",
         (long long)neighbor->counters.n_late_steps, (long long)neighbor->counters.first_late_step,
         hs_neighbor_methods[neighbor->settings.method]);
 }

@@ -111,8 +111,8 @@ static hs_status find_next_due(hs_thermo *thermo, hs_error *err)
     HS_TRY(env->variable_value(env->deck, thermo->every_variable, &next, err));
     if (!(next > (double)env->step))
         return hs_fail(err, HS_ERROR_INPUT,
-                       "thermo: the variable '%s' gave %g as the step of the next row, which must be "
-                       "greater than the present step, %lld",
+                       "thermo: the variable '%s' gave %g as the step of the next row, which must be greater than the "
+                       "present step, %lld",
                        thermo->every_variable, next, (long long)env->step);
     /* stride() and the like say "never" with 2^63, which no integer holds. */
     thermo->next_due = next < 9e18 ? (int64_t)next : INT64_MAX;
@@ -170,9 +170,9 @@ static hs_status check_lost(hs_thermo *thermo, hs_error *err)
     if (thermo->lost == HS_LOST_ERROR)
         return hs_fail(
             err, HS_ERROR_ATOMS,
-            "Lost atoms: original %lld current %lld, at step %lld. They left the box through a face "
-            "that is not periodic, or moved too far in one step: use a shorter timestep, periodic or shrink-wrapped "
-            "boundaries, or walls; 'thermo_modify lost ignore' goes on without them",
+            "Lost atoms: original %lld current %lld, at step %lld. They left the box through a face that is not "
+            "periodic, or moved too far in one step: use a shorter timestep, periodic or shrink-wrapped boundaries, or "
+            "walls; 'thermo_modify lost ignore' goes on without them",
             (long long)n_expected, (long long)n, (long long)sim->env.step);
     hs_warn(sim->env.out, "Lost atoms: original %lld current %lld", (long long)n_expected, (long long)n);
     sim->atoms.n_all = n;

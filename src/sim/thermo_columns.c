@@ -71,8 +71,8 @@ hs_status hs_thermo_set_columns(hs_thermo *thermo, const hs_args *args, hs_error
                            nearest);
         if (nearest != NULL)
             return hs_fail(err, HS_ERROR_INPUT,
-                           "thermo_style custom: unknown keyword '%s'; a column is a thermo keyword, "
-                           "c_ID, c_ID[i], f_ID, f_ID[i] or v_name",
+                           "thermo_style custom: unknown keyword '%s'; a column is a thermo keyword, c_ID, c_ID[i], "
+                           "f_ID, f_ID[i] or v_name",
                            word);
         HS_TRY(hs_thermo_find_entry(word) != NULL ? add_keyword(thermo, word, err)
                                                   : add_reference(thermo, &named, i, err));

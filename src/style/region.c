@@ -60,8 +60,8 @@ static hs_status refuse_style(const char *command, const char *style, hs_error *
 {
     if (strcmp(style, "cone") == 0)
         return hs_fail(err, HS_ERROR_INPUT,
-                       "%s: the style 'cone' is not supported; block, cylinder, plane, prism, "
-                       "sphere, union and intersect are",
+                       "%s: the style 'cone' is not supported; block, cylinder, plane, prism, sphere, union and "
+                       "intersect are",
                        command);
     const char *names[64];
     size_t n = 0;
@@ -71,8 +71,7 @@ static hs_status refuse_style(const char *command, const char *style, hs_error *
         return hs_fail(err, HS_ERROR_INPUT, "%s: unknown region style '%s'; did you mean '%s'?", command, style,
                        nearest);
     return hs_fail(err, HS_ERROR_INPUT,
-                   "%s: unknown region style '%s'; expected block, cylinder, plane, prism, "
-                   "sphere, union or intersect",
+                   "%s: unknown region style '%s'; expected block, cylinder, plane, prism, sphere, union or intersect",
                    command, style);
 }
 
@@ -101,8 +100,8 @@ static hs_status check_keywords(const hs_args *args, bool has_variables, hs_erro
         for (int k = 0; refused[k] != NULL; ++k)
             if (strcmp(args->word[i], refused[k]) == 0)
                 return hs_fail(err, HS_ERROR_INPUT,
-                               "%s: the keyword '%s' is not supported: regions keep their place "
-                               "and have no open faces; the keywords are side and units",
+                               "%s: the keyword '%s' is not supported: regions keep their place and have no open "
+                               "faces; the keywords are side and units",
                                args->command, refused[k]);
     const hs_syntax syntax = {"[side in|out] [units lattice|box]", 0, 0, hs_region_keywords};
     return hs_syntax_check(&syntax, args, has_variables, err);
@@ -198,8 +197,8 @@ hs_status hs_region_length(const hs_region *region, const hs_args *args, int i, 
     HS_TRY(hs_arg_need(args, i, "a length", err));
     if (strncmp(args->word[i], "v_", 2) == 0)
         return hs_fail(err, HS_ERROR_INPUT,
-                       "%s: '%s': a size that follows a variable during the run is not "
-                       "supported; ${%s} takes the variable's present value",
+                       "%s: '%s': a size that follows a variable during the run is not supported; ${%s} takes the "
+                       "variable's present value",
                        args->command, args->word[i], args->word[i] + 2);
     HS_TRY(hs_arg_double(args, i, value, err));
     *value = region->scale[axis] * *value;
