@@ -18,17 +18,11 @@ static bool is_variable(const char *word) { return strchr(word, '$') != NULL; }
 /* ---- units ---- */
 
 /** Unit systems of LAMMPS that Halfshell does not have: refused by name. */
-static const char *const other_units[] = {"si", "cgs", "electron", "micro", "nano", NULL};
-
 static hs_status units_check(const hs_args *args, bool has_variables, hs_error *err)
 {
     (void)has_variables;
     if (is_variable(args->word[0]) || hs_units_find(args->word[0]) != NULL) return HS_OK;
-    for (int k = 0; other_units[k] != NULL; ++k)
-        if (strcmp(args->word[0], other_units[k]) == 0)
-            return hs_fail(err, HS_ERROR_INPUT, "units: '%s' units are not supported; lj, real and metal are",
-                           args->word[0]);
-    return hs_arg_refuse(args, 0, "lj, real or metal", hs_units_names, err);
+    return hs_arg_refuse(args, 0, "one of lj, real, metal, si, cgs, electron, micro, nano", hs_units_names, err);
 }
 
 static hs_status units_run(hs_deck *deck, const hs_args *args, hs_error *err)
@@ -234,7 +228,7 @@ const hs_command hs_commands_system[] = {
         .about =
             {
                 .name = "units",
-                .syntax = {"lj|real|metal", 1, 1, NULL},
+                .syntax = {"lj|real|metal|si|cgs|electron|micro|nano", 1, 1, NULL},
                 .summary = "Choose the units of all numbers in the deck and of all output",
                 .details =
                     "| | lj | real | metal |\n|---|---|---|---|\n"
@@ -243,10 +237,21 @@ const hs_command hs_commands_system[] = {
                     "| velocity | sigma/tau | Angstrom/fs | Angstrom/ps |\n"
                     "| temperature | epsilon/k | K | K |\n| pressure | epsilon/sigma^3 | atm | bar |\n"
                     "| default timestep | 0.005 | 1 | 0.001 |\n| default skin | 0.3 | 2 | 2 |\n\n"
+                    "| | si | cgs | electron | micro | nano |\n|---|---|---|---|---|---|\n"
+                    "| mass | kg | g | u | picogram | attogram |\n| distance | m | cm | bohr | micrometer | nanometer "
+                    "|\n"
+                    "| time | s | s | fs | microsecond | nanosecond |\n"
+                    "| energy | J | erg | hartree | pg um^2/us^2 | ag nm^2/ns^2 |\n"
+                    "| velocity | m/s | cm/s | bohr/(1.03275 fs) | um/us | nm/ns |\n| temperature | K | K | K | K | K "
+                    "|\n"
+                    "| pressure | Pa | dyn/cm^2 | Pa | pg/(um us^2) | ag/(nm ns^2) |\n"
+                    "| default timestep | 1e-8 | 1e-8 | 0.001 | 2 | 0.00045 |\n| default skin | 0.001 | 0.1 | 2 | 0.1 "
+                    "| 0.1 |\n\n"
                     "Must come before the box; the default is `lj`. Also sets the timestep and the skin to the "
                     "defaults of the\n"
                     "system. In `lj`, the number of the command `lattice` is a density and energies are printed per "
-                    "atom.\n",
+                    "atom. Atoms in `si` and `cgs` units need double precision, and a skin of their own "
+                    "(`neighbor`).\n",
                 .example = "units lj",
             },
         .run = units_run,

@@ -37,16 +37,10 @@ static hs_status check(const char *file, const hs_args *args, hs_error *err)
     return check_words(args, err);
 }
 
-/** In H5MD's form; NULL in lj units and for what has none. Real and metal units share the Angstrom. */
+/** In H5MD's form; NULL in lj units and for what has none. */
 static const char *unit_of(hs_h5md_kind kind, const hs_units *units)
 {
-    static const char *const of_real[] = {"Angstrom", "Angstrom fs-1", "kcal mol-1 Angstrom-1"}, *const of_metal[] = {
-                                                                                                     "Angstrom",
-                                                                                                     "Angstrom ps-1",
-                                                                                                     "eV Angstrom-1"};
-    if (kind > HS_H5MD_FORCE) return NULL;
-    if (strcmp(units->name, "real") == 0) return of_real[kind];
-    return strcmp(units->name, "metal") == 0 ? of_metal[kind] : NULL;
+    return kind <= HS_H5MD_FORCE ? units->h5md[kind] : NULL;
 }
 
 static void add_element(h5md_dump *self, hs_h5md_kind kind, const hs_units *units)
@@ -133,7 +127,7 @@ static hs_status open_file(hs_dump *dump, int64_t n_rows, hs_error *err)
                                .n_observables = self->observables.n,
                                .box = env->box,
                                .units = env->units,
-                               .length_unit = strcmp(env->units->name, "lj") == 0 ? NULL : "Angstrom",
+                               .length_unit = env->units->h5md[HS_H5MD_POSITION],
                                .time_unit = strcmp(env->units->name, "lj") == 0 ? NULL : env->units->time,
                                .version = HALFSHELL_VERSION,
                                .build = HALFSHELL_BUILD,

@@ -109,9 +109,6 @@ hs_status hs_chunk_columns_fill(const hs_chunk_columns *columns, hs_env *env, in
     return HS_OK;
 }
 
-/** Density of one mass unit in one distance^3: 1, and in real and metal units (masses are gram/mole) in gram/cm^3. */
-static double density_unit(const hs_units *units) { return strcmp(units->name, "lj") == 0 ? 1.0 : 1.0 / 0.602214129; }
-
 double hs_chunk_columns_mean(const hs_chunk_columns *columns, const hs_env *env, double volume, int k, double sum,
                              double count, double n_samples)
 {
@@ -120,7 +117,7 @@ double hs_chunk_columns_mean(const hs_chunk_columns *columns, const hs_env *env,
     const double n_dof = n_samples * columns->cdof + columns->adof * count;
     if (count == 0.0) return 0.0;
     if (kind == HS_CHUNK_NUMBER) return sum / volume / n_samples;
-    if (kind == HS_CHUNK_MASS_DENSITY) return sum / volume / n_samples * density_unit(units);
+    if (kind == HS_CHUNK_MASS_DENSITY) return sum / volume / n_samples * units->mass_density;
     if (kind == HS_CHUNK_TEMPERATURE) return n_dof > 0.0 ? sum * units->mvv2e / (n_dof * units->boltz) : 0.0;
     return columns->norm == HS_NORM_NONE ? sum / n_samples : sum / count;
 }

@@ -80,8 +80,8 @@ hs_status hs_deck_facts_set_units(hs_deck_facts *facts, const char *name, hs_err
         while (hs_units_names[n] != NULL) ++n;
         const char *nearest = hs_text_nearest(name, hs_units_names, n);
         return hs_fail(err, HS_ERROR_INPUT, "'%s' is not a unit system%s%s%s", name,
-                       nearest != NULL ? "; did you mean '" : " (lj, real, metal)", nearest != NULL ? nearest : "",
-                       nearest != NULL ? "'?" : "");
+                       nearest != NULL ? "; did you mean '" : " (lj, real, metal, si, cgs, electron, micro, nano)",
+                       nearest != NULL ? nearest : "", nearest != NULL ? "'?" : "");
     }
     set_units(facts, units);
     return HS_OK;

@@ -72,7 +72,17 @@ static void say_performance(const hs_sim *sim, int64_t n_steps, double loop_s)
         hs_say(sim->env.out, "Performance: %.3f tau/day, %.3f timesteps/s\n", time_per_day, steps_per_s);
         return;
     }
-    const double ns_per_day = time_per_day * (strcmp(units->time, "fs") == 0 ? 1e-6 : 1e-3);
+    if (strcmp(units->name, "electron") == 0) {
+        const double hours = 24.0 / time_per_day;
+        hs_say(sim->env.out, "Performance: %.3f fs/day, %.3f hours/fs, %.3f timesteps/s\n", time_per_day, hours,
+               steps_per_s);
+        return;
+    }
+    if (units->is_extreme) { /* nanoseconds would be no measure there */
+        hs_say(sim->env.out, "Performance: %.3f timesteps/s\n", steps_per_s);
+        return;
+    }
+    const double ns_per_day = time_per_day * units->ns;
     hs_say(sim->env.out, "Performance: %.3f ns/day, %.3f hours/ns, %.3f timesteps/s\n", ns_per_day, 24.0 / ns_per_day,
            steps_per_s);
 }

@@ -72,6 +72,11 @@ hs_status hs_sim_setup_reproducible(hs_sim *sim, hs_error *err)
     if (is_mixed && sim->reproducible == HS_REPRODUCIBLE_ON)
         return hs_fail(err, HS_ERROR_INPUT,
                        "run: reproducible runs need double precision; choose 'precision double' or 'reproducible off'");
+    if (is_mixed && sim->env.units->is_extreme)
+        return hs_fail(
+            err, HS_ERROR_INPUT,
+            "run: in %s units powers of distances do not fit into mixed precision; choose 'precision double'",
+            sim->env.units->name);
     const bool is_on = !is_mixed && sim->reproducible != HS_REPRODUCIBLE_OFF;
     sim->kernel_precision = is_on ? HS_PRECISION_FIXED : sim->precision;
     sim->force_exponent = FIRST_FORCE_EXPONENT;

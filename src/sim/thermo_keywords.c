@@ -222,13 +222,12 @@ static void add_mass(const hs_atoms *atoms, const void *context, int begin, int 
     for (int i = begin; i < end; ++i) hs_exact_add(&sums[0], hs_atom_mass(atoms, i));
 }
 
-/** Mass density: mass/distance^3 in lj units, gram/cm^3 in real and metal units (masses there are gram/mole). */
+/** Mass density: mass/distance^3, but gram/cm^3 in real and metal units (masses there are gram/mole). */
 static hs_status get_density(T *t, double *value, hs_error *err)
 {
-    const double gram_per_cm3 = strcmp(t->sim->env.units->name, "lj") == 0 ? 1.0 : 1.0 / 0.602214129;
     (void)err;
     hs_atom_sum(&t->sim->atoms, &t->sim->parallel, add_mass, NULL, 1, value);
-    *value *= gram_per_cm3 / hs_box_volume(&t->sim->box);
+    *value *= t->sim->env.units->mass_density / hs_box_volume(&t->sim->box);
     return HS_OK;
 }
 
