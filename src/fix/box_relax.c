@@ -238,27 +238,18 @@ static hs_status find_compute(const hs_fix *fix, int which, hs_compute **compute
     return hs_fail(err, HS_ERROR_INPUT, "fix '%s' (box/relax): there is no compute '%s' any more", fix->id, id);
 }
 
-static hs_status set_id(char **kept, const char *id, hs_error *err)
-{
-    char *copy;
-    HS_TRY(hs_memory_strdup(&copy, id, err));
-    HS_FREE(*kept);
-    *kept = copy;
-    return HS_OK;
-}
-
 static hs_status set_temperature(hs_fix *fix, const char *id, hs_error *err)
 {
     relax_state *state = fix->state;
     hs_compute *pressure;
-    HS_TRY(set_id(&state->temperature_id, id, err));
+    HS_TRY(hs_memory_replace(&state->temperature_id, id, err));
     HS_TRY(find_compute(fix, OWN_PRESSURE, &pressure, err));
     return pressure->style->set_temperature != NULL ? pressure->style->set_temperature(pressure, id, err) : HS_OK;
 }
 
 static hs_status set_pressure(hs_fix *fix, const char *id, hs_error *err)
 {
-    return set_id(&((relax_state *)fix->state)->pressure_id, id, err);
+    return hs_memory_replace(&((relax_state *)fix->state)->pressure_id, id, err);
 }
 
 static hs_status init(hs_fix *fix, hs_error *err)

@@ -107,6 +107,12 @@ check tilted_npt "prism 0 4 0 4 0 4 2 -1 1" <<'D'
 fix 1 all npt temp 1.0 1.2 0.5 aniso 5.0 0.0 0.7
 D
 
+check pressed <<'D'
+fix 1 all nve
+fix 2 all press/berendsen x 1.0 3.0 0.5 y 2.0 1.0 0.5 z 1.0 3.0 0.5 couple xz modulus 20
+fix p all print 10 "$(lx:%.17g) $(ly:%.17g) $(c_2_press:%.17g)" file p.txt screen no
+D
+
 check npt <<'D'
 fix 1 all npt temp 1.0 1.2 0.5 x 1.0 3.0 2.0 y 2.0 1.0 1.5 z -1 0 1 nreset 20
 fix p all print 10 "$(lx:%.17g) $(f_1:%.17g) $(f_1[15]:%.17g)" file p.txt screen no

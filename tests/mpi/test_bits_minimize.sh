@@ -1,5 +1,5 @@
 #!/bin/bash
-# Minimisations, with boxes that relax: the same bits on any ranks and threads and for every neighbor method.
+# Minimisations, with boxes that relax, and a box that follows a pressure: the same bits on any ranks and threads and for every neighbor method.
 set -eu
 # shellcheck source=tests/mpi/bits.sh
 . "$PROJECT_ROOT/tests/mpi/bits.sh"
@@ -68,6 +68,20 @@ min_style sd
 minimize 0 0 20 1000
 min_style cg
 minimize 0 0 60 1000
+D
+    system pressed 30 'lx ly lz' <<D
+lattice fcc 0.8
+region box block 0 5 0 4 0 4
+create_box 1 box
+create_atoms 1 box
+mass 1 1.0
+velocity all create 1.2 4711
+$liquid
+neigh_modify every 4 delay 0 check no
+group some id <= 150
+fix 1 all nve
+fix 2 all press/berendsen x 0.0 2.0 0.2 y 1.0 1.0 0.5 z 0.0 2.0 0.2 couple xz
+fix 3 some planeforce 1 2 3
 D
 } >in.minimize
 
