@@ -1,9 +1,9 @@
 /* A flock: the model of Vicsek et al. (Phys. Rev. Lett. 75, 1226 (1995), doi:10.1103/PhysRevLett.75.1226), with the
  * neighbors from Halfshell's cell lists.
  *
- * Birds fly at constant speed in a periodic square. At every step each takes the mean direction of all birds closer than 1 to
- * it, itself among them, turned by a random angle. With little noise the flock aligns: the order parameter, the length of
- * the mean direction, goes to 1; with much noise it stays near 0.
+ * Birds fly at constant speed in a periodic square. At every step each takes the mean direction of all birds closer
+ * than 1 to it, itself among them, turned by a random angle. With little noise the flock aligns: the order parameter,
+ * the length of the mean direction, goes to 1; with much noise it stays near 0.
  *
  *     vicsek [BIRDS [STEPS [NOISE]]]        prints: step, order parameter, mean number of neighbors
  *

@@ -60,10 +60,11 @@ static const hs_cli_command *find_subcommand(const char *name)
     return NULL;
 }
 
-/** GNU OpenMP lets a waiting thread spin for milliseconds. On cores that other programs use too, the thread that is waited
- *  for then gets no core, and a run on two threads was measured ten times slower than on one. A short spin (some 30
- *  microseconds, longer than balanced threads wait for each other) costs nothing when the cores are free. The library reads
- *  the setting when the program is loaded, so the program starts itself anew, once; what the user set is left alone. */
+/** GNU OpenMP lets a waiting thread spin for milliseconds. On cores that other programs use too, the thread that is
+ *  waited for then gets no core, and a run on two threads was measured ten times slower than on one. A short spin (some
+ *  30 microseconds, longer than balanced threads wait for each other) costs nothing when the cores are free. The
+ *  library reads the setting when the program is loaded, so the program starts itself anew, once; what the user set is
+ *  left alone. */
 static void limit_spinning(char **argv)
 {
     if (getenv("GOMP_SPINCOUNT") != NULL || getenv("OMP_WAIT_POLICY") != NULL) return;

@@ -21,7 +21,8 @@ void hs_memory_free(void *array);
 /** Copy of a string on the heap; the caller frees it with HS_FREE. */
 HS_MUST_USE hs_status hs_memory_strdup(char **copy, const char *text, hs_error *err);
 
-/** Put a copy of @p text in the place of the string *kept (or NULL), which is given back; *kept is what it was after an error, and
+/** Put a copy of @p text in the place of the string *kept (or NULL), which is given back; *kept is what it was after an
+ *  error, and
  *  @p text may be part of it. */
 HS_MUST_USE hs_status hs_memory_replace(char **kept, const char *text, hs_error *err);
 

@@ -1,4 +1,5 @@
-/* halfshell bench kernels: the pair kernels of method `cluster` alone, in every instruction set and form. One thread. */
+/* halfshell bench kernels: the pair kernels of method `cluster` alone, in every instruction set and form. One
+ * thread. */
 #include <errno.h>
 #include <math.h>
 #include <string.h>

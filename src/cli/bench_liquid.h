@@ -4,7 +4,8 @@
 
 #include "deck/deck.h"
 
-/** Set up the Lennard-Jones liquid of LAMMPS's bench/in.lj, of 4 size^3 atoms, with its schedule of lists. No step is run. */
+/** Set up the Lennard-Jones liquid of LAMMPS's bench/in.lj, of 4 size^3 atoms, with its schedule of lists. No step is
+ *  run. */
 HS_MUST_USE hs_status hs_bench_feed_liquid(hs_deck *deck, int64_t size, hs_error *err);
 
 #endif

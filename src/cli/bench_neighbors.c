@@ -161,7 +161,8 @@ static bool case_of(const hs_bench_experiment *e, int series, int x, hs_bench_ca
     return e->series[series].n_atoms_max == 0 || hs_bench_n_atoms(c) <= e->series[series].n_atoms_max;
 }
 
-/** All series at one place of the horizontal axis: they take turns, so that a change of the machine's speed meets all. */
+/** All series at one place of the horizontal axis: they take turns, so that a change of the machine's speed meets
+ *  all. */
 static hs_status run_point(const hs_cli *cli, const request *r, const hs_bench_experiment *e, int x, results *found,
                            hs_error *err)
 {

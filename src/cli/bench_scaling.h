@@ -38,7 +38,8 @@ const char *hs_scaling_kind_of(const hs_scaling_point *p);
 
 /** Make the folder, find this program, and find out whether and how mpirun starts it. */
 HS_MUST_USE hs_status hs_scaling_prepare(hs_scaling_request *r, hs_error *err);
-/** Write the deck of a point, whose series, ranks and threads are set, run it, and take the fastest repetition from its log. */
+/** Write the deck of a point, whose series, ranks and threads are set, run it, and take the fastest repetition from its
+ *  log. */
 HS_MUST_USE hs_status hs_scaling_measure(const hs_scaling_request *r, hs_scaling_point *p, hs_error *err);
 
 #endif

@@ -98,8 +98,8 @@ static hs_status start(char *const words[], const char *said, hs_error *err)
 
 enum { LAUNCH_WORDS_MAX = 32 };
 
-/** The words that start so many ranks, each bound to as many cores as it has threads where that can be done; `count` and `place` hold
- *  numbers in words. Returns how many words there are. */
+/** The words that start so many ranks, each bound to as many cores as it has threads where that can be done; `count`
+ *  and `place` hold numbers in words. Returns how many words there are. */
 static int launch_words(const hs_scaling_request *r, int ranks, int threads, char count[32], char place[32],
                         char *words[LAUNCH_WORDS_MAX])
 {
@@ -114,8 +114,8 @@ static int launch_words(const hs_scaling_request *r, int ranks, int threads, cha
     return n;
 }
 
-/** Whether mpirun is there, can be used by this user, and this program is built for it: all that it is asked is the version. Some
- *  machines do not let it bind ranks to cores. */
+/** Whether mpirun is there, can be used by this user, and this program is built for it: all that it is asked is the
+ *  version. Some machines do not let it bind ranks to cores. */
 static hs_status try_mpirun(hs_scaling_request *r, hs_error *err)
 {
     hs_text said = {0};

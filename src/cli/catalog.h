@@ -1,4 +1,5 @@
-/** Everything a deck may contain, by family, read from the descriptors: what help, manual, man page and completion show. */
+/** Everything a deck may contain, by family, read from the descriptors: what help, manual, man page and completion
+ *  show. */
 #ifndef HS_CLI_CATALOG_H
 #define HS_CLI_CATALOG_H
 

@@ -119,7 +119,8 @@ static hs_status show_all(FILE *stream, hs_error *err)
     return HS_OK;
 }
 
-/** Show every entry named @p word; its name may have more than one meaning (a fix and a compute, a command and a subcommand). */
+/** Show every entry named @p word; its name may have more than one meaning (a fix and a compute, a command and a
+ *  subcommand). */
 static hs_status show_word(FILE *stream, const char *word, hs_error *err)
 {
     const char *names[NAMES_MAX];

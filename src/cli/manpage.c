@@ -6,7 +6,8 @@
 #include "cli/catalog.h"
 #include "cli/cli.h"
 
-/** Text as troff takes it: backslashes and leading dots quoted, hyphens as minus signs, Markdown's backquotes dropped. */
+/** Text as troff takes it: backslashes and leading dots quoted, hyphens as minus signs, Markdown's backquotes
+ *  dropped. */
 static void put(FILE *stream, const char *text)
 {
     if (text[0] == '.' || text[0] == '\'') fputs("\\&", stream);

@@ -1,4 +1,5 @@
-/* The reference manual, docs/reference/: Markdown from the descriptors. A test fails when the committed pages are stale. */
+/* The reference manual, docs/reference/: Markdown from the descriptors. A test fails when the committed pages are
+ * stale. */
 #include <errno.h>
 #include <stdio.h>
 #include <string.h>

@@ -199,8 +199,8 @@ static hs_status put_table(report *r, const hs_table_file *file, const char *nam
     return put_figure(r, file, file->about, err);
 }
 
-/** Whether a file may be one of the page's: a log or CSV by its name, a fix's output by the comment it begins with. Others are
- *  not even read: a folder may hold snapshots larger than memory. */
+/** Whether a file may be one of the page's: a log or CSV by its name, a fix's output by the comment it begins with.
+ *  Others are not even read: a folder may hold snapshots larger than memory. */
 static bool is_worth_reading(const char *path, const char *name)
 {
     const off_t size_max = 200000000;
@@ -215,8 +215,8 @@ static bool is_worth_reading(const char *path, const char *name)
     return first == '#';
 }
 
-/** A file by its content: a log or another table, whichever @p wants_log asks for. A file of a folder that is neither is
- *  none of the page's business. */
+/** A file by its content: a log or another table, whichever @p wants_log asks for. A file of a folder that is neither
+ *  is none of the page's business. */
 static hs_status put_file(report *r, const char *name, bool wants_log, hs_error *err)
 {
     hs_text path = {0};

@@ -1,4 +1,5 @@
-/** Parts of the page that `halfshell report` writes. Everything goes into one text, which the page's file gets whole. */
+/** Parts of the page that `halfshell report` writes. Everything goes into one text, which the page's file gets
+ *  whole. */
 #ifndef HS_CLI_REPORT_H
 #define HS_CLI_REPORT_H
 

@@ -1,5 +1,6 @@
 /* How far the surroundings of each atom are from being the same on opposite sides.
- * Source: C. L. Kelchner, S. J. Plimpton, J. C. Hamilton, Phys. Rev. B 58, 11085 (1998), doi:10.1103/PhysRevB.58.11085. */
+ * Source: C. L. Kelchner, S. J. Plimpton, J. C. Hamilton, Phys. Rev. B 58, 11085 (1998),
+ * doi:10.1103/PhysRevB.58.11085. */
 #include <stdlib.h>
 #include <string.h>
 

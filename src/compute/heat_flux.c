@@ -1,4 +1,5 @@
-/* Heat current of a group:  J V = sum(e_i v_i) - sum(S_i v_i),  e_i energy and S_i virial stress (times volume) of atom i.
+/* Heat current of a group:  J V = sum(e_i v_i) - sum(S_i v_i),  e_i energy and S_i virial stress (times volume) of atom
+ * i.
  * Source: J. H. Irving, J. G. Kirkwood, J. Chem. Phys. 18, 817 (1950), doi:10.1063/1.1747782. */
 #include "base/memory.h"
 #include "style/atom_sum.h"

@@ -1,4 +1,5 @@
-/* Bond-orientational order of each atom in three dimensions, from the spherical harmonics of the directions to its N neighbors:
+/* Bond-orientational order of each atom in three dimensions, from the spherical harmonics of the directions to its N
+ * neighbors:
  *     Y_lm = (1/N) sum over neighbors of Y_lm(theta, phi),  Q_l = sqrt(4 pi/(2 l + 1) sum_m |Y_lm|^2),
  *     W_l = sum over m1 + m2 + m3 = 0 of (l l l; m1 m2 m3) Y_lm1 Y_lm2 Y_lm3,  W^_l = W_l / (sum_m |Y_lm|^2)^(3/2)
  * with Wigner's 3j symbol (l l l; m1 m2 m3), taken from Racah's sum.
@@ -134,8 +135,8 @@ static hs_status make_wigner(orient_state *state, const char *command, hs_error 
     return HS_OK;
 }
 
-/** Factors of  P_lm = a (cos(theta) P_(l-1)m - b P_(l-2)m),  of normalised Legendre functions; a of P_mm = a sin(theta) P_(m-1)(m-1)
- *  on the diagonal. */
+/** Factors of  P_lm = a (cos(theta) P_(l-1)m - b P_(l-2)m),  of normalised Legendre functions; a of P_mm = a sin(theta)
+ *  P_(m-1)(m-1) on the diagonal. */
 static hs_status make_legendre(orient_state *state, hs_error *err)
 {
     const int n = state->degree_max + 1;
@@ -192,8 +193,8 @@ typedef struct harmonic {
     double re, im;
 } harmonic;
 
-/** Add the harmonics of one direction, from the neighbor to the atom (as in LAMMPS; it is the sign of odd degrees), m >= 0 of each
- *  degree in turn, to sums[n_harmonics]. */
+/** Add the harmonics of one direction, from the neighbor to the atom (as in LAMMPS; it is the sign of odd degrees), m
+ *  >= 0 of each degree in turn, to sums[n_harmonics]. */
 static void add_direction(const orient_state *state, const hs_near *near, harmonic *sums)
 {
     const int n = state->degree_max + 1;
@@ -230,7 +231,8 @@ static harmonic of_m(const harmonic *y, int m)
     return m % 2 == 0 ? (harmonic){y[-m].re, -y[-m].im} : (harmonic){-y[-m].re, y[-m].im};
 }
 
-/** W_l, which is real: the imaginary parts of (m1, m2, m3) and (-m1, -m2, -m3) cancel for even l, and it is 0 for odd l. */
+/** W_l, which is real: the imaginary parts of (m1, m2, m3) and (-m1, -m2, -m3) cancel for even l, and it is 0 for odd
+ *  l. */
 static double third_order(const double *wigner, const harmonic *y, int l)
 {
     double sum = 0.0;

@@ -1,4 +1,5 @@
-/* Temperature after the mean velocity of each bin of the box is taken off: for flows whose profile is not known beforehand.
+/* Temperature after the mean velocity of each bin of the box is taken off: for flows whose profile is not known
+ * beforehand.
  * Source: D. J. Evans, G. P. Morriss, Phys. Rev. Lett. 56, 2172 (1986), doi:10.1103/PhysRevLett.56.2172. */
 #include <math.h>
 #include <string.h>

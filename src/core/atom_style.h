@@ -24,7 +24,8 @@ static inline double hs_atom_mass(const hs_atoms *atoms, int i)
     return atoms->rmass != NULL ? atoms->rmass[i] : atoms->mass[atoms->type[i]];
 }
 
-/** Volume of a ball; a radius of 0 is a point, whose "density" is its mass. Volumes are those of balls in two dimensions, too. */
+/** Volume of a ball; a radius of 0 is a point, whose "density" is its mass. Volumes are those of balls in two
+ *  dimensions, too. */
 static inline double hs_ball_volume(double radius)
 {
     return radius > 0.0 ? 4.0 * M_PI / 3.0 * radius * radius * radius : 1.0;

@@ -159,8 +159,8 @@ static void gather(void *to, const void *from, const int32_t *order, int64_t beg
 }
 
 /** Fields of 8 bytes an atom, three at a time, into the three force arrays, whose contents are not needed: the sorted
- *  arrays become the fields, and the old ones serve as the force arrays of the next three. Nothing is copied back and no
- *  memory is needed. All threads of a region call this together. */
+ *  arrays become the fields, and the old ones serve as the force arrays of the next three. Nothing is copied back and
+ *  no memory is needed. All threads of a region call this together. */
 static void permute_by_rotation(hs_atoms *atoms, const int32_t *order, int64_t begin, int64_t end)
 {
     void **batch[3];

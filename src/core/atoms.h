@@ -74,7 +74,8 @@ HS_MUST_USE hs_status hs_atoms_set_types(hs_atoms *atoms, int n_types, hs_error 
 HS_MUST_USE hs_status hs_atoms_check_room(const hs_atoms *atoms, int64_t n_local, int64_t n_halo, hs_error *err);
 /** Make room for at least that many local and halo atoms in all; keeps what is there. */
 HS_MUST_USE hs_status hs_atoms_reserve(hs_atoms *atoms, int64_t n_local, int64_t n_halo, hs_error *err);
-/** Append a local atom at rest, in group all, image 0, a sphere of diameter and density 1, all other fields zero. Room grows by itself. */
+/** Append a local atom at rest, in group all, image 0, a sphere of diameter and density 1, all other fields zero. Room
+ *  grows by itself. */
 HS_MUST_USE hs_status hs_atoms_add(hs_atoms *atoms, int64_t id, int type, const double x[3], hs_error *err);
 /** Remove local atoms whose flag is nonzero (drop[n_local]), keeping the order of the rest; halo atoms are forgotten.
  *  Not collective: the caller brings n_all up to date. */
@@ -94,8 +95,8 @@ HS_MUST_USE hs_status hs_atoms_permute(hs_atoms *atoms, const int32_t *order, hs
  *  @p size must be 4 or a multiple of 8 bytes. */
 HS_MUST_USE hs_status hs_atoms_add_field(hs_atoms *atoms, const char *name, void **array, size_t size, bool has_halo,
                                          hs_error *err);
-/** Fields with room for halo atoms are copied to them whenever the halo is made, unless this says no: positions, which are
- *  shifted, and fields that their owner brings to the halo himself. */
+/** Fields with room for halo atoms are copied to them whenever the halo is made, unless this says no: positions, which
+ *  are shifted, and fields that their owner brings to the halo himself. */
 void hs_atoms_keep_from_halo(hs_atoms *atoms, void **array);
 void hs_atoms_remove_field(hs_atoms *atoms, void **array);
 /** Largest id on this rank, 0 without atoms. */

@@ -55,8 +55,8 @@ void hs_correlator_add(hs_correlator *c, const double *a, const double *b, doubl
     memcpy(c->b + n_lags, b + n_lags, n_lags * sizeof *b);
     fftw_execute_dft_r2c(c->forward, c->a, c->at);
     fftw_execute_dft_r2c(c->forward, c->b, c->bt);
-    /* conj(A) B is the transform of sum_s a[s - lag] b[s]; no lag below n_lags reaches around the end, for b is 0 before
-     * n_lags */
+    /* conj(A) B is the transform of sum_s a[s - lag] b[s]; no lag below n_lags reaches around the end, for b is 0
+     * before n_lags */
     for (size_t k = 0; k <= n_lags; ++k) {
         const double ar = c->at[k][0], ai = c->at[k][1], br = c->bt[k][0], bi = c->bt[k][1];
         c->at[k][0] = ar * br + ai * bi;

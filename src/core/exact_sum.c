@@ -54,16 +54,17 @@ typedef uint64_t stream_sums __attribute__((vector_size(STREAMS * sizeof(double)
 /** Sizes: the signs go. No function, for such a value is returned in one way with AVX-512 and in another without. */
 #define SIZES(x) ((streams)((stream_bits)(x)&INT64_MAX))
 
-/** Up to HS_EXACT_ARRAY_MAX terms below 2^(place + 51), cut at 2^place and at 2^(place - 51): whole numbers of both, and what is
- *  left. */
+/** Up to HS_EXACT_ARRAY_MAX terms below 2^(place + 51), cut at 2^place and at 2^(place - 51): whole numbers of both,
+ *  and what is left. */
 typedef struct cut_sums {
     int64_t high, low;
     bool is_within; /**< all terms were that small: else nothing holds */
     bool is_all;    /**< nothing is left */
 } cut_sums;
 
-/** The number that, added to a smaller one, makes a double of which the last bit stands for 2^place. The bits of such doubles, as
- *  integers, can be added: of the upper cut, 2^10 of them stay below 2^61 after the multiples of this number are taken off. */
+/** The number that, added to a smaller one, makes a double of which the last bit stands for 2^place. The bits of such
+ *  doubles, as integers, can be added: of the upper cut, 2^10 of them stay below 2^61 after the multiples of this
+ *  number are taken off. */
 static double cutter(int place) { return ldexp(1.5, place + 52); }
 
 HS_WIDE static cut_sums cut(const double *x, int n, int place)
@@ -132,7 +133,8 @@ HS_WIDE static double find_bound(const double *x, int n, double *none)
     return bound;
 }
 
-/** Where to cut terms of which the largest is `bound`: a factor of 8 above it is left, for the place serves the next array, too. */
+/** Where to cut terms of which the largest is `bound`: a factor of 8 above it is left, for the place serves the next
+ *  array, too. */
 static int place_of(double bound) { return ilogb(bound) + 4 - 51; }
 
 void hs_exact_add_array(hs_exact_sum *sum, const double *x, int n)

@@ -1,8 +1,8 @@
 /** Sums of floating-point numbers that do not depend on the order of the terms: the exact sum, rounded once.
  *
  *  The sum is kept as one long fixed-point number that spans the whole range of a double, in digits of 32 bits held in
- *  64-bit integers, so that about 2^30 terms can be added before carries must be passed on. Method: U. Kulisch, V. Snyder, Computing
- *  91, 307 (2011), doi:10.1007/s00607-010-0127-7. Zero-initialised it is the empty sum.
+ *  64-bit integers, so that about 2^30 terms can be added before carries must be passed on. Method: U. Kulisch, V.
+ *  Snyder, Computing 91, 307 (2011), doi:10.1007/s00607-010-0127-7. Zero-initialised it is the empty sum.
  *
  *  Terms wait until there are some, and are then added together, for about a nanosecond each. */
 #ifndef HS_CORE_EXACT_SUM_H
@@ -68,9 +68,9 @@ static inline void hs_exact_add_now(hs_exact_sum *sum, double x)
 }
 
 enum { HS_EXACT_ARRAY_MAX = 1024 };
-/** sum += x[0] + ... + x[n - 1], exactly; up to HS_EXACT_ARRAY_MAX terms at a fraction of the cost of adding each. Terms are cut
- *  at common places (as in J. Demmel, H. D. Nguyen, IEEE Trans. Comput. 64, 2060 (2015), doi:10.1109/TC.2014.2345391) into
- *  parts that are added as integers. */
+/** sum += x[0] + ... + x[n - 1], exactly; up to HS_EXACT_ARRAY_MAX terms at a fraction of the cost of adding each.
+ *  Terms are cut at common places (as in J. Demmel, H. D. Nguyen, IEEE Trans. Comput. 64, 2060 (2015),
+ *  doi:10.1109/TC.2014.2345391) into parts that are added as integers. */
 void hs_exact_add_array(hs_exact_sum *sum, const double *x, int n);
 /** sum += n 2^exponent, exactly; exponent from HS_EXACT_LOWEST to 900. */
 void hs_exact_add_scaled(hs_exact_sum *sum, __int128 n, int exponent);

@@ -1,10 +1,12 @@
-/** Time correlations of series of any length in bounded memory: up to a window at every lag, beyond it on ever coarser grids.
+/** Time correlations of series of any length in bounded memory: up to a window at every lag, beyond it on ever coarser
+ *  grids.
  *
- *  Level 0 has the samples themselves; a sample of level l + 1 is the mean of two of level l. Each level correlates its samples
- *  at the lags below the window through fast Fourier transforms (core/fourier.h), and from level 1 on the upper half of its
- *  lags counts, which the level below does not reach. This is the multiple-tau scheme of J. Ramirez, S. K. Sukumaran,
- *  B. Vorselaars, A. E. Likhtman, J. Chem. Phys. 133, 154103 (2010), doi:10.1063/1.3491098, with m = 2; averaging over 2^l
- *  samples changes a correlation at lag t by about C''(t) (2^l)^2 / 12, which is small where C varies over many samples. */
+ *  Level 0 has the samples themselves; a sample of level l + 1 is the mean of two of level l. Each level correlates its
+ *  samples at the lags below the window through fast Fourier transforms (core/fourier.h), and from level 1 on the upper
+ *  half of its lags counts, which the level below does not reach. This is the multiple-tau scheme of J. Ramirez, S. K.
+ *  Sukumaran, B. Vorselaars, A. E. Likhtman, J. Chem. Phys. 133, 154103 (2010), doi:10.1063/1.3491098, with m = 2;
+ *  averaging over 2^l samples changes a correlation at lag t by about C''(t) (2^l)^2 / 12, which is small where C
+ *  varies over many samples. */
 #ifndef HS_CORE_MULTI_TAU_H
 #define HS_CORE_MULTI_TAU_H
 
@@ -30,9 +32,11 @@ typedef struct hs_multi_tau {
     bool has_errors;
 } hs_multi_tau;
 
-/** Lags 0 .. n_lags - 1 and, with more levels than one, n_lags up to (n_lags - 1) 2^(n_levels - 1); n_lags is even then.
- *  @p pair [n_pairs] is copied, and @p column, of which NULL means that each pair has its own; correlations of several pairs
- *  in one column are added up. Zero the object before; hs_multi_tau_fini frees it, also after an error. Not collective. */
+/** Lags 0 .. n_lags - 1 and, with more levels than one, n_lags up to (n_lags - 1) 2^(n_levels - 1); n_lags is even
+ *  then.
+ *  @p pair [n_pairs] is copied, and @p column, of which NULL means that each pair has its own; correlations of several
+ *  pairs in one column are added up. Zero the object before; hs_multi_tau_fini frees it, also after an error. Not
+ *  collective. */
 HS_MUST_USE hs_status hs_multi_tau_init(hs_multi_tau *tau, int n_values, int n_pairs, int (*pair)[2], const int *column,
                                         int n_lags, int n_levels, bool has_errors, hs_error *err);
 void hs_multi_tau_fini(hs_multi_tau *tau);
@@ -46,9 +50,9 @@ static inline int hs_multi_tau_rows(const hs_multi_tau *tau)
 }
 /** The lag of a row, in samples of level 0. */
 int64_t hs_multi_tau_lag(const hs_multi_tau *tau, int row);
-/** Means at all rows: how many products they are made of, count[n_rows], and value[n_rows][n_columns]; 0 without products.
- *  With errors also their standard errors and inefficiencies (blocks that count as one) in the same shape; NaN where fewer than
- *  two blocks are complete. Both may be NULL. */
+/** Means at all rows: how many products they are made of, count[n_rows], and value[n_rows][n_columns]; 0 without
+ *  products. With errors also their standard errors and inefficiencies (blocks that count as one) in the same shape;
+ *  NaN where fewer than two blocks are complete. Both may be NULL. */
 void hs_multi_tau_result(hs_multi_tau *tau, double *count, double *value, double *error, double *inefficiency);
 
 #endif

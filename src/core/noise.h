@@ -1,8 +1,8 @@
 /** Random numbers that are pure functions of (seed, stream, step, atom id): counter-based noise.
  *
- *  The numbers of an atom at a step do not depend on who asks, in which order, on which thread or rank, so that stochastic
- *  runs are as reproducible as deterministic ones and a restart needs no generator's state. The bits are those of Philox
- *  4x32-10 as the library Random123 makes them: key = (seed, stream), counter = (id, step, draw).
+ *  The numbers of an atom at a step do not depend on who asks, in which order, on which thread or rank, so that
+ *  stochastic runs are as reproducible as deterministic ones and a restart needs no generator's state. The bits are
+ *  those of Philox 4x32-10 as the library Random123 makes them: key = (seed, stream), counter = (id, step, draw).
  *  Source: J. K. Salmon et al., Proc. SC'11, 16 (2011), doi:10.1145/2063384.2063405. */
 #ifndef HS_CORE_NOISE_H
 #define HS_CORE_NOISE_H

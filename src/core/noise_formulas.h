@@ -22,7 +22,8 @@ static inline double hs_double_of(uint64_t bits)
     return value;
 }
 
-/** A whole number below 2^52, by its place in the digits of 2^52: instruction sets without a conversion have this one. */
+/** A whole number below 2^52, by its place in the digits of 2^52: instruction sets without a conversion have this
+ *  one. */
 static inline double hs_whole_number(uint64_t n) { return hs_double_of(n | UINT64_C(0x4330000000000000)) - 0x1p52; }
 
 /** Sine and cosine of quarter * pi/2 + r for |r| <= pi/4 (a little more does no harm), to the last digit or two: Taylor

@@ -29,8 +29,8 @@ static void add_to_level(hs_block_level *level, double value, double weight)
     level->cross += before * (weight - level->weight);
 }
 
-/** Add a value to the level of single values and, where that completes blocks, to those above; level k is at level[k * stride].
- *  Returns how many levels were reached. */
+/** Add a value to the level of single values and, where that completes blocks, to those above; level k is at level[k *
+ *  stride]. Returns how many levels were reached. */
 static int add_value(hs_block_level *level, size_t stride, int n_levels, double value, double weight)
 {
     for (int k = 0; k < n_levels; ++k, level += stride) {
@@ -60,8 +60,9 @@ static level_error error_of(const hs_block_level *level, double ratio)
     return (level_error){.squared = fmax(squared, 0.5 * independent), .freedom = n / 2.5};
 }
 
-/** Factor that makes an interval of one standard error hold 68.3 %: expansion of Student's t for large nu, M. Abramowitz, I. A.
- *  Stegun, Handbook of Mathematical Functions (1964), 26.7.5 at x = 1; within 2 % for nu = 1, 0.1 % from 2 on. */
+/** Factor that makes an interval of one standard error hold 68.3 %: expansion of Student's t for large nu, M.
+ *  Abramowitz, I. A. Stegun, Handbook of Mathematical Functions (1964), 26.7.5 at x = 1; within 2 % for nu = 1, 0.1 %
+ *  from 2 on. */
 static double student(double nu) { return 1.0 + (0.5 + (0.25 + 0.0625 / nu) / nu) / nu; }
 
 static hs_estimate estimate_of(const hs_block_level *level, size_t stride, int n_levels)

@@ -1,16 +1,18 @@
 /** Means of correlated series and how far they can be trusted.
  *
- *  Blocks of 2, 4, 8, ... neighbors are averaged as values come in, in memory that grows with the logarithm of their number:
- *  H. Flyvbjerg, H. G. Petersen, J. Chem. Phys. 91, 461 (1989), doi:10.1063/1.457480. Scatter of blocks alone shows too small an
- *  error, because neighboring blocks are correlated still, the more so where a slow mode hides below a fast one. So the
- *  correlation c of neighboring blocks is counted too: with the variance s2 of n blocks the square of the error is
+ *  Blocks of 2, 4, 8, ... neighbors are averaged as values come in, in memory that grows with the logarithm of their
+ *  number: H. Flyvbjerg, H. G. Petersen, J. Chem. Phys. 91, 461 (1989), doi:10.1063/1.457480. Scatter of blocks alone
+ *  shows too small an error, because neighboring blocks are correlated still, the more so where a slow mode hides below
+ *  a fast one. So the correlation c of neighboring blocks is counted too: with the variance s2 of n blocks the square
+ *  of the error is
  *      (s2 + 2 c) / n = (3 S - q) / (n - 3),
- *  S the mean squared deviation from the mean of the series (which is too small by that square itself), q = 2 (s2 - c) the mean
- *  squared difference of neighbors. That is the sum of the autocorrelation through a window that is flat up to one block and falls
- *  to 0 at two: D. N. Politis, J. P. Romano, J. Time Series Anal. 16, 67 (1995), doi:10.1111/j.1467-9892.1995.tb00223.x.
- *  The length is the shortest B with B^3 > 2 n g^2, where g is the inefficiency that blocks of B show: R. M. Lee et al., Phys. Rev.
- *  E 83, 066706 (2011), doi:10.1103/PhysRevE.83.066706; there are at least 8 blocks. The error is the half width of the interval
- *  that holds the true mean with the probability erf(1/sqrt(2)) = 68.3 %, of Student's t, for it rests on few blocks. */
+ *  S the mean squared deviation from the mean of the series (which is too small by that square itself), q = 2 (s2 - c)
+ *  the mean squared difference of neighbors. That is the sum of the autocorrelation through a window that is flat up to
+ *  one block and falls to 0 at two: D. N. Politis, J. P. Romano, J. Time Series Anal. 16, 67 (1995),
+ *  doi:10.1111/j.1467-9892.1995.tb00223.x. The length is the shortest B with B^3 > 2 n g^2, where g is the inefficiency
+ *  that blocks of B show: R. M. Lee et al., Phys. Rev. E 83, 066706 (2011), doi:10.1103/PhysRevE.83.066706; there are
+ *  at least 8 blocks. The error is the half width of the interval that holds the true mean with the probability
+ *  erf(1/sqrt(2)) = 68.3 %, of Student's t, for it rests on few blocks. */
 #ifndef HS_CORE_STATISTICS_H
 #define HS_CORE_STATISTICS_H
 
@@ -58,9 +60,9 @@ typedef struct hs_series_set {
     hs_block_level *level;  /**< owned [capacity][n_series] */
 } hs_series_set;
 
-/** Add one value to each series. With weights (NULL: all are 1) values are sums over something that varies in number, the
- *  weight: the mean is the ratio of both sums, and its error that of the ratio, to first order: W. G. Cochran, Sampling
- *  Techniques, 3rd ed. (1977), section 6.3. */
+/** Add one value to each series. With weights (NULL: all are 1) values are sums over something that varies in number,
+ *  the weight: the mean is the ratio of both sums, and its error that of the ratio, to first order: W. G. Cochran,
+ *  Sampling Techniques, 3rd ed. (1977), section 6.3. */
 HS_MUST_USE hs_status hs_series_set_add(hs_series_set *set, const double *values, const double *weights, hs_error *err);
 hs_estimate hs_series_set_estimate(const hs_series_set *set, int k);
 /** Forget all values. */

@@ -10,8 +10,8 @@ HS_MUST_USE hs_status hs_by_id_order(const hs_atoms *atoms, int32_t **order, hs_
 
 /** Called for one ID. */
 typedef hs_status (*hs_by_id_visitor)(void *context, int64_t id, hs_error *err);
-/** Visit the IDs of the atoms of all ranks with selected[local index] != 0, ascending; every rank visits all of them, and
- *  holds no more than some thousand at a time. Collective. */
+/** Visit the IDs of the atoms of all ranks with selected[local index] != 0, ascending; every rank visits all of them,
+ *  and holds no more than some thousand at a time. Collective. */
 HS_MUST_USE hs_status hs_by_id_visit(const hs_sim *sim, const unsigned char *selected, hs_by_id_visitor visit,
                                      void *context, hs_error *err);
 

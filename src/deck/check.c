@@ -160,8 +160,8 @@ static hs_status check_run(checker *c, file *f, const hs_args *args)
     return HS_OK;
 }
 
-/** The files that `print` writes to. What those hold that it adds to is noted: a run that is killed after its first line there, and before
- *  its next checkpoint, can then be resumed without that line twice. */
+/** The files that `print` writes to. What those hold that it adds to is noted: a run that is killed after its first
+ *  line there, and before its next checkpoint, can then be resumed without that line twice. */
 static hs_status check_print(checker *c, const hs_args *args)
 {
     for (int i = 1; i + 1 < args->n; i += 2) {

@@ -205,8 +205,8 @@ static hs_status allocate(renumbering *r, const hs_atoms *atoms, hs_error *err)
     return HS_ALLOC(r->selected, n, err);
 }
 
-/** Ids 1 to N before: as in LAMMPS, whose last atom moves into the first gap, then the last but one into the second, atoms keep
- *  their ids unless they are beyond the new number of atoms; those get the ids of the gaps. */
+/** Ids 1 to N before: as in LAMMPS, whose last atom moves into the first gap, then the last but one into the second,
+ *  atoms keep their ids unless they are beyond the new number of atoms; those get the ids of the gaps. */
 static hs_status fill_gaps(hs_sim *sim, const unsigned char *drop, int64_t n_left, renumbering *r, hs_error *err)
 {
     const hs_atoms *atoms = &sim->atoms;

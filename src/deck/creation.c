@@ -8,8 +8,9 @@
 #include "deck/subset.h"
 #include "deck/variables.h"
 
-/** Where atoms may be. A lattice site on a periodic face, or its image on the opposite one, a hair to either side by rounding, must
- *  give exactly one atom: as in LAMMPS, the range is shifted down by a millionth of the box, and is that much smaller. */
+/** Where atoms may be. A lattice site on a periodic face, or its image on the opposite one, a hair to either side by
+ *  rounding, must give exactly one atom: as in LAMMPS, the range is shifted down by a millionth of the box, and is that
+ *  much smaller. */
 static void set_bounds(hs_creation *c)
 {
     const hs_box *box = &c->sim->box;
@@ -39,8 +40,8 @@ static bool is_within(const hs_creation *c, const double x[3])
     return true;
 }
 
-/** Add an atom with the next ID. All ranks see all atoms, and each keeps those of its brick, so that IDs do not depend on
- *  the number of ranks. */
+/** Add an atom with the next ID. All ranks see all atoms, and each keeps those of its brick, so that IDs do not depend
+ *  on the number of ranks. */
 static hs_status add_atom(hs_creation *c, int type, const double x[3], hs_error *err)
 {
     const int64_t id = c->next_id++;

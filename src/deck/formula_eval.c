@@ -196,7 +196,8 @@ static hs_status eval_atom_reference(hs_env *env, const hs_sim *sim, const hs_va
     return status;
 }
 
-/** c_ID and f_ID with their indices. In LAMMPS's order: the global value, the value of one atom, the values per atom. */
+/** c_ID and f_ID with their indices. In LAMMPS's order: the global value, the value of one atom, the values per
+ *  atom. */
 static hs_status eval_reference(const hs_formula *formula, const hs_node *node, hs_deck *deck, bool per_atom,
                                 const result *results, result *out, hs_error *err)
 {

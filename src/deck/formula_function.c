@@ -56,8 +56,8 @@ GUARDED(log, x > 0.0, "the logarithm exists for positive numbers only", log10(x)
 GUARDED(asin, x >= -1.0 && x <= 1.0, "the argument must be from -1 to 1", asin(x))
 GUARDED(acos, x >= -1.0 && x <= 1.0, "the argument must be from -1 to 1", acos(x))
 
-/** Equal-style: the generator, seeded at its first use only. Per atom: the number drawn for the atom, or during runs, when the
- *  order of atoms is nobody's, the hash of seed, atom and draw. */
+/** Equal-style: the generator, seeded at its first use only. Per atom: the number drawn for the atom, or during runs,
+ *  when the order of atoms is nobody's, the hash of seed, atom and draw. */
 static hs_status draw(const hs_call *call, double *number, hs_error *err)
 {
     const bool is_normal = call->function->draws == HS_DRAWS_NORMAL;

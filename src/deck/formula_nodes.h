@@ -75,8 +75,9 @@ typedef struct hs_atom_draws {
 /** Find out what a formula will draw. Not collective; the caller gives the draws to hs_atom_draws_fini. */
 HS_MUST_USE hs_status hs_atom_draws_init(hs_atom_draws *draws, const hs_formula *formula, hs_deck *deck, hs_error *err);
 void hs_atom_draws_fini(hs_atom_draws *draws);
-/** The next draw's numbers: (*numbers)[n_local], borrowed until hs_atom_draws_fini. The first one draws all: for each atom in
- *  the order of IDs all its numbers. @p seed starts the deck's generator for atoms if nothing has. Collective. */
+/** The next draw's numbers: (*numbers)[n_local], borrowed until hs_atom_draws_fini. The first one draws all: for each
+ *  atom in the order of IDs all its numbers. @p seed starts the deck's generator for atoms if nothing has.
+ *  Collective. */
 HS_MUST_USE hs_status hs_atom_draws_next(hs_atom_draws *draws, hs_deck *deck, double seed, const double **numbers,
                                          hs_error *err);
 /** A seed of random() and normal(). */

@@ -1,5 +1,6 @@
-/** Random numbers of atom-style formulas between runs. LAMMPS evaluates a formula atom by atom, so that one generator gives
- *  each atom all its numbers before the next atom's turn; formulas here go node by node. So the numbers are drawn ahead. */
+/** Random numbers of atom-style formulas between runs. LAMMPS evaluates a formula atom by atom, so that one generator
+ *  gives each atom all its numbers before the next atom's turn; formulas here go node by node. So the numbers are drawn
+ *  ahead. */
 #include "base/memory.h"
 #include "deck/by_id.h"
 #include "deck/formula_nodes.h"

@@ -1,5 +1,5 @@
-/** Where a deck is, beyond the lines of its files: lists of commands within `if`, and runs cut by `every`. A checkpoint stores
- *  these frames, and `halfshell resume` enters them again. */
+/** Where a deck is, beyond the lines of its files: lists of commands within `if`, and runs cut by `every`. A checkpoint
+ *  stores these frames, and `halfshell resume` enters them again. */
 #ifndef HS_DECK_FRAMES_H
 #define HS_DECK_FRAMES_H
 

@@ -4,8 +4,8 @@
 
 #include "sim/sim.h"
 
-/** Bring all atoms back into the box along periodic axes, however far away they are, and count the crossings. Collective: an
- *  atom farther away than images can be counted stops all ranks. */
+/** Bring all atoms back into the box along periodic axes, however far away they are, and count the crossings.
+ *  Collective: an atom farther away than images can be counted stops all ranks. */
 HS_MUST_USE hs_status hs_atoms_wrap_all(hs_sim *sim, const char *command, hs_error *err);
 /** One axis of `boundary`, word i: "p", or one or two of f, s, m for the lower and the upper face. */
 HS_MUST_USE hs_status hs_boundary_read(const hs_args *args, int i, int axis, hs_boundary faces[2], hs_error *err);

@@ -1,4 +1,5 @@
-/* What going on from a checkpoint and read_restart share: the commands that made the simulation, repeated, and its box and atoms. */
+/* What going on from a checkpoint and read_restart share: the commands that made the simulation, repeated, and its box
+ * and atoms. */
 #include <string.h>
 
 #include "base/memory.h"

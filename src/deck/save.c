@@ -1,8 +1,8 @@
-/* Writing a checkpoint: the deck's part of it. What is stored, and why this way: the commands that made the simulation, with
- * their variables replaced, as they were carried out; the values of variables; and the place in the deck. Repeating the
- * commands makes all styles anew without each of them having to describe itself, while decisions (if, jump, loops) are not
- * taken again: they may have depended on what happened in between. What the commands did to atoms, and what the steps did,
- * comes from the stored values, which replace whatever the repeated commands have made. */
+/* Writing a checkpoint: the deck's part of it. What is stored, and why this way: the commands that made the simulation,
+ * with their variables replaced, as they were carried out; the values of variables; and the place in the deck.
+ * Repeating the commands makes all styles anew without each of them having to describe itself, while decisions (if,
+ * jump, loops) are not taken again: they may have depended on what happened in between. What the commands did to atoms,
+ * and what the steps did, comes from the stored values, which replace whatever the repeated commands have made. */
 #include <stdio.h>
 #include <string.h>
 

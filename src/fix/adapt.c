@@ -131,7 +131,8 @@ static void destroy(hs_fix *fix)
     HS_FREE(state->field_name);
 }
 
-/** Whether the coefficients of (i, j) were given for the part that is adapted; else they are mixed, or of other parts. */
+/** Whether the coefficients of (i, j) were given for the part that is adapted; else they are mixed, or of other
+ *  parts. */
 static bool is_given(const target *t, int i, int j) { return i <= j && t->part->is_set[hs_pair_index(t->part, i, j)]; }
 
 static hs_status find_part(const hs_fix *fix, target *t, hs_error *err)

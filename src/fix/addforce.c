@@ -76,7 +76,8 @@ static hs_status update_energies(hs_fix *fix, hs_error *err)
     return env->variable_atoms(env->deck, state->energy_variable, state->energy_of_atom, err);
 }
 
-/** Add the force along one axis to atoms found[n]; before[] are the forces before, and their energy is taken off energy[]. */
+/** Add the force along one axis to atoms found[n]; before[] are the forces before, and their energy is taken off
+ *  energy[]. */
 static void add_along(const hs_fix *fix, int axis, const int32_t *found, int n, double *before, double *energy)
 {
     const hs_applied_force *force = &((const addforce_state *)fix->state)->force;

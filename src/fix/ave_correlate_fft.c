@@ -1,5 +1,5 @@
-/* Time correlations over long windows, by fast Fourier transforms: as the direct sum, at a cost that hardly grows with the
- * number of lags; beyond the window on coarser grids. */
+/* Time correlations over long windows, by fast Fourier transforms: as the direct sum, at a cost that hardly grows with
+ * the number of lags; beyond the window on coarser grids. */
 #include "io/correlation.h"
 
 typedef struct fft_state {

@@ -1,10 +1,10 @@
 /* Overdamped motion of spheres: places as in fix brownian, orientations by rotational diffusion, D_r = k T / gamma_r.
  *
- * Two dimensions: the angle of the dipole grows by sqrt(2 D_r dt) xi, a plain random walk on the circle. With normal xi that
- * is the exact solution of the rotational diffusion equation for any timestep.
- * Three dimensions: the dipole is turned about the vector w = sqrt(2 D_r dt) (xi_1, xi_2, xi_3) by the angle |w| (Rodrigues'
- * formula). That is a true rotation, keeps the length to rounding, and is right to order dt^2 for each step:
- * <e' . e> = (1 + 2 (1 - s) exp(-s/2)) / 3 = exp(-s) - s^2 / 12 + ..., s = 2 D_r dt.
+ * Two dimensions: the angle of the dipole grows by sqrt(2 D_r dt) xi, a plain random walk on the circle. With normal xi
+ * that is the exact solution of the rotational diffusion equation for any timestep.
+ * Three dimensions: the dipole is turned about the vector w = sqrt(2 D_r dt) (xi_1, xi_2, xi_3) by the angle |w|
+ * (Rodrigues' formula). That is a true rotation, keeps the length to rounding, and is right to order dt^2 for each
+ * step: <e' . e> = (1 + 2 (1 - s) exp(-s/2)) / 3 = exp(-s) - s^2 / 12 + ..., s = 2 D_r dt.
  * Source: I. M. Ilie et al., J. Chem. Phys. 142, 114103 (2015), doi:10.1063/1.4914322. */
 #include "fix/brownian_motion.h"
 

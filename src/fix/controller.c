@@ -1,5 +1,5 @@
-/* A PID controller: a variable is moved so that a measured value comes to a wanted one. With tau the time between updates and e the
- * measured value minus the wanted one,
+/* A PID controller: a variable is moved so that a measured value comes to a wanted one. With tau the time between
+ * updates and e the measured value minus the wanted one,
  *     c_n = c_(n-1) - alpha (Kp tau e_n + Ki tau^2 sum_(i <= n) e_i + Kd (e_n - e_(n-1)))
  * Source: K. J. Astrom, R. M. Murray, Feedback Systems (2008), ISBN 978-0-691-13576-2, chapter 10. */
 #include "base/memory.h"

@@ -209,8 +209,8 @@ static int64_t excess(const hs_box *box, int tilt, double value)
     return box->periodic[axis] && fabs(edges) > 0.5 ? -(int64_t)round(edges) : 0;
 }
 
-/** Whether the box has become too skewed: then the next step begins in an equivalent one. As in LAMMPS yz comes first, for it changes
- *  xz. */
+/** Whether the box has become too skewed: then the next step begins in an equivalent one. As in LAMMPS yz comes first,
+ *  for it changes xz. */
 static void plan_flip(deform_state *state, const hs_env *env)
 {
     const hs_box *box = env->box;

@@ -1,5 +1,5 @@
-/* Adds atoms while a simulation runs, one at a time at random places of a region: growth of a film, a gas that enters. The places are
- * those that LAMMPS draws from the same seed. */
+/* Adds atoms while a simulation runs, one at a time at random places of a region: growth of a film, a gas that enters.
+ * The places are those that LAMMPS draws from the same seed. */
 #include <math.h>
 #include <string.h>
 

@@ -1,7 +1,8 @@
 /* Chooses the length of steps so that no atom moves farther than a distance in one of them.
  *
- * For each atom the time is the smaller of those in which its velocity alone, and its acceleration alone, would carry it so far,
- * x/v and sqrt(2 x/a); if both together carry it farther in that time, it is shortened by the ratio of the distances. */
+ * For each atom the time is the smaller of those in which its velocity alone, and its acceleration alone, would carry
+ * it so far, x/v and sqrt(2 x/a); if both together carry it farther in that time, it is shortened by the ratio of the
+ * distances. */
 #include <math.h>
 #include <string.h>
 

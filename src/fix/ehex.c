@@ -1,6 +1,7 @@
-/* Adds heat to a group of atoms, or takes it, at constant momentum, as fix heat does, and corrects the places of the atoms so that
- * the energy of long runs does not drift by the error of the splitting.
- * Source: P. Wirnsberger, D. Frenkel, C. Dellago, J. Chem. Phys. 143, 124104 (2015), doi:10.1063/1.4931597, method eHEX/a. */
+/* Adds heat to a group of atoms, or takes it, at constant momentum, as fix heat does, and corrects the places of the
+ * atoms so that the energy of long runs does not drift by the error of the splitting.
+ * Source: P. Wirnsberger, D. Frenkel, C. Dellago, J. Chem. Phys. 143, 124104 (2015), doi:10.1063/1.4931597, method
+ * eHEX/a. */
 #include <string.h>
 
 #include "base/memory.h"

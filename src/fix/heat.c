@@ -1,5 +1,5 @@
-/* Adds heat to a group of atoms, or takes it, at constant momentum: velocities relative to the center of mass are scaled so that the
- * kinetic energy grows by the heat.
+/* Adds heat to a group of atoms, or takes it, at constant momentum: velocities relative to the center of mass are
+ * scaled so that the kinetic energy grows by the heat.
  * Source: T. Ikeshoji, B. Hafskjold, Mol. Phys. 81, 251 (1994), doi:10.1080/00268979400100171. */
 #include "fix/thermal_motion.h"
 

@@ -1,7 +1,7 @@
 /* Langevin thermostat: friction and noise, for use with a fix that integrates.
  *   F = -(m / damp) v + sqrt(2 k T m / (dt damp)) xi
- * Source: T. Schneider, E. Stoll, Phys. Rev. B 17, 1302 (1978), doi:10.1103/PhysRevB.17.1302; even noise instead of normal:
- * B. Duenweg, W. Paul, Int. J. Mod. Phys. C 2, 817 (1991), doi:10.1142/S0129183191001037. */
+ * Source: T. Schneider, E. Stoll, Phys. Rev. B 17, 1302 (1978), doi:10.1103/PhysRevB.17.1302; even noise instead of
+ * normal: B. Duenweg, W. Paul, Int. J. Mod. Phys. C 2, 817 (1991), doi:10.1142/S0129183191001037. */
 #include <math.h>
 #include <string.h>
 
@@ -121,8 +121,8 @@ static hs_status find_bias(hs_fix *fix, const hs_compute **bias, hs_error *err)
     return HS_OK;
 }
 
-/** Thermal velocity of local atom i. A component that is exactly 0 is one that the temperature leaves out altogether (an atom
- *  outside of its region, an axis of temp/partial): as in LAMMPS it feels no noise. */
+/** Thermal velocity of local atom i. A component that is exactly 0 is one that the temperature leaves out altogether
+ *  (an atom outside of its region, an axis of temp/partial): as in LAMMPS it feels no noise. */
 static void thermal_velocity(const hs_atoms *atoms, const hs_compute *bias, int i, double v[3])
 {
     double b[3] = {0.0};

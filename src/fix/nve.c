@@ -31,7 +31,8 @@ typedef struct step_sizes {
     double dt, magic;
 } step_sizes;
 
-/** Atoms [0, n) along one axis: v += (dt/2) f/m, and with @p drift x += dt v. kick[]: dt/2/m, of all atoms in kick[0] when
+/** Atoms [0, n) along one axis: v += (dt/2) f/m, and with @p drift x += dt v. kick[]: dt/2/m, of all atoms in kick[0]
+ *  when
  *  @p is_uniform; moves[]: whether the atom moves, NULL: all do. The bools are constants where it is called. */
 static inline __attribute__((always_inline)) void move_axis(double *restrict x, double *restrict v,
                                                             const double *restrict f, const double *restrict kick,

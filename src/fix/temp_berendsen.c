@@ -1,4 +1,5 @@
-/* Weak coupling to a bath: at each step the temperature moves towards the wanted one as if it decayed to it in the damping time,
+/* Weak coupling to a bath: at each step the temperature moves towards the wanted one as if it decayed to it in the
+ * damping time,
  *     T' = T + (dt/Tdamp) (T_wanted - T).
  * Source: H. J. C. Berendsen et al., J. Chem. Phys. 81, 3684 (1984), doi:10.1063/1.448118, eq. (11). */
 #include "fix/velocity_scaling.h"

@@ -1,5 +1,5 @@
-/** What fixes heat and ehex share: how much heat, how often and where; the motion of their atoms relative to the center of mass, and
- *  the factor by which it must be scaled to take up an amount of heat. */
+/** What fixes heat and ehex share: how much heat, how often and where; the motion of their atoms relative to the center
+ *  of mass, and the factor by which it must be scaled to take up an amount of heat. */
 #ifndef HS_FIX_THERMAL_MOTION_H
 #define HS_FIX_THERMAL_MOTION_H
 
@@ -81,7 +81,8 @@ static inline void thermal_add_terms(const hs_atoms *atoms, const void *context,
     }
 }
 
-/** Find the motion, and what becomes of it with @p heat (mass velocity^2); an error when it has not so much to give (collective). */
+/** Find the motion, and what becomes of it with @p heat (mass velocity^2); an error when it has not so much to give
+ *  (collective). */
 static inline hs_status thermal_find(hs_fix *fix, thermal_acts acts, double heat, thermal_motion *motion, hs_error *err)
 {
     const hs_env *env = fix->env;

@@ -1,4 +1,5 @@
-/* Makes momentum flow through a fluid, for its viscosity: atoms of two layers exchange one component of their velocities.
+/* Makes momentum flow through a fluid, for its viscosity: atoms of two layers exchange one component of their
+ * velocities.
  * Source: F. Müller-Plathe, Phys. Rev. E 59, 4894 (1999), doi:10.1103/PhysRevE.59.4894. */
 #include <math.h>
 #include <string.h>

@@ -86,8 +86,8 @@ typedef struct hs_average_file {
     size_t head_length; /**< with overwrite: of the heads, which every piece begins with */
 } hs_average_file;
 
-/** Common keywords: ave, error, start, file, append, overwrite, format, title1, title2, title3. *n_used = words taken, 0 when the
- *  keyword is another. Pieces may be NULL when the fix has none. */
+/** Common keywords: ave, error, start, file, append, overwrite, format, title1, title2, title3. *n_used = words taken,
+ *  0 when the keyword is another. Pieces may be NULL when the fix has none. */
 HS_MUST_USE hs_status hs_average_keyword(hs_schedule *schedule, hs_fold *fold, hs_average_file *file,
                                          const hs_args *args, int i, int *n_used, hs_error *err);
 /** These keywords, and after them the style's own, for its syntax. */
@@ -104,8 +104,8 @@ HS_MUST_USE hs_status hs_average_keyword(hs_schedule *schedule, hs_fold *fold, h
         "title3", 1, "<text>", "third line"                                                                            \
     }
 
-/** Open the file and write its heads (title or, when none was given, head; NULL: no such line). Once; nothing in a dry run
- *  or on other ranks than the first. A resumed run finds the file with its heads and adds to it. */
+/** Open the file and write its heads (title or, when none was given, head; NULL: no such line). Once; nothing in a dry
+ *  run or on other ranks than the first. A resumed run finds the file with its heads and adds to it. */
 HS_MUST_USE hs_status hs_average_file_open(hs_average_file *file, const hs_env *env, const char *const head[3],
                                            hs_error *err);
 /** Whether this rank writes. */

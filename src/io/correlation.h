@@ -1,5 +1,5 @@
-/** What fixes share that turn series of numbers into functions: of the time lag (correlations) or of the frequency (spectra).
- *  Which values, sampled when; the table of the function at the last output, and its file. */
+/** What fixes share that turn series of numbers into functions: of the time lag (correlations) or of the frequency
+ *  (spectra). Which values, sampled when; the table of the function at the last output, and its file. */
 #ifndef HS_IO_CORRELATION_H
 #define HS_IO_CORRELATION_H
 
@@ -31,7 +31,8 @@ HS_MUST_USE hs_status hs_correlation_numbers(hs_fix *fix, const hs_args *args, i
                                              hs_error *err);
 /** Read the values, from word 3 up to the first keyword. */
 HS_MUST_USE hs_status hs_correlation_values(hs_fix *fix, const hs_args *args, hs_error *err);
-/** Keywords of all: type, prefactor, error, and those of files. *n_used = words taken, 0 when the keyword is another. */
+/** Keywords of all: type, prefactor, error, and those of files. *n_used = words taken, 0 when the keyword is
+ *  another. */
 HS_MUST_USE hs_status hs_correlation_keyword(hs_fix *fix, const hs_args *args, int i, int *n_used, hs_error *err);
 #define HS_CORRELATION_KEYWORDS                                                                                        \
     {"type", 1, "auto|upper|lower|auto/upper|auto/lower|full",                                                         \
@@ -52,8 +53,8 @@ HS_MUST_USE hs_status hs_correlation_pair(hs_fix *fix, const hs_args *args, hs_e
 typedef hs_status (*hs_correlation_name)(hs_text *head, const hs_fix *fix, int k, hs_error *err);
 /** "V_i*V_j" of pair k. */
 HS_MUST_USE hs_status hs_correlation_product(hs_text *head, const hs_fix *fix, int k, hs_error *err);
-/** Room for n_rows rows of n_pairs columns (thrice as many with errors), the array f_ID[i][j] (x, count, columns), and the
- *  head: @p x_name for the first column, @p name for the others. */
+/** Room for n_rows rows of n_pairs columns (thrice as many with errors), the array f_ID[i][j] (x, count, columns), and
+ *  the head: @p x_name for the first column, @p name for the others. */
 HS_MUST_USE hs_status hs_correlation_table(hs_fix *fix, int n_rows, const char *x_name, hs_correlation_name name,
                                            hs_error *err);
 void hs_correlation_fini(hs_correlation *c);

@@ -231,8 +231,8 @@ hs_status hs_data_read_atoms(hs_data_reader *reader, hs_error *err)
     return HS_OK;
 }
 
-/** The rank that watches an id finds out whether there is such an atom, and whether it had its line already. The others read on, so it
- *  keeps the first error for the end of the section. */
+/** The rank that watches an id finds out whether there is such an atom, and whether it had its line already. The others
+ *  read on, so it keeps the first error for the end of the section. */
 static void note_line(hs_data_reader *reader, hs_data_id *found, int32_t section, const char *name)
 {
     const hs_lines *lines = &reader->lines;

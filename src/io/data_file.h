@@ -35,9 +35,9 @@ typedef struct hs_data_options {
     void *context;
 } hs_data_options;
 
-/** Read a data file, plain or .gz (collective: the first rank reads, every rank keeps the atoms of its brick). Makes the box and the types unless options say add;
- *  adds the atoms. Everything is checked; errors name file and line, and leave no atoms behind. The caller then tells
- *  the simulation that atoms have changed. */
+/** Read a data file, plain or .gz (collective: the first rank reads, every rank keeps the atoms of its brick). Makes
+ *  the box and the types unless options say add; adds the atoms. Everything is checked; errors name file and line, and
+ *  leave no atoms behind. The caller then tells the simulation that atoms have changed. */
 HS_MUST_USE hs_status hs_data_read(hs_env *env, const char *path, const hs_data_options *options, hs_error *err);
 
 /** Which coefficients write_data writes. */

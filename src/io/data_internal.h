@@ -64,8 +64,9 @@ HS_MUST_USE hs_status hs_data_read_header(hs_data_reader *reader, hs_error *err)
 /** The section Atoms (the present line is its name). */
 HS_MUST_USE hs_status hs_data_read_atoms(hs_data_reader *reader, hs_error *err);
 HS_MUST_USE hs_status hs_data_read_velocities(hs_data_reader *reader, hs_error *err);
-/** Local index of a new atom, -1 where it is another rank's or none of the file's (*is_new false). The rank that watches the id keeps an error
- *  for the end of the section (late) when there is no such atom in the file, or it had a line in this section already. */
+/** Local index of a new atom, -1 where it is another rank's or none of the file's (*is_new false). The rank that
+ *  watches the id keeps an error for the end of the section (late) when there is no such atom in the file, or it had a
+ *  line in this section already. */
 int hs_data_find_atom(hs_data_reader *reader, int64_t id, int32_t section, const char *name, bool *is_new);
 HS_MUST_USE hs_status hs_data_read_id(const hs_data_reader *reader, const char *word, int64_t *id, hs_error *err);
 /** The section of a fix by its name, NULL: there is none. */

@@ -31,8 +31,8 @@ typedef struct hs_dump_image {
 
 /** Least and greatest value that colours go by, over all ranks' selected atoms (collective). */
 void hs_dump_image_find_range(const hs_dump *dump, double range[2]);
-/** Draw what this rank has, seen as state->view says; on rank 0 also what belongs to none. Not collective: the pictures are to be
- *  merged. */
+/** Draw what this rank has, seen as state->view says; on rank 0 also what belongs to none. Not collective: the pictures
+ *  are to be merged. */
 HS_MUST_USE hs_status hs_dump_image_draw(hs_dump *dump, hs_image *image, const double range[2], hs_error *err);
 
 #endif

@@ -13,8 +13,8 @@ enum { WIDTH = 900, PANEL_HEIGHT = 260, HEIGHT_MIN = 420, POINTS_MAX = 200 };
 /* More points than a picture has columns add nothing but size. */
 enum { STRETCHES = 2000, LONG_LINE = 4 * STRETCHES };
 
-/** Eight colours that stay apart for colour-blind eyes and on paper (Okabe and Ito); a grey instead of the yellow, which
- *  white paper swallows. */
+/** Eight colours that stay apart for colour-blind eyes and on paper (Okabe and Ito); a grey instead of the yellow,
+ *  which white paper swallows. */
 static const char *const palette[] = {"#0072B2", "#D55E00", "#009E73", "#CC79A7",
                                       "#56B4E9", "#E69F00", "#7F7F7F", "#5B3A8E"};
 enum { PALETTE_SIZE = sizeof palette / sizeof palette[0] };

@@ -10,7 +10,8 @@ typedef struct hs_figure_axis {
     double factor; /**< timestep where steps become times */
 } hs_figure_axis;
 
-/** The column that was asked for; "time" stands for steps times the timestep. Else the one that rows of such a file go along. */
+/** The column that was asked for; "time" stands for steps times the timestep. Else the one that rows of such a file go
+ *  along. */
 HS_MUST_USE hs_status hs_figure_choose_x(const hs_table_file *file, const hs_table *table, const hs_plot_choice *choice,
                                          const hs_deck_facts *facts, hs_figure_axis *x, hs_error *err);
 

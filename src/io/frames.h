@@ -1,4 +1,5 @@
-/** Trajectories read back, snapshot by snapshot: LAMMPS's text dumps (styles atom and custom, plain or gzip), XYZ and H5MD.
+/** Trajectories read back, snapshot by snapshot: LAMMPS's text dumps (styles atom and custom, plain or gzip), XYZ and
+ *  H5MD.
  *
  *      hs_frames_open(&frames, plan, parallel, err);
  *      while (hs_frames_next(frames, &snapshot, &is_there, err) == HS_OK && is_there)
@@ -6,9 +7,9 @@
  *          while (rows.n > 0);
  *      hs_frames_close(&frames);
  *
- *  Everything is checked: numbers are finite, types and ids at least 1, and a snapshot that ends before its time is an error. All
- *  functions are collective; rank 0 reads, every rank gets every row, and no rank holds more of them than one block. Errors
- *  name file and line. */
+ *  Everything is checked: numbers are finite, types and ids at least 1, and a snapshot that ends before its time is an
+ *  error. All functions are collective; rank 0 reads, every rank gets every row, and no rank holds more of them than
+ *  one block. Errors name file and line. */
 #ifndef HS_IO_FRAMES_H
 #define HS_IO_FRAMES_H
 

@@ -1,5 +1,5 @@
-/* Snapshots in H5MD files (https://www.nongnu.org/h5md), of this program and of others: elements that are fixed or change with
- * time, ids or rows in their order, boxes of three edges or of three orthogonal vectors. */
+/* Snapshots in H5MD files (https://www.nongnu.org/h5md), of this program and of others: elements that are fixed or
+ * change with time, ids or rows in their order, boxes of three edges or of three orthogonal vectors. */
 #include <hdf5.h>
 #include <math.h>
 #include <stdio.h>
@@ -163,7 +163,8 @@ static hs_status open_file(hs_frames *frames, const char *path, hs_error *err)
 
 /* ---- Snapshots ---- */
 
-/** The step of an element's frame: a list of steps, or one step between frames, of which the first may have an offset. */
+/** The step of an element's frame: a list of steps, or one step between frames, of which the first may have an
+ *  offset. */
 static hs_status read_step(hs_frames *frames, int element, int64_t frame, int64_t *step, hs_error *err)
 {
     const struct hs_frames_h5 *h5 = frames->h5;
@@ -206,8 +207,9 @@ static hs_status read_steps(hs_frames *frames, int64_t *step, hs_error *err)
     return HS_OK;
 }
 
-/** Edges ([3], or [3][3] with an edge in each row) or origin ([3]) of the box; off, if not NULL, gets what stands off the diagonal:
- *  xy, xz, yz, and is_tilted whether the edges are a matrix that has any. Edges that would have to be turned are refused. */
+/** Edges ([3], or [3][3] with an edge in each row) or origin ([3]) of the box; off, if not NULL, gets what stands off
+ *  the diagonal: xy, xz, yz, and is_tilted whether the edges are a matrix that has any. Edges that would have to be
+ *  turned are refused. */
 static hs_status read_vector(hs_frames *frames, const char *name, int64_t frame, double *values, double *off,
                              bool *is_there, hs_error *err)
 {

@@ -1,5 +1,5 @@
-/** Short forms of what is done with HDF5 again and again. Only folder io/ includes this. All functions are local; < 0 or
- *  false is a failure, of which the caller makes a message. */
+/** Short forms of what is done with HDF5 again and again. Only folder io/ includes this. All functions are local; < 0
+ *  or false is a failure, of which the caller makes a message. */
 #ifndef HS_IO_H5_H
 #define HS_IO_H5_H
 

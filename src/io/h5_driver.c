@@ -182,8 +182,8 @@ static int driver_cmp(const H5FD_t *a, const H5FD_t *b)
     return 0;
 }
 
-/** At the end of the file. Structure of less than a page does not cross the border of one, longer structure begins at one, so
- *  that `overwrite` changes every head at once. */
+/** At the end of the file. Structure of less than a page does not cross the border of one, longer structure begins at
+ *  one, so that `overwrite` changes every head at once. */
 static haddr_t driver_alloc(H5FD_t *head, H5FD_mem_t kind, hid_t dxpl, hsize_t size)
 {
     (void)dxpl;

@@ -150,8 +150,8 @@ static bool set_frames(hs_h5md *self, hsize_t n)
     return is_fine;
 }
 
-/** Whether a file of this size can have as many frames as a dataset says: HDF5 walks over all of those that are to be cut off, and
- *  a flipped bit of their number would take it years. */
+/** Whether a file of this size can have as many frames as a dataset says: HDF5 walks over all of those that are to be
+ *  cut off, and a flipped bit of their number would take it years. */
 static bool is_possible(const hs_h5md *self, hid_t dataset)
 {
     hsize_t size, extents[3] = {0, 1, 1};
@@ -261,8 +261,8 @@ hs_status hs_h5md_begin_frame(hs_h5md *self, int64_t step, double time, const hs
     return HS_OK;
 }
 
-/** Rows of an element as whole chunks, as far as they are: HDF5 would copy each into a new buffer, after having filled it. *n_done
- *  rows were written. */
+/** Rows of an element as whole chunks, as far as they are: HDF5 would copy each into a new buffer, after having filled
+ *  it. *n_done rows were written. */
 static bool put_chunks(const hs_h5md *self, int element, hsize_t first, hsize_t n, const char *values, hsize_t *n_done)
 {
     const hs_h5md_element *kind = &self->element[element];

@@ -1,6 +1,7 @@
 /** A growing H5MD 1.1 file (https://www.nongnu.org/h5md). Used by rank 0 alone: nothing here is collective.
  *
- *  Reference: P. de Buyl, P. H. Colberg, F. Hoefling, Comput. Phys. Commun. 185, 1546 (2014), doi:10.1016/j.cpc.2014.01.018 */
+ *  Reference: P. de Buyl, P. H. Colberg, F. Hoefling, Comput. Phys. Commun. 185, 1546 (2014),
+ *  doi:10.1016/j.cpc.2014.01.018 */
 #ifndef HS_IO_H5MD_H
 #define HS_IO_H5MD_H
 
@@ -24,7 +25,8 @@ typedef struct hs_h5md_observable {
     int n[2];         /**< lengths; 1 beyond the rank */
 } hs_h5md_observable;
 
-/** What a file holds. Borrowed by hs_h5md_open for its call, except element and observable: as long as the file is open. */
+/** What a file holds. Borrowed by hs_h5md_open for its call, except element and observable: as long as the file is
+ *  open. */
 typedef struct hs_h5md_plan {
     const hs_h5md_element *element; /**< [n_elements] that change with time; the first is named in box/edges */
     int n_elements;
@@ -63,8 +65,8 @@ int64_t hs_h5md_row(const hs_h5md *file, int64_t id);
 HS_MUST_USE hs_status hs_h5md_set_rows(hs_h5md *file, int64_t first, int64_t n, const hs_h5md_rows *rows,
                                        hs_error *err);
 
-/** Frame: begin, rows and observables in any order, end. After an error the file must be closed; it is then as it was at
- *  the last hs_h5md_end_frame. */
+/** Frame: begin, rows and observables in any order, end. After an error the file must be closed; it is then as it was
+ *  at the last hs_h5md_end_frame. */
 HS_MUST_USE hs_status hs_h5md_begin_frame(hs_h5md *file, int64_t step, double time, const hs_box *box, hs_error *err);
 HS_MUST_USE hs_status hs_h5md_put_rows(hs_h5md *file, int element, int64_t first, int64_t n, const void *values,
                                        hs_error *err);

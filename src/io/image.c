@@ -173,8 +173,8 @@ void hs_image_draw_balls(hs_image *image, const hs_image_ball *ball, int n)
     }
 }
 
-/** The point of the stick's axis whose ball stands out furthest towards the viewer at a sample, as a part of the axis from
- *  0 to 1: the maximum of from_z + t d_z + sqrt(R^2 - |w - t d|^2) over t, where w is the sample's place from the
+/** The point of the stick's axis whose ball stands out furthest towards the viewer at a sample, as a part of the axis
+ *  from 0 to 1: the maximum of from_z + t d_z + sqrt(R^2 - |w - t d|^2) over t, where w is the sample's place from the
  *  beginning and d the axis as seen. */
 static double nearest_part(const double d[3], const double w[2], double radius)
 {

@@ -1,7 +1,7 @@
 /** Pictures of balls and sticks, drawn by every rank of its own atoms and merged by depth.
  *
- *  A pixel is one 64-bit number, depth above colour, so that "nearer wins" is the maximum of two numbers: the picture does
- *  not depend on the order of drawing, nor on the number of threads and ranks. */
+ *  A pixel is one 64-bit number, depth above colour, so that "nearer wins" is the maximum of two numbers: the picture
+ *  does not depend on the order of drawing, nor on the number of threads and ranks. */
 #ifndef HS_IO_IMAGE_H
 #define HS_IO_IMAGE_H
 

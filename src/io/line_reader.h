@@ -24,8 +24,8 @@ typedef struct hs_lines {
     const char *word[HS_LINE_WORDS_MAX];
 } hs_lines;
 
-/** Open for reading; fails with the reason when it is not a readable file. All functions are collective, and give the same
- *  on all ranks. */
+/** Open for reading; fails with the reason when it is not a readable file. All functions are collective, and give the
+ *  same on all ranks. */
 HS_MUST_USE hs_status hs_lines_open(hs_lines *lines, const char *path, const hs_parallel *parallel, hs_error *err);
 void hs_lines_close(hs_lines *lines);
 /** Read and split the next line, blank ones too. At the end of the file at_end is set and n_words is 0. Lines that

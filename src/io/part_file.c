@@ -44,7 +44,8 @@ static bool is_part_of(const char *file, const char *name)
     return *pid != '\0' && pid[strspn(pid, "0123456789")] == '\0' && is_kin(file, (size_t)(mark - file), name);
 }
 
-/** Remove a part that nobody holds the lock of. Its maker, should it come to life between, finds it gone (see lock_part). */
+/** Remove a part that nobody holds the lock of. Its maker, should it come to life between, finds it gone (see
+ *  lock_part). */
 static void remove_if_dead(int folder, const char *file)
 {
     const int fd = openat(folder, file, O_RDONLY | O_NOFOLLOW | O_NONBLOCK);
@@ -80,8 +81,8 @@ static hs_status fail_open(const char *target, hs_error *err)
     return hs_fail(err, HS_ERROR_IO, "'%s' could not be opened for writing: %s", target, strerror(errno));
 }
 
-/** Open and lock the part; *is_mine = false when it was removed before the lock was there, as one without a maker. A file
- *  system without locks goes without: nobody removes its parts then. */
+/** Open and lock the part; *is_mine = false when it was removed before the lock was there, as one without a maker. A
+ *  file system without locks goes without: nobody removes its parts then. */
 static hs_status lock_part(hs_part_file *part, const char *target, mode_t mode, bool *is_mine, hs_error *err)
 {
     struct stat mine, there;

@@ -1,9 +1,9 @@
 /** Files that are there wholly or not at all: written under another name beside their place, and renamed when complete.
  *
- *  The other name is NAME.halfshell-part-PID, and its maker holds a lock on it (flock) as long as it lives. So what a killed
- *  process has left can be told from what another run is writing at this moment, on any machine that shares the folder:
- *  whoever makes a part removes first the parts without a living maker that belong to the same file, or to another one of
- *  its series (names that differ in digits only: checkpoint.40.h5, checkpoint.80.h5).
+ *  The other name is NAME.halfshell-part-PID, and its maker holds a lock on it (flock) as long as it lives. So what a
+ *  killed process has left can be told from what another run is writing at this moment, on any machine that shares the
+ *  folder: whoever makes a part removes first the parts without a living maker that belong to the same file, or to
+ *  another one of its series (names that differ in digits only: checkpoint.40.h5, checkpoint.80.h5).
  *
  *  Not collective: one rank writes. */
 #ifndef HS_IO_PART_FILE_H

@@ -22,8 +22,8 @@ typedef struct hs_deck_facts {
     int n_names; /**< owned */
 } hs_deck_facts;
 
-/** Learn from a deck, or from a log that echoes one: units, timestep, dimension, thermo_modify norm, and what c_, f_, v_
- *  names are. Lines that are no such commands are passed over. */
+/** Learn from a deck, or from a log that echoes one: units, timestep, dimension, thermo_modify norm, and what c_, f_,
+ *  v_ names are. Lines that are no such commands are passed over. */
 HS_MUST_USE hs_status hs_deck_facts_learn(hs_deck_facts *facts, const char *text, hs_error *err);
 /** The same from a file. */
 HS_MUST_USE hs_status hs_deck_facts_read(hs_deck_facts *facts, const char *path, hs_error *err);

@@ -26,8 +26,8 @@ typedef struct hs_read_counts {
     int64_t before, in_snapshot, purged, replaced, trimmed, added, after;
 } hs_read_counts;
 
-/** Take atoms over from a snapshot (collective). They are wrapped into the box and brought to the ranks that own their places. The
- *  caller then tells the simulation that atoms have changed. */
+/** Take atoms over from a snapshot (collective). They are wrapped into the box and brought to the ranks that own their
+ *  places. The caller then tells the simulation that atoms have changed. */
 HS_MUST_USE hs_status hs_read_snapshot(hs_env *env, hs_frames *frames, const hs_snapshot *snapshot,
                                        const hs_read_options *options, hs_read_counts *counts, hs_error *err);
 

@@ -73,8 +73,8 @@ typedef struct announcement {
     int64_t n_rows, n_bytes, is_last;
 } announcement;
 
-/** Send all rows of this rank to the first one, piece by piece. When the text of a row cannot be made the others must not
- *  wait for it: an empty last piece ends the rows, and the error is agreed on later. */
+/** Send all rows of this rank to the first one, piece by piece. When the text of a row cannot be made the others must
+ *  not wait for it: an empty last piece ends the rows, and the error is agreed on later. */
 static void send_rows(const hs_text_rows *rows, const hs_parallel *parallel, hs_error *err)
 {
     piece p = {0};

@@ -1,7 +1,7 @@
 /** Rows of text that the atoms of all ranks write into one file, in one order over all ranks.
  *
- *  Every rank brings its rows into order and makes their text; the first rank merges the ranks' rows and writes them. No
- *  rank ever holds more than its own rows and some pieces of the others', whatever the number of atoms. */
+ *  Every rank brings its rows into order and makes their text; the first rank merges the ranks' rows and writes them.
+ *  No rank ever holds more than its own rows and some pieces of the others', whatever the number of atoms. */
 #ifndef HS_IO_ROW_STREAM_H
 #define HS_IO_ROW_STREAM_H
 
@@ -30,8 +30,8 @@ typedef struct hs_text_rows {
 /** Which of two keys comes first: < 0, 0, > 0. */
 int hs_row_compare(const hs_row_key *a, const hs_row_key *b, bool is_descending);
 
-/** Write the rows of all ranks. @p writer is the first rank's; NULL on the others. Collective, errors agreed: one that a
- *  rank holds in @p err already stops all before anything is written. */
+/** Write the rows of all ranks. @p writer is the first rank's; NULL on the others. Collective, errors agreed: one that
+ *  a rank holds in @p err already stops all before anything is written. */
 HS_MUST_USE hs_status hs_text_rows_write(const hs_text_rows *rows, hs_writer *writer, const hs_parallel *parallel,
                                          hs_error *err);
 

@@ -1,5 +1,6 @@
 /* Born-Mayer-Huggins potential:
- *     U(r) = A exp((sigma - r)/rho) - C/r^6 + D/r^8 - shift,  F(r)/r = A/rho exp((sigma - r)/rho)/r - 6 C/r^8 + 8 D/r^10   for r < r_c
+ *     U(r) = A exp((sigma - r)/rho) - C/r^6 + D/r^8 - shift,  F(r)/r = A/rho exp((sigma - r)/rho)/r - 6 C/r^8 + 8
+ * D/r^10   for r < r_c
  * Units: A energy, rho and sigma distance, C energy x distance^6, D energy x distance^8.
  * Source: F. G. Fumi, M. P. Tosi, J. Phys. Chem. Solids 25, 31 (1964), doi:10.1016/0022-3697(64)90159-3. */
 #include "kernel/evaluator.h"

@@ -1,5 +1,5 @@
-/** Lennard-Jones with a linear term that ends energy and force at the cutoff: what the styles lj/smooth/linear and lj/sf, two
- *  names of one potential, share. */
+/** Lennard-Jones with a linear term that ends energy and force at the cutoff: what the styles lj/smooth/linear and
+ *  lj/sf, two names of one potential, share. */
 #ifndef HS_PAIR_FORCE_SHIFTED_H
 #define HS_PAIR_FORCE_SHIFTED_H
 

@@ -2,8 +2,8 @@
  *     U(r) = (k/2) (1 - r/r_0)^2,  F(r)/r = (k/r_0) (1 - r/r_0) / r   for r < r_0
  * It is the potential of harmonic/cut with the constant k / (2 r_0^2), and has no evaluator of its own.
  * Units: k energy, r_0 distance.
- * Source: C. S. O'Hern, L. E. Silbert, A. J. Liu, S. R. Nagel, Phys. Rev. E 68, 011306 (2003), doi:10.1103/PhysRevE.68.011306,
- * eq. (1) with alpha = 2. */
+ * Source: C. S. O'Hern, L. E. Silbert, A. J. Liu, S. R. Nagel, Phys. Rev. E 68, 011306 (2003),
+ * doi:10.1103/PhysRevE.68.011306, eq. (1) with alpha = 2. */
 #include <math.h>
 
 #include "style/pair_coeffs.h"

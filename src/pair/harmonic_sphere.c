@@ -2,8 +2,8 @@
  *     U(r) = (k/2) (1 - r/s)^2,  F(r)/r = (k/s) (1 - r/s) / r   for r < s,  s = (d_i + d_j)/2
  * with the diameters d of atom_style sphere. harmonic/repulsion is the same with one s for each pair of types.
  * Units: k energy.
- * Source: C. S. O'Hern, L. E. Silbert, A. J. Liu, S. R. Nagel, Phys. Rev. E 68, 011306 (2003), doi:10.1103/PhysRevE.68.011306,
- * eq. (1) with alpha = 2. */
+ * Source: C. S. O'Hern, L. E. Silbert, A. J. Liu, S. R. Nagel, Phys. Rev. E 68, 011306 (2003),
+ * doi:10.1103/PhysRevE.68.011306, eq. (1) with alpha = 2. */
 #include "kernel/evaluator.h"
 
 enum { K, HALF_K, N_PARAMS, SUM_OF_RADII = N_PARAMS };

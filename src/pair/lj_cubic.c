@@ -1,5 +1,5 @@
-/* Lennard-Jones 12-6 up to its inflection point r_s = (26/7)^(1/6) sigma, and from there a cubic that continues energy, force and
- * the slope of the force (which is zero there) and ends at r_c = (67/48) r_s with energy and force zero:
+/* Lennard-Jones 12-6 up to its inflection point r_s = (26/7)^(1/6) sigma, and from there a cubic that continues energy,
+ * force and the slope of the force (which is zero there) and ends at r_c = (67/48) r_s with energy and force zero:
  *     r_s < r < r_c:  U(r) = U_LJ(r_s) + U'_LJ(r_s) t - (A/6) t^3,  t = r - r_s,  A = 2 U'_LJ(r_s) / (r_c - r_s)^2
  * It is the potential of lj/smooth with another polynomial, and has no evaluator of its own.
  * Source: B. L. Holian, R. Ravelo, Phys. Rev. B 51, 11275 (1995), doi:10.1103/PhysRevB.51.11275. */

@@ -1,5 +1,5 @@
-/** Lennard-Jones up to a distance, and from there a force that is a cubic polynomial: what lj/smooth and lj/cubic share. Its
- *  evaluator is in lj_smooth.c. */
+/** Lennard-Jones up to a distance, and from there a force that is a cubic polynomial: what lj/smooth and lj/cubic
+ *  share. Its evaluator is in lj_smooth.c. */
 #ifndef HS_PAIR_LJ_CUBIC_END_H
 #define HS_PAIR_LJ_CUBIC_END_H
 

@@ -1,6 +1,6 @@
 /* Lennard-Jones 12-6 shifted along r by delta, for particles with hard cores of different size:
- *     U(r) = 4 eps ((sigma/s)^12 - (sigma/s)^6) - shift,  F(r)/r = 24 eps (2 (sigma/s)^12 - (sigma/s)^6) / (s r),  s = r - delta,
- * for s < r_c. Units: eps energy; sigma, delta and r_c distance. */
+ *     U(r) = 4 eps ((sigma/s)^12 - (sigma/s)^6) - shift,  F(r)/r = 24 eps (2 (sigma/s)^12 - (sigma/s)^6) / (s r),  s =
+ * r - delta, for s < r_c. Units: eps energy; sigma, delta and r_c distance. */
 #include "kernel/evaluator.h"
 
 enum { F12, MINUS_F6, U12, MINUS_U6, DELTA, SHIFT, N_PARAMS };

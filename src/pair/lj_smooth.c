@@ -1,8 +1,9 @@
-/* Lennard-Jones 12-6 up to r_in, and from there a force that is a cubic polynomial in t = r - r_in and ends at the cutoff with
- * value and slope zero:
+/* Lennard-Jones 12-6 up to r_in, and from there a force that is a cubic polynomial in t = r - r_in and ends at the
+ * cutoff with value and slope zero:
  *     r < r_in:  U(r) = 4 eps ((sigma/r)^12 - (sigma/r)^6) - shift
- *     r < r_c:   F(r) = C0 + C1 t + C2 t^2 + C3 t^3,   U(r) = U_LJ(r_in) - C0 t - C1 t^2/2 - C2 t^3/3 - C3 t^4/4 - shift
- * C0 and C1 are value and slope of the Lennard-Jones force at r_in; C2 and C3 follow from the two conditions at r_c.
+ *     r < r_c:   F(r) = C0 + C1 t + C2 t^2 + C3 t^3,   U(r) = U_LJ(r_in) - C0 t - C1 t^2/2 - C2 t^3/3 - C3 t^4/4 -
+ * shift C0 and C1 are value and slope of the Lennard-Jones force at r_in; C2 and C3 follow from the two conditions at
+ * r_c.
  * Units: eps energy; sigma, r_in and r_c distance. */
 #include "kernel/evaluator.h"
 #include "pair/lj_cubic_end.h"

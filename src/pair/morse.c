@@ -1,4 +1,5 @@
-/* Morse potential:  U(r) = D (e^2 - 2 e) - shift,  F(r)/r = 2 alpha D (e^2 - e) / r,  e = exp(-alpha (r - r_0))   for r < r_c
+/* Morse potential:  U(r) = D (e^2 - 2 e) - shift,  F(r)/r = 2 alpha D (e^2 - e) / r,  e = exp(-alpha (r - r_0))   for r
+ * < r_c
  * Units: D energy, alpha 1/distance, r_0 distance.
  * Source: P. M. Morse, Phys. Rev. 34, 57 (1929), doi:10.1103/PhysRev.34.57. */
 #include "kernel/evaluator.h"

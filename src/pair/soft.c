@@ -1,6 +1,7 @@
 /* Soft cosine repulsion:  U(r) = A (1 + cos(pi r / r_c))            for r < r_c
  *                         F(r)/r = A (pi / r_c) sin(pi r / r_c) / r
- * written with the half angle h = pi r / (2 r_c), 1 + cos = 2 cos^2 and sin = 2 sin cos, so that no digits are lost near r_c.
+ * written with the half angle h = pi r / (2 r_c), 1 + cos = 2 cos^2 and sin = 2 sin cos, so that no digits are lost
+ * near r_c.
  * Units: A energy, r_c distance. */
 #include "kernel/evaluator.h"
 #include "kernel/vector_math.h"

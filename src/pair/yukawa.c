@@ -1,4 +1,5 @@
-/* Screened Coulomb (Yukawa) potential:  U(r) = A exp(-kappa r) / r - shift,  F(r)/r = A exp(-kappa r) (kappa r + 1) / r^3   for r < r_c
+/* Screened Coulomb (Yukawa) potential:  U(r) = A exp(-kappa r) / r - shift,  F(r)/r = A exp(-kappa r) (kappa r + 1) /
+ * r^3   for r < r_c
  * Units: A energy x distance, kappa 1/distance.
  * Source: H. Yukawa, Proc. Phys.-Math. Soc. Japan 17, 48 (1935), doi:10.11429/ppmsj1919.17.0_48. */
 #include "kernel/evaluator.h"

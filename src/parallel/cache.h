@@ -9,9 +9,10 @@ enum { HS_CACHE_LINE = 64 };
 
 /** Make this core the only one that holds these bytes, which are its own to write: one store for each line.
  *
- *  A store to a line that other cores have read waits until they have given it up, and stores take place in order. In a loop that
- *  writes such lines and others in turn (x and v) they wait one after another, 75 ns each where it was measured; together, as here,
- *  17 ns. (The instruction that prefetches for writing does nothing when the line is in the cache already.) */
+ *  A store to a line that other cores have read waits until they have given it up, and stores take place in order. In a
+ *  loop that writes such lines and others in turn (x and v) they wait one after another, 75 ns each where it was
+ *  measured; together, as here, 17 ns. (The instruction that prefetches for writing does nothing when the line is in
+ *  the cache already.) */
 static inline void hs_cache_take(void *memory, size_t n_bytes)
 {
     typedef volatile uint64_t __attribute__((may_alias)) word;

@@ -1,7 +1,7 @@
 /** Messages between ranks that are described once and then sent again and again from and to the same places.
  *
- *  Messages to one rank arrive in the order in which both sides have added them. A build without MPI has no other ranks,
- *  and its lists stay empty. */
+ *  Messages to one rank arrive in the order in which both sides have added them. A build without MPI has no other
+ *  ranks, and its lists stay empty. */
 #ifndef HS_PARALLEL_MESSAGES_H
 #define HS_PARALLEL_MESSAGES_H
 

@@ -6,8 +6,8 @@
 #include "base/timer.h"
 #include "parallel/parallel.h"
 
-/** MPI itself is one per process. Errors are settled over a communicator of their own, so that ranks that come to different
- *  places of the program never take each other's messages for something else. */
+/** MPI itself is one per process. Errors are settled over a communicator of their own, so that ranks that come to
+ *  different places of the program never take each other's messages for something else. */
 static struct {
     MPI_Comm settle;
     bool has_settle, may_abort; /**< may_abort: MPI was started by this program, not by a library's caller */
@@ -89,8 +89,8 @@ hs_status hs_parallel_agree(const hs_parallel *parallel, hs_error *err)
     return share_error(parallel, MPI_COMM_WORLD, first, err);
 }
 
-/** Wait for the others; a rank with an error only so long as they may just be late. Lower ranks lose patience first, so that
- *  one of several with errors tells its own and stops the others before they do the same. */
+/** Wait for the others; a rank with an error only so long as they may just be late. Lower ranks lose patience first, so
+ *  that one of several with errors tells its own and stops the others before they do the same. */
 static bool wait_for_all(MPI_Request *request, int rank, bool has_error)
 {
     const double patience_s = 1.5 + 0.25 * (rank < 4 ? rank : 4), start_s = hs_time_now_s();

@@ -6,7 +6,8 @@
 #include <sched.h>
 #include <stdlib.h>
 
-/** Cores are the process's, not a simulation's: those it may run on are looked up once, before any thread is bound to one. */
+/** Cores are the process's, not a simulation's: those it may run on are looked up once, before any thread is bound to
+ *  one. */
 static struct {
     pthread_once_t once;
     cpu_set_t allowed;

@@ -1,6 +1,7 @@
-/** Shares of work that threads can take pieces of from each other. Each thread has a range of pieces of its own, which keeps its memory
- *  near it; one that is done helps the others. So a core that is slower for a while (other programs, a host that takes the core away,
- *  cores of different kinds) holds up a region by a piece of its work, not by its whole share.
+/** Shares of work that threads can take pieces of from each other. Each thread has a range of pieces of its own, which
+ *  keeps its memory near it; one that is done helps the others. So a core that is slower for a while (other programs, a
+ *  host that takes the core away, cores of different kinds) holds up a region by a piece of its work, not by its whole
+ *  share.
  *
  *  Which thread does which piece differs from run to run: results must not depend on it. */
 #ifndef HS_PARALLEL_SHARE_H
@@ -36,10 +37,11 @@ static inline int hs_share_take(hs_share *share, bool is_last)
     return piece;
 }
 
-/** Take a piece of a thread's own share or, when that is empty, of another's; -1: all are empty. @p owner: whose it was.
+/** Take a piece of a thread's own share or, when that is empty, of another's; -1: all are empty. @p owner: whose it
+ *  was.
  *
- *  Even threads begin at the front of their shares, odd ones at the back, and who helps takes from the other end. Threads 0 and 1,
- *  2 and 3, ... help each other first, so they come to meet where their shares do. */
+ *  Even threads begin at the front of their shares, odd ones at the back, and who helps takes from the other end.
+ *  Threads 0 and 1, 2 and 3, ... help each other first, so they come to meet where their shares do. */
 static inline int hs_share_take_any(hs_share *share, int n_threads, int thread, int *owner)
 {
     for (int k = 0, n_seen = 0; n_seen < n_threads; ++k) {

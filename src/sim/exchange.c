@@ -1,4 +1,5 @@
-/* Between the drift and the forces: atoms that left are found, coordinates wrapped, atoms sorted, the halo made anew. */
+/* Between the drift and the forces: atoms that left are found, coordinates wrapped, atoms sorted, the halo made
+ * anew. */
 #include <float.h>
 #include <math.h>
 #include <stdio.h>
@@ -12,13 +13,14 @@
 
 /** Box lengths that an atom may be away from the box where atoms are placed: image numbers are of 32 bits. */
 static const double farthest_placed = 1e9;
-/** The same for atoms that move: one that crosses a whole box between two exchanges was thrown there by a nonsensical force. */
+/** The same for atoms that move: one that crosses a whole box between two exchanges was thrown there by a nonsensical
+ *  force. */
 static const double farthest_moved = 1.0;
 /** Cutoffs from the origin at which shrink-wrapped faces follow an atom no more. */
 static const double farthest_wrapped = 1e9;
 
-/** Wrap one atom along one periodic axis, and its listed position with it. An atom farther from the box than so many box
- *  lengths is left where it is, and counts as lost: false. */
+/** Wrap one atom along one periodic axis, and its listed position with it. An atom farther from the box than so many
+ *  box lengths is left where it is, and counts as lost: false. */
 static inline bool wrap_axis(const hs_box *box, hs_atoms *atoms, double *listed, int axis, int i, double farthest)
 {
     const double lo = box->lo[axis], hi = box->hi[axis], length = hi - lo;
@@ -52,7 +54,8 @@ static bool wrap_tilted(const hs_box *box, hs_atoms *atoms, double *const listed
     return true;
 }
 
-/** Box lengths that atoms may be away from a tilted box: a short way crosses many edges where faces lie close to each other. */
+/** Box lengths that atoms may be away from a tilted box: a short way crosses many edges where faces lie close to each
+ *  other. */
 static double farthest_tilted(const hs_box *box, bool has_moved)
 {
     double leaning = 0.0;
@@ -128,8 +131,8 @@ static inline bool is_shrink_wrapped(hs_boundary kind)
     return kind == HS_BOUNDARY_SHRINK || kind == HS_BOUNDARY_SHRINK_MIN;
 }
 
-/** Whether an atom is lost. Shrink-wrapped faces follow the atoms, though only when lists are made: nothing is ever outside of
- *  them, unless it is so far away that no cells can be laid over the box. */
+/** Whether an atom is lost. Shrink-wrapped faces follow the atoms, though only when lists are made: nothing is ever
+ *  outside of them, unless it is so far away that no cells can be laid over the box. */
 static inline bool is_outside(const hs_sim *sim, int i)
 {
     const hs_box *box = &sim->box;
@@ -160,8 +163,8 @@ static hs_status report_lost(const hs_sim *sim, int i, hs_error *err)
         sim->box.lo[2], sim->box.hi[2], tilts);
 }
 
-/** Atoms beyond a fixed face, or too far away to be wrapped, are lost: an error, or (thermo_modify lost warn|ignore) they
- *  are removed. */
+/** Atoms beyond a fixed face, or too far away to be wrapped, are lost: an error, or (thermo_modify lost warn|ignore)
+ *  they are removed. */
 static hs_status find_lost(hs_sim *sim, bool is_wrapped, hs_error *err)
 {
     hs_atoms *atoms = &sim->atoms;

@@ -4,7 +4,8 @@
 
 #include "base/memory.h"
 
-/* Steps after which atoms are sorted again for methods whose lists do not need it: diffusion undoes the order slowly. */
+/* Steps after which atoms are sorted again for methods whose lists do not need it: diffusion undoes the order
+ * slowly. */
 enum { SORT_EVERY = 1000 };
 
 hs_neighbor_method hs_sim_method_in_use(const hs_sim *sim)
@@ -35,8 +36,8 @@ static hs_status forces_nsq(hs_sim *sim, const hs_force_job *job, hs_force_resul
 
 /* linked, incremental, hash */
 
-/* Cells of their own pay when a cell of the largest atoms could hold so many of the smallest: a ratio of sizes of 2.7 in space and
- * of 4.5 in the plane (docs/neighbor-methods.md). */
+/* Cells of their own pay when a cell of the largest atoms could hold so many of the smallest: a ratio of sizes of 2.7
+ * in space and of 4.5 in the plane (docs/neighbor-methods.md). */
 static const double crowd = 20.0;
 
 /** Largest radius of an atom up to @p limit, on all ranks (collective); 0 without atoms. */
@@ -49,8 +50,8 @@ static double largest_radius(const hs_sim *sim, double limit)
     return largest;
 }
 
-/** Small and large atoms into chains of their own where radii make the cutoffs and differ enough (collective): the border is the
- *  geometric mean of the extremes. */
+/** Small and large atoms into chains of their own where radii make the cutoffs and differ enough (collective): the
+ *  border is the geometric mean of the extremes. */
 static void choose_levels(hs_sim *sim)
 {
     hs_neighbor *neighbor = &sim->neighbor;

@@ -1,4 +1,5 @@
-/** The neighbor methods as the timestep sees them: one table entry each, and nothing else in sim/ knows which is which. */
+/** The neighbor methods as the timestep sees them: one table entry each, and nothing else in sim/ knows which is
+ *  which. */
 #ifndef HS_SIM_METHODS_H
 #define HS_SIM_METHODS_H
 
@@ -10,8 +11,8 @@ enum { HS_METHOD_TAKES_CELL = 1, HS_METHOD_TAKES_ORDER = 2, HS_METHOD_TAKES_STEN
 typedef struct hs_method {
     const char *help; /**< one line */
     unsigned options; /**< HS_METHOD_TAKES_... */
-    /** After the exchange, atoms in the box: halo, cells and lists of the present places. Halo and images of atoms stay as
-     *  they are until the next exchange, whatever the method: dumps do not tell one from another. */
+    /** After the exchange, atoms in the box: halo, cells and lists of the present places. Halo and images of atoms stay
+     *  as they are until the next exchange, whatever the method: dumps do not tell one from another. */
     HS_MUST_USE hs_status (*renew)(hs_sim *sim, hs_error *err);
     /** At the steps between two exchanges, halo positions being new. NULL: nothing to do. */
     HS_MUST_USE hs_status (*update)(hs_sim *sim, hs_error *err);

@@ -1,11 +1,13 @@
-/* Pair forces of a step: the method's kernels for each part of the pair style, the halo's forces home, sums over ranks. */
+/* Pair forces of a step: the method's kernels for each part of the pair style, the halo's forces home, sums over
+ * ranks. */
 #include <string.h>
 
 #include "core/exact_sum.h"
 #include "kernel/pair_histogram.h"
 #include "sim/methods.h"
 
-/** Index of the first part of the pair style that exerts forces; there is one. Its table has the distances of the lists. */
+/** Index of the first part of the pair style that exerts forces; there is one. Its table has the distances of the
+ *  lists. */
 static int first_part(const hs_pair *pair)
 {
     int k = 0;
@@ -107,8 +109,8 @@ static bool counts_distances(const hs_sim *sim, const hs_force_job *job)
            hs_force_can_count(job, sim->env.pair_counter->r_max);
 }
 
-/** One evaluation for each part of the pair style, each added to the forces of those before. The first waits for the halo's
- *  positions, the last sends the forces on it. */
+/** One evaluation for each part of the pair style, each added to the forces of those before. The first waits for the
+ *  halo's positions, the last sends the forces on it. */
 static hs_status add_parts(hs_sim *sim, bool with_energy, hs_force_result *sum, hs_error *err)
 {
     hs_force_job job = hs_sim_make_job(sim, with_energy);

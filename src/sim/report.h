@@ -1,4 +1,5 @@
-/** What the log says before and after a run, in the form that readers of LAMMPS's logs look for, and the progress line. */
+/** What the log says before and after a run, in the form that readers of LAMMPS's logs look for, and the progress
+ *  line. */
 #ifndef HS_SIM_REPORT_H
 #define HS_SIM_REPORT_H
 
@@ -12,8 +13,8 @@ void hs_report_setup(hs_sim *sim);
 void hs_report_finish(hs_sim *sim, int64_t n_steps, double loop_s, double cpu_s, const char *statistics);
 /** The first line of that alone. */
 void hs_report_loop(hs_sim *sim, int64_t n_steps, double loop_s);
-/** After a step: bring the line on the terminal up to date, at most twice a second. Not collective; does nothing when the
- *  screen is not a terminal. */
+/** After a step: bring the line on the terminal up to date, at most twice a second. Not collective; does nothing when
+ *  the screen is not a terminal. */
 void hs_report_progress(hs_sim *sim);
 
 #endif

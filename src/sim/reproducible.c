@@ -1,4 +1,5 @@
-/* Reproducible runs: positions on a power-of-two grid, forces and energies in fixed point. docs/architecture.md, Numbers. */
+/* Reproducible runs: positions on a power-of-two grid, forces and energies in fixed point. docs/architecture.md,
+ * Numbers. */
 #include <math.h>
 
 #include "sim/violation.h"
@@ -95,8 +96,8 @@ void hs_sim_settle_positions(hs_sim *sim)
     hs_sim_round_positions(sim);
 }
 
-/** Energies and virials of pairs whose forces fit their grid, |F| < 2^(force + HS_FIXED_BITS), are below r_c times that:
- *  the least coarse grid they fit. */
+/** Energies and virials of pairs whose forces fit their grid, |F| < 2^(force + HS_FIXED_BITS), are below r_c times
+ *  that: the least coarse grid they fit. */
 static int energy_exponent(int force_exponent, double cutoff) { return hs_fixed_exponent(cutoff, 0) + force_exponent; }
 
 void hs_sim_begin_grid(hs_sim *sim)

@@ -15,8 +15,8 @@ typedef struct hs_rerun_plan {
     bool post;           /**< timing table at the end */
 } hs_rerun_plan;
 
-/** Energies, forces and output of each snapshot that the plan wants, as if the run were at its step (collective). Fixes are
- *  asked for forces and samples; none moves atoms. */
+/** Energies, forces and output of each snapshot that the plan wants, as if the run were at its step (collective). Fixes
+ *  are asked for forces and samples; none moves atoms. */
 HS_MUST_USE hs_status hs_sim_rerun(hs_sim *sim, const hs_rerun_plan *plan, hs_error *err);
 
 #endif

@@ -137,7 +137,8 @@ void hs_restored_give_fields(hs_sim *sim, hs_restored_kind kind, const char *id)
     }
 }
 
-/** Whether the state has the names and counts that the new style asks for. Arrays of any length are empty in a new one. */
+/** Whether the state has the names and counts that the new style asks for. Arrays of any length are empty in a new
+ *  one. */
 static bool fits(successor new, const hs_state *state)
 {
     hs_state now = {0};

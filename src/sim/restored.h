@@ -1,5 +1,5 @@
-/** What read_restart brings for fixes and computes that the new deck is yet to define: as in LAMMPS, one of the same ID and style
- *  goes on from the state it had. It is kept until the next run begins. */
+/** What read_restart brings for fixes and computes that the new deck is yet to define: as in LAMMPS, one of the same ID
+ *  and style goes on from the state it had. It is kept until the next run begins. */
 #ifndef HS_SIM_RESTORED_H
 #define HS_SIM_RESTORED_H
 
@@ -18,8 +18,8 @@ HS_MUST_USE hs_status hs_restored_keep_style(hs_sim *sim, hs_restored_kind kind,
 HS_MUST_USE hs_status hs_restored_keep_field(hs_sim *sim, const char *name, size_t size, hs_error *err);
 /** A fix or compute was made: its fields of the atoms get what is kept. */
 void hs_restored_give_fields(hs_sim *sim, hs_restored_kind kind, const char *id);
-/** A run begins, and fixes and computes are ready: they get their states; the rest is forgotten. States that do not fit are told
- *  of. */
+/** A run begins, and fixes and computes are ready: they get their states; the rest is forgotten. States that do not fit
+ *  are told of. */
 HS_MUST_USE hs_status hs_restored_give_states(hs_sim *sim, hs_error *err);
 
 #endif

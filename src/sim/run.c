@@ -22,8 +22,8 @@ static hs_status check_system(hs_sim *sim, hs_error *err)
     return HS_OK;
 }
 
-/** Threads for the next run. Those of the environment are for all that is run there: where a rank has few atoms, threads would wait
- *  for each other longer than they work. What the options say is meant for this run. */
+/** Threads for the next run. Those of the environment are for all that is run there: where a rank has few atoms,
+ *  threads would wait for each other longer than they work. What the options say is meant for this run. */
 static void choose_threads(const hs_sim *sim)
 {
     enum { FEW_ATOMS = 1000 };
@@ -249,7 +249,8 @@ static void warn_of_late_lists(hs_sim *sim)
         hs_neighbor_methods[neighbor->settings.method]);
 }
 
-/** A run that failed leaves a picture of what went wrong, and can go on from the last checkpoint, perhaps with other settings. */
+/** A run that failed leaves a picture of what went wrong, and can go on from the last checkpoint, perhaps with other
+ *  settings. */
 static hs_status tell_what_is_left(hs_sim *sim, hs_status status, hs_error *err)
 {
     const hs_saving *saving = sim->saving;

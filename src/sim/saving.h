@@ -4,7 +4,8 @@
 
 #include "sim/sim.h"
 
-/** Settings of `restart` and `checkpoint`, of the options of the command line, and what was written. Zero is: no files. */
+/** Settings of `restart` and `checkpoint`, of the options of the command line, and what was written. Zero is: no
+ *  files. */
 typedef struct hs_saving {
     /* restart N file [file2] */
     int64_t restart_every;
@@ -36,16 +37,16 @@ typedef struct hs_saving {
 extern const char hs_saving_pattern[];
 
 void hs_saving_fini(hs_saving *saving);
-/** For runs whose deck says nothing of checkpoints: one each so many seconds, autosave.STEP.h5, each in place of the one
- *  before; when it cannot be written, the run goes on without. 0 or less: none. */
+/** For runs whose deck says nothing of checkpoints: one each so many seconds, autosave.STEP.h5, each in place of the
+ *  one before; when it cannot be written, the run goes on without. 0 or less: none. */
 void hs_saving_be_automatic(hs_saving *saving, double every_s);
 /** The deck says how it wants checkpoints. */
 void hs_saving_be_asked(hs_saving *saving);
 /** The deck has come to its end: automatic checkpoints have served (collective). */
 void hs_sim_remove_automatic(hs_sim *sim);
-/** The names of the files that are kept, for the checkpoint @p path among them; and taken from the checkpoint @p path that a run
- *  goes on from, so that it deletes what the run before it would have deleted. Names that do not follow the present pattern are
- *  not taken, and none if the file is not where it was written. */
+/** The names of the files that are kept, for the checkpoint @p path among them; and taken from the checkpoint @p path
+ *  that a run goes on from, so that it deletes what the run before it would have deleted. Names that do not follow the
+ *  present pattern are not taken, and none if the file is not where it was written. */
 HS_MUST_USE hs_status hs_saving_put_kept(const hs_saving *saving, const char *path, hs_state *state, hs_error *err);
 HS_MUST_USE hs_status hs_saving_get_kept(hs_saving *saving, const char *path, hs_state *state, hs_error *err);
 /** Settings of the program, kept over `clear`. */

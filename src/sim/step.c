@@ -20,8 +20,8 @@ static bool is_wanted(const hs_sim *sim)
     return false;
 }
 
-/** New cells, halo and lists when they are due; else only new positions of halo atoms, which may still be under way when this
- *  returns. */
+/** New cells, halo and lists when they are due; else only new positions of halo atoms, which may still be under way
+ *  when this returns. */
 static hs_status bring_neighbors_up_to_date(hs_sim *sim, hs_error *err)
 {
     bool is_due;

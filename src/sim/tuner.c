@@ -11,7 +11,8 @@ enum {
     STEPS_TO_PAY = 1000, /* shorter runs would spend too much of their time on the slower method */
 };
 
-/* With fewer neighbors in its half list than this, an atom is better served by `verlet`: short runs, which try nothing, use that. */
+/* With fewer neighbors in its half list than this, an atom is better served by `verlet`: short runs, which try nothing,
+ * use that. */
 static const double short_list = 6.0;
 
 /** Neighbors that an atom has in half a list, if the density is even. */

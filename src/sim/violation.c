@@ -1,7 +1,8 @@
 /* Atoms that overlap, are lost, or are nowhere: which ones, and a picture of the system just before and then.
  *
- * Why a picture and not a checkpoint: the state at the violation would only fail again, and a copy of the state before it, kept
- * in memory for this case alone, would cost a tenth of the memory. The positions of the last list build are there anyway. */
+ * Why a picture and not a checkpoint: the state at the violation would only fail again, and a copy of the state before
+ * it, kept in memory for this case alone, would cost a tenth of the memory. The positions of the last list build are
+ * there anyway. */
 #include "sim/violation.h"
 
 #include <math.h>

@@ -1,4 +1,5 @@
-/** What the fixes that set or add forces share: a force given by three words (numbers, variables, NULL), and a region. */
+/** What the fixes that set or add forces share: a force given by three words (numbers, variables, NULL), and a
+ *  region. */
 #ifndef HS_STYLE_APPLIED_FORCE_H
 #define HS_STYLE_APPLIED_FORCE_H
 

@@ -42,8 +42,8 @@ HS_MUST_USE hs_status hs_syntax_check(const hs_syntax *syntax, const hs_args *ar
 /** Index of the first keyword at or after the positional words, args->n when there is none. */
 int hs_syntax_first_keyword(const hs_syntax *syntax, const hs_args *args);
 
-/* Strict parsing of word i; every message names the command, the word, what was expected, and the nearest word where it helps. A word
- * that is missing is an error, too. */
+/* Strict parsing of word i; every message names the command, the word, what was expected, and the nearest word where it
+ * helps. A word that is missing is an error, too. */
 
 /** A finite number. */
 HS_MUST_USE hs_status hs_arg_double(const hs_args *args, int i, double *value, hs_error *err);

@@ -8,12 +8,12 @@
 enum { HS_ATOM_SUM_MAX = 8 }; /**< sums that one call can make */
 
 /** Add the terms of local atoms [begin, end), at most HS_EXACT_ARRAY_MAX, to sums[] with hs_exact_add or
- *  hs_exact_add_array; called for ranges of atoms by several threads at once. A term is whatever can be computed from one atom alone; what belongs to
- *  that atom may be changed on the way, for each is met once. */
+ *  hs_exact_add_array; called for ranges of atoms by several threads at once. A term is whatever can be computed from
+ *  one atom alone; what belongs to that atom may be changed on the way, for each is met once. */
 typedef void (*hs_atom_terms)(const hs_atoms *atoms, const void *context, int begin, int end, hs_exact_sum *sums);
 
-/** Bring an array that will be read next nearer: sums that read many arrays but compute little wait for memory else, for the
- *  processor's own guesses end with every page and every change of arrays. */
+/** Bring an array that will be read next nearer: sums that read many arrays but compute little wait for memory else,
+ *  for the processor's own guesses end with every page and every change of arrays. */
 #define HS_FETCH(array, n)                                                                                             \
     do {                                                                                                               \
         for (size_t k_ = 0; k_ < (size_t)(n) * sizeof *(array); k_ += 64)                                              \
@@ -24,8 +24,8 @@ typedef void (*hs_atom_terms)(const hs_atoms *atoms, const void *context, int be
 void hs_atom_sum(const hs_atoms *atoms, const hs_parallel *parallel, hs_atom_terms terms, const void *context, int n,
                  double *sums);
 
-/** Sums that are made at every step and seldom read. What depends on the step is done at it, by each rank for itself; ranks
- *  put their parts together, and sums are rounded, when one is read. Zero-initialised all are 0. */
+/** Sums that are made at every step and seldom read. What depends on the step is done at it, by each rank for itself;
+ *  ranks put their parts together, and sums are rounded, when one is read. Zero-initialised all are 0. */
 typedef struct hs_late_sums {
     hs_exact_sum part[HS_ATOM_SUM_MAX]; /**< this rank's; used up by reading */
     double value[HS_ATOM_SUM_MAX];

@@ -47,7 +47,8 @@ hs_status hs_balance_weight_read(hs_balance_weight *weight, const hs_args *args,
     return HS_OK;
 }
 
-/** What an atom of this rank has its share in (time, pairs), relative to the rank where that is least, stretched by the factor. */
+/** What an atom of this rank has its share in (time, pairs), relative to the rank where that is least, stretched by the
+ *  factor. */
 static double cost_by_share(const hs_env *env, double spent, double factor)
 {
     const int n = env->atoms->n_local;

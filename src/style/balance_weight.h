@@ -39,14 +39,15 @@ typedef struct hs_balance_weight {
     "first run, and with methods that keep no lists, all atoms count alike, which is said). `store` keeps the costs "  \
     "that the weights before it give, in the atoms' value `d_<name>` of fix property/atom."
 
-/** Read what follows the keyword `weight`, from word *i on; *i is then the last word that was used. Names are looked up later. */
+/** Read what follows the keyword `weight`, from word *i on; *i is then the last word that was used. Names are looked up
+ *  later. */
 HS_MUST_USE hs_status hs_balance_weight_read(hs_balance_weight *weight, const hs_args *args, int *i, hs_error *err);
 void hs_balance_weight_fini(hs_balance_weight *weight);
 /** Fail when what a weight names does not exist, now. */
 HS_MUST_USE hs_status hs_balance_weight_check(const hs_balance_weight *weight, const hs_env *env, const char *command,
                                               hs_error *err);
-/** Costs of the local atoms, *costs[n_local], the caller's (HS_FREE); NULL when all are the same. @p spent_s: what this rank's pair
- *  forces have taken. Collective, errors agreed. */
+/** Costs of the local atoms, *costs[n_local], the caller's (HS_FREE); NULL when all are the same. @p spent_s: what this
+ *  rank's pair forces have taken. Collective, errors agreed. */
 HS_MUST_USE hs_status hs_balance_weight_eval(hs_balance_weight *weight, const hs_env *env, double spent_s,
                                              const char *command, double **costs, hs_error *err);
 /** The load of this rank. */

@@ -12,7 +12,8 @@ typedef struct hs_box_flow {
     uint32_t moves_velocities; /**< or get the velocity of the image that they go over to (remap v) */
 } hs_box_flow;
 
-/** The velocity of all places that move with the box: that of the streaming fluid. Linear in the place; 0 where nothing changes the box. */
+/** The velocity of all places that move with the box: that of the streaming fluid. Linear in the place; 0 where nothing
+ *  changes the box. */
 typedef struct hs_box_flow_map {
     double at_origin[3];   /**< velocity of the place 0 0 0 */
     double gradient[3][3]; /**< d v_a / d x_b, 1/time; 0 below the diagonal */
@@ -28,6 +29,7 @@ static inline void hs_box_flow_at(const hs_box_flow_map *map, double x, double y
     v[1] = map->at_origin[1] + g[1][1] * y + g[1][2] * z;
     v[2] = map->at_origin[2] + g[2][2] * z;
 }
-/** An atom with these group bits is brought into the box from n edges away: its velocity v becomes that of its image there (remap v). */
+/** An atom with these group bits is brought into the box from n edges away: its velocity v becomes that of its image
+ *  there (remap v). */
 void hs_box_flow_cross(const hs_env *env, uint32_t mask, const int32_t n[3], double v[3]);
 #endif

@@ -13,8 +13,9 @@ static inline int hs_tilt_second(int tilt) { return tilt == 0 ? 1 : 2; }
 
 /** Write `<before>orthogonal box = (...) to (...)` or `<before>triclinic box = ... with tilt (...)` and a newline. */
 void hs_box_say(hs_sink *out, const char *before, const hs_box *box);
-/** Refuse tilts that the box cannot have (hs_box_check_tilt) and, unless the command `box tilt large` allowed it, those of more than
- *  half of the edge along the first axis, where that is periodic; with the command they are worth a warning. */
+/** Refuse tilts that the box cannot have (hs_box_check_tilt) and, unless the command `box tilt large` allowed it, those
+ *  of more than half of the edge along the first axis, where that is periodic; with the command they are worth a
+ *  warning. */
 HS_MUST_USE hs_status hs_box_check_shape(const hs_box *box, bool may_be_skewed, hs_sink *out, const char *command,
                                          hs_error *err);
 

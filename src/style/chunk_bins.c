@@ -179,8 +179,8 @@ static inline double wrapped(const hs_box *box, int axis, double x)
     return x >= box->hi[axis] ? x - hs_box_length(box, axis) : x;
 }
 
-/** The number below a distance in units of bins. Lattice sites on an edge belong to the upper bin, whatever the last bit of
- *  their coordinates. */
+/** The number below a distance in units of bins. Lattice sites on an edge belong to the upper bin, whatever the last
+ *  bit of their coordinates. */
 static inline double whole(double at) { return floor(at + 1e-10); }
 
 /** Shell of local atom i, from 0, or -1. */

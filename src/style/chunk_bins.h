@@ -1,5 +1,5 @@
-/** Bins of the box along one to three axes, and shells around a point or an axis: what compute chunk/atom numbers places
- *  by. */
+/** Bins of the box along one to three axes, and shells around a point or an axis: what compute chunk/atom numbers
+ *  places by. */
 #ifndef HS_STYLE_CHUNK_BINS_H
 #define HS_STYLE_CHUNK_BINS_H
 
@@ -38,8 +38,8 @@ typedef struct hs_chunk_bins {
     hs_bins_discard discard;
 } hs_chunk_bins;
 
-/** Read `axis origin delta` n_axes times from word 1 on. Lengths stay in the deck's units until hs_chunk_bins_scale, for
- *  keywords may change these. */
+/** Read `axis origin delta` n_axes times from word 1 on. Lengths stay in the deck's units until hs_chunk_bins_scale,
+ *  for keywords may change these. */
 HS_MUST_USE hs_status hs_chunk_bins_read(hs_chunk_bins *bins, const hs_env *env, const hs_args *args, int n_axes,
                                          hs_error *err);
 /** The same for `x y z rmin rmax n` of a sphere, and for `axis origin delta c1 c2 rmin rmax n` of a cylinder. */
@@ -50,8 +50,8 @@ HS_MUST_USE hs_status hs_chunk_bins_read_cylinder(hs_chunk_bins *bins, const hs_
 HS_MUST_USE hs_status hs_chunk_bins_read_bound(hs_chunk_bins *bins, const hs_args *args, int i, hs_error *err);
 /** After all words: lengths in lattice spacings become distances. */
 void hs_chunk_bins_scale(hs_chunk_bins *bins, const hs_env *env);
-/** Lay the bins over the present box: *n of them; one, the whole box, without any. *volume is that of one bin, or with shells
- *  of all space along the axes. @p command names the caller in messages. */
+/** Lay the bins over the present box: *n of them; one, the whole box, without any. *volume is that of one bin, or with
+ *  shells of all space along the axes. @p command names the caller in messages. */
 HS_MUST_USE hs_status hs_chunk_bins_lay(hs_chunk_bins *bins, const hs_env *env, const char *command, int64_t *n,
                                         double *volume, hs_error *err);
 /** Volume of bin c, from 0: distance^3, in two dimensions distance^2. @p volume is that of hs_chunk_bins_lay. */

@@ -1,5 +1,5 @@
-/** Chunks: a number for each atom that says which part of the system it belongs to now. Compute chunk/atom makes them; what
- *  is summed by chunk reads them through here. */
+/** Chunks: a number for each atom that says which part of the system it belongs to now. Compute chunk/atom makes them;
+ *  what is summed by chunk reads them through here. */
 #ifndef HS_STYLE_CHUNKS_H
 #define HS_STYLE_CHUNKS_H
 
@@ -30,8 +30,8 @@ static inline double hs_chunks_volume(const hs_chunks *chunks, int64_t c)
 }
 static inline hs_chunks *hs_chunks_of(const hs_compute *compute) { return compute->state; }
 
-/** sums[n_bins]: values[n_local] of the atoms with a group bit of @p mask, added up by their bin[n_local], from 1 (0: none). The same
- *  bits for any threads, ranks and order of atoms; exact to 2^-59 of the largest value. Collective. */
+/** sums[n_bins]: values[n_local] of the atoms with a group bit of @p mask, added up by their bin[n_local], from 1 (0:
+ *  none). The same bits for any threads, ranks and order of atoms; exact to 2^-59 of the largest value. Collective. */
 HS_MUST_USE hs_status hs_bins_sum(const hs_env *env, uint32_t mask, const double *bin, size_t n_bins,
                                   const double *values, double *sums, hs_error *err);
 /** The same by chunk (compute->atoms must be current). */

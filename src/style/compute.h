@@ -21,11 +21,12 @@ typedef struct hs_compute_style {
     HS_MUST_USE hs_status (*vector)(struct hs_compute *compute, hs_error *err);
     /** Fill compute->array[n_rows * n_columns], row by row; NULL: has no array. */
     HS_MUST_USE hs_status (*array)(struct hs_compute *compute, hs_error *err);
-    /** Fill compute->atoms for the local atoms: column k of atom i is atoms[k * n_local + i]; room for n_atom_columns (at
-     *  least one) columns is made before the call. Atoms outside the group get 0. NULL: has no values per atom. */
+    /** Fill compute->atoms for the local atoms: column k of atom i is atoms[k * n_local + i]; room for n_atom_columns
+     *  (at least one) columns is made before the call. Atoms outside the group get 0. NULL: has no values per atom. */
     HS_MUST_USE hs_status (*per_atom)(struct hs_compute *compute, hs_error *err);
-    /** Before the forces of a step at whose end it will be asked for (hs_value_announce): leave word in the env for what can be
-     *  measured on the way. Nothing may depend on it: whatever was not done is done when asked for. NULL: nothing can. */
+    /** Before the forces of a step at whose end it will be asked for (hs_value_announce): leave word in the env for
+     *  what can be measured on the way. Nothing may depend on it: whatever was not done is done when asked for. NULL:
+     *  nothing can. */
     void (*announce)(struct hs_compute *compute);
     /** A keyword of compute_modify and what follows it; *n_used = words taken, 0 when it is not the style's. */
     HS_MUST_USE hs_status (*modify)(struct hs_compute *compute, const hs_args *args, int *n_used, hs_error *err);
@@ -34,8 +35,8 @@ typedef struct hs_compute_style {
     /** Global values that outlive a step (a history), moved into a checkpoint or back (collective). Reading comes after
      *  create and init. NULL: there are none. */
     HS_MUST_USE hs_status (*keep_state)(struct hs_compute *compute, hs_state *state, hs_error *err);
-    /** Temperatures: the part of local atom i's velocity that is not thermal, distance/time; thermostats leave it as it is.
-     *  Holds for the present revision once the scalar was evaluated. NULL: everything is thermal. */
+    /** Temperatures: the part of local atom i's velocity that is not thermal, distance/time; thermostats leave it as it
+     *  is. Holds for the present revision once the scalar was evaluated. NULL: everything is thermal. */
     void (*bias)(const struct hs_compute *compute, int i, double bias[3]);
     /** Temperatures: whether local atom i of the group counts; NULL: all do. */
     bool (*counts)(const struct hs_compute *compute, int i);
@@ -45,8 +46,8 @@ typedef struct hs_compute_style {
     bool is_temperature, is_pressure; /**< may serve fix_modify temp / press */
 } hs_compute_style;
 
-/** One compute of a simulation. Results are remembered until atoms change (env->revision): hs_compute_scalar and the others
- *  evaluate at most once. */
+/** One compute of a simulation. Results are remembered until atoms change (env->revision): hs_compute_scalar and the
+ *  others evaluate at most once. */
 typedef struct hs_compute {
     const hs_compute_style *style;
     char *id;      /**< owned */
@@ -72,8 +73,8 @@ typedef struct hs_compute {
     double n_dof;         /**< temperature computes: degrees of freedom */
 } hs_compute;
 
-/** A new compute, ID copied. The caller keeps it, calls its init before each run, and gives it to hs_compute_destroy: the
- *  simulation for those of the deck, a fix for one of its own. */
+/** A new compute, ID copied. The caller keeps it, calls its init before each run, and gives it to hs_compute_destroy:
+ *  the simulation for those of the deck, a fix for one of its own. */
 HS_MUST_USE hs_status hs_compute_create(hs_compute **compute, hs_env *env, const hs_compute_style *style,
                                         const char *id, int group, const hs_args *args, hs_error *err);
 /** Free a compute and clear the pointer; NULL is fine. */
@@ -81,7 +82,8 @@ void hs_compute_destroy(hs_compute **compute);
 /** The compute style of that name, or NULL. */
 const hs_compute_style *hs_compute_style_find(const char *name);
 
-/** Evaluate if needed (collective); an error when the style has none, or needs an energy that this step did not compute. */
+/** Evaluate if needed (collective); an error when the style has none, or needs an energy that this step did not
+ *  compute. */
 HS_MUST_USE hs_status hs_compute_scalar(hs_compute *compute, double *value, hs_error *err);
 /** Element i (from 0) of the vector. */
 HS_MUST_USE hs_status hs_compute_vector(hs_compute *compute, int i, double *value, hs_error *err);

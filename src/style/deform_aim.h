@@ -24,7 +24,8 @@ typedef struct hs_deform_aim {
 HS_MUST_USE hs_status hs_deform_find_aim(const hs_deformation *d, const hs_env *env, hs_deform_aim *to, hs_error *err);
 /** How fast the edges and the lower corner change. */
 void hs_deform_set_flow(hs_box_flow *flow, const hs_deform_aim *to);
-/** The flow that a run begins with; what is not known before its first change stays as it is in @p flow (collective). */
+/** The flow that a run begins with; what is not known before its first change stays as it is in @p flow
+ *  (collective). */
 HS_MUST_USE hs_status hs_deform_begin_flow(const hs_deformation *d, const hs_env *env, hs_box_flow *flow,
                                            hs_error *err);
 

@@ -24,8 +24,8 @@ typedef struct hs_deform_path {
     char *variable[2]; /**< owned; equal-style variables: change since the start, distance, and its rate, velocity */
 } hs_deform_path;
 
-/** Read `style numbers` from word i on (lengths times @p unit); a tilt has neither scale nor volume, and its final and delta
- *  one number. *n_used counts the words. */
+/** Read `style numbers` from word i on (lengths times @p unit); a tilt has neither scale nor volume, and its final and
+ *  delta one number. *n_used counts the words. */
 HS_MUST_USE hs_status hs_deform_path_read(hs_deform_path *path, const hs_args *args, int i, bool is_tilt, double unit,
                                           int *n_used, hs_error *err);
 void hs_deform_path_fini(hs_deform_path *path);
@@ -41,8 +41,8 @@ typedef struct hs_deform_start {
     int64_t
         every; /**< steps between changes: as in LAMMPS the rate of trate is that of the value before the present change */
 } hs_deform_start;
-/** How much more it is at the present step than at the start of the run (or series of runs), and how fast that grows; 0 for HS_DEFORM_NOT
- *  and HS_DEFORM_VOLUME. Collective. */
+/** How much more it is at the present step than at the start of the run (or series of runs), and how fast that grows; 0
+ *  for HS_DEFORM_NOT and HS_DEFORM_VOLUME. Collective. */
 HS_MUST_USE hs_status hs_deform_growth(const hs_deform_path *path, const hs_env *env, const hs_deform_start *start,
                                        double *growth, double *rate, hs_error *err);
 

@@ -1,13 +1,13 @@
-/** Density modes of a group at the wave vectors of the periodic box: rho(q) = sum over atoms of exp(-i q r), for structure
- *  factors and scattering functions. */
+/** Density modes of a group at the wave vectors of the periodic box: rho(q) = sum over atoms of exp(-i q r), for
+ *  structure factors and scattering functions. */
 #ifndef HS_STYLE_DENSITY_H
 #define HS_STYLE_DENSITY_H
 
 #include "core/fourier.h"
 #include "style/env.h"
 
-/** Wave vectors with 0 < |q| <= q_max, of q and -q one: those whose products with the edges of the box are 2 pi n_x, 2 pi n_y and
- *  2 pi n_z, so q = 2 pi (n_x/L_x, n_y/L_y, n_z/L_z) in an orthogonal box. Zero it, set q_max, and free it
+/** Wave vectors with 0 < |q| <= q_max, of q and -q one: those whose products with the edges of the box are 2 pi n_x, 2
+ *  pi n_y and 2 pi n_z, so q = 2 pi (n_x/L_x, n_y/L_y, n_z/L_z) in an orthogonal box. Zero it, set q_max, and free it
  *  with hs_density_fini. */
 typedef struct hs_density {
     double q_max;    /**< 1/distance */

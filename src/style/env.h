@@ -42,8 +42,8 @@ typedef struct hs_env {
     const int64_t *n_listed_pairs;
     double reach; /**< largest cutoff and skin, distance; 0 without forces */
 
-    /** Commands are repeated to make styles anew before their state comes from a checkpoint: files that were written before
-     *  are to be added to, not emptied, and nothing is to be written. */
+    /** Commands are repeated to make styles anew before their state comes from a checkpoint: files that were written
+     *  before are to be added to, not emptied, and nothing is to be written. */
     bool is_resuming;
     bool dry_run; /**< halfshell check: nothing may open, write or remove a file */
 
@@ -54,10 +54,11 @@ typedef struct hs_env {
     int64_t ramp_stop;   /**< step at which the series ends (run stop); else last_step */
     int64_t clock_ahead; /**< step + clock_ahead counts all steps ever made: what reset_timestep took off the step */
     double dt;           /**< timestep, time */
-    /** Raised whenever positions, velocities, forces or the order of atoms change: results of computes are remembered for
-     *  one revision. Who changes atoms outside of the hooks before end_of_step raises it (hs_env_changed). */
+    /** Raised whenever positions, velocities, forces or the order of atoms change: results of computes are remembered
+     *  for one revision. Who changes atoms outside of the hooks before end_of_step raises it (hs_env_changed). */
     uint64_t revision;
-    /** Reproducible runs keep positions on a grid: (d + position_magic) - position_magic rounds to it. Else 0. See hs_moved. */
+    /** Reproducible runs keep positions on a grid: (d + position_magic) - position_magic rounds to it. Else 0. See
+     *  hs_moved. */
     double position_magic;
     double time_origin; /**< simulated time at step time_origin_step: set when dt changes, so that time goes on */
     int64_t time_origin_step;
@@ -74,14 +75,15 @@ typedef struct hs_env {
 
     /** Another length of steps from the next one on: all fixes hear of it. */
     hs_status (*set_timestep)(struct hs_env *env, double dt, hs_error *err);
-    /** Borrowed from the compute that announced it: the distances of this step's pairs are wanted, and may be counted while their
-     *  forces are computed. NULL: not wanted. */
+    /** Borrowed from the compute that announced it: the distances of this step's pairs are wanted, and may be counted
+     *  while their forces are computed. NULL: not wanted. */
     struct hs_pair_counter *pair_counter;
 
     /** How pairs of atoms interact now: see style/pair_scan.h. */
     void (*view_pairs)(struct hs_env *env, struct hs_pair_view *view);
     /** Coefficients of the pair style, or radii, were changed: make the tables of pair parameters anew (collective).
-     *  *needs_lists: pairs reach farther or less far, or by other radii, than before, so that the present step needs new lists. */
+     *  *needs_lists: pairs reach farther or less far, or by other radii, than before, so that the present step needs
+     *  new lists. */
     hs_status (*pairs_changed)(struct hs_env *env, bool *needs_lists, hs_error *err);
     /** The pair style; NULL without one. */
     struct hs_pair *(*pair)(struct hs_env *env);
@@ -115,8 +117,8 @@ static inline double hs_env_ramp(const hs_env *env)
                : 0.0;
 }
 
-/** The coordinate x moved by d; @p magic is env->position_magic. Every fix moves atoms by this: in reproducible runs the step,
- *  not the sum, is rounded to the position grid, so that an atom moves alike in all its periodic images. */
+/** The coordinate x moved by d; @p magic is env->position_magic. Every fix moves atoms by this: in reproducible runs
+ *  the step, not the sum, is rounded to the position grid, so that an atom moves alike in all its periodic images. */
 static inline double hs_moved(double x, double d, double magic) { return x + ((d + magic) - magic); }
 
 #endif

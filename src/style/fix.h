@@ -34,23 +34,26 @@ typedef struct hs_fix_style {
     HS_MUST_USE hs_status (*setup)(struct hs_fix *fix, hs_error *err); /**< after the run's first forces */
     HS_MUST_USE hs_status (*initial_integrate)(struct hs_fix *fix, hs_error *err); /**< half kick and drift */
     HS_MUST_USE hs_status (*post_integrate)(struct hs_fix *fix, hs_error *err); /**< after all drifts: walls, shifts */
-    /** After all moves, before lists and forces: change what these depend on, such as coefficients (env->pairs_changed). Also
-     *  before the first forces of a run (@p is_setup). */
+    /** After all moves, before lists and forces: change what these depend on, such as coefficients
+     *  (env->pairs_changed). Also before the first forces of a run (@p is_setup). */
     HS_MUST_USE hs_status (*pre_force)(struct hs_fix *fix, bool is_setup, hs_error *err);
-    /** First step, from the present one on, at which this fix wants lists made anew whatever the schedule; NULL: never. */
+    /** First step, from the present one on, at which this fix wants lists made anew whatever the schedule; NULL:
+     *  never. */
     int64_t (*next_exchange)(const struct hs_fix *fix);
-    /** Before atoms are brought back into the box and go to the ranks that own their places, whenever lists are due: add or remove
-     *  atoms, move the ranks' borders, tilt the box otherwise. */
+    /** Before atoms are brought back into the box and go to the ranks that own their places, whenever lists are due:
+     *  add or remove atoms, move the ranks' borders, tilt the box otherwise. */
     HS_MUST_USE hs_status (*pre_exchange)(struct hs_fix *fix, hs_error *err);
     /** Add to, or constrain, forces; called after the set-up's forces too, following setup. */
     HS_MUST_USE hs_status (*post_force)(struct hs_fix *fix, hs_error *err);
     HS_MUST_USE hs_status (*final_integrate)(struct hs_fix *fix, hs_error *err); /**< half kick */
     HS_MUST_USE hs_status (*end_of_step)(struct hs_fix *fix, hs_error *err);
     HS_MUST_USE hs_status (*end_of_run)(struct hs_fix *fix, hs_error *err); /**< after the last step and its output */
-    /** The timestep has changed within a run: compute anew what depends on env->dt. NULL: nothing is remembered of it. */
+    /** The timestep has changed within a run: compute anew what depends on env->dt. NULL: nothing is remembered of
+     *  it. */
     HS_MUST_USE hs_status (*dt_changed)(struct hs_fix *fix, hs_error *err);
-    /** Global values that decide the future, moved into a checkpoint or back (collective). Reading comes after create and
-     *  init; setup is not called then, for the run goes on in its midst. NULL: the words of the fix say everything. */
+    /** Global values that decide the future, moved into a checkpoint or back (collective). Reading comes after create
+     *  and init; setup is not called then, for the run goes on in its midst. NULL: the words of the fix say
+     *  everything. */
     HS_MUST_USE hs_status (*keep_state)(struct hs_fix *fix, hs_state *state, hs_error *err);
     /** After a run: tell people what was found. NULL: nothing is told. */
     void (*say_results)(const struct hs_fix *fix);
@@ -65,10 +68,11 @@ typedef struct hs_fix_style {
     bool is_extensive, is_vector_extensive; /**< as for computes; copied to the fix */
     /** Whether end_of_step of that step will ask for a pair energy or virial; NULL: never. */
     bool (*needs_energy)(const struct hs_fix *fix, int64_t step);
-    /** Announce the values that end_of_step of that step will ask for (hs_value_announce); NULL: the computes do without. */
+    /** Announce the values that end_of_step of that step will ask for (hs_value_announce); NULL: the computes do
+     *  without. */
     void (*announce)(const struct hs_fix *fix, int64_t step);
-    /** fix_modify temp, press: take the temperature or pressure from this compute, which there is and which computes one.
-     *  NULL: the style uses none. */
+    /** fix_modify temp, press: take the temperature or pressure from this compute, which there is and which computes
+     *  one. NULL: the style uses none. */
     HS_MUST_USE hs_status (*set_temperature)(struct hs_fix *fix, const char *id, hs_error *err);
     HS_MUST_USE hs_status (*set_pressure)(struct hs_fix *fix, const char *id, hs_error *err);
     bool needs_no_box;       /**< may be defined before there is a box */
@@ -112,10 +116,11 @@ typedef struct hs_fix {
 /** Whether post_force must fill fix->virial at this step. */
 static inline bool hs_fix_needs_virial(const hs_fix *fix) { return fix->adds_virial && fix->env->with_energy; }
 
-/** Fail when the step of the next sample has passed without one, which only a rerun of snapshots at other steps brings about. */
+/** Fail when the step of the next sample has passed without one, which only a rerun of snapshots at other steps brings
+ *  about. */
 HS_MUST_USE hs_status hs_fix_need_sample(const hs_fix *fix, int64_t next, hs_error *err);
-/** Make own[k]: a compute of that style with the ID <fix ID>_<suffix>, which the deck can use like any other. The fix calls its
- *  init. */
+/** Make own[k]: a compute of that style with the ID <fix ID>_<suffix>, which the deck can use like any other. The fix
+ *  calls its init. */
 HS_MUST_USE hs_status hs_fix_own_compute(hs_fix *fix, int k, const char *style, const char *suffix, int group,
                                          const hs_args *args, hs_error *err);
 /** The fix's own stream of noise: another for each style, ID and seed. */

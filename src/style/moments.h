@@ -29,8 +29,8 @@ static inline void hs_unwrapped_run(const hs_env *env, int axis, int begin, int 
     }
 }
 
-/** Total mass of the atoms with a bit of @p mask; center of mass from unwrapped places, or its velocity; 0 without atoms.
- *  Either may be NULL. Collective. */
+/** Total mass of the atoms with a bit of @p mask; center of mass from unwrapped places, or its velocity; 0 without
+ *  atoms. Either may be NULL. Collective. */
 double hs_center_of_mass(const hs_env *env, uint32_t mask, double x[3], double v[3]);
 
 #endif

@@ -6,8 +6,9 @@
 
 #include "core/box.h"
 
-/** Take whole edges off a difference of two places, along z, then y, then x, so that it is no longer than half of the box in any of
- *  them. If one of its images is shorter than half of the distance between any two faces, it is that one. */
+/** Take whole edges off a difference of two places, along z, then y, then x, so that it is no longer than half of the
+ *  box in any of them. If one of its images is shorter than half of the distance between any two faces, it is that
+ *  one. */
 static inline void hs_nearest_image(const hs_box *box, double d[3])
 {
     for (int axis = 2; axis >= 0; --axis) {

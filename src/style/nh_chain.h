@@ -19,8 +19,8 @@ HS_MUST_USE hs_status hs_nh_chain_create(hs_nh_chain *chain, hs_error *err);
 void hs_nh_chain_destroy(hs_nh_chain *chain);
 /** Forces on all links but the first: each keeps the one before it at @p kt. */
 void hs_nh_chain_force(hs_nh_chain *chain, double kt);
-/** Half a timestep of a chain that keeps @p kinetic (twice a kinetic energy) at @p target. Returns the factor by which the
- *  velocities of what it acts on are to be scaled. G. J. Martyna et al., Mol. Phys. 87, 1117 (1996),
+/** Half a timestep of a chain that keeps @p kinetic (twice a kinetic energy) at @p target. Returns the factor by which
+ *  the velocities of what it acts on are to be scaled. G. J. Martyna et al., Mol. Phys. 87, 1117 (1996),
  *  doi:10.1080/00268979600100761, section 2.3. */
 HS_MUST_USE double hs_nh_chain_advance(hs_nh_chain *chain, double kt, double target, double kinetic, double dt);
 /** Potential and kinetic energy of link k, and of all. */

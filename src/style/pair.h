@@ -43,8 +43,8 @@ typedef struct hs_pair_style {
 
 typedef enum { HS_MIX_GEOMETRIC, HS_MIX_ARITHMETIC, HS_MIX_SIXTHPOWER } hs_mix_rule;
 
-/** The pair style of a simulation, or one part of a hybrid one. Type tables are [(n_types + 1) * (n_types + 1)], indexed with
- *  hs_pair_index. */
+/** The pair style of a simulation, or one part of a hybrid one. Type tables are [(n_types + 1) * (n_types + 1)],
+ *  indexed with hs_pair_index. */
 typedef struct hs_pair {
     const hs_pair_style *style;
     hs_env *env;
@@ -71,8 +71,8 @@ HS_MUST_USE hs_status hs_pair_create(hs_pair **pair, const hs_pair_style *style,
 void hs_pair_destroy(hs_pair **pair);
 /** Take over what pair_modify set in a pair of the same style with the same parts. */
 void hs_pair_copy_modified(hs_pair *to, const hs_pair *from);
-/** Mix the coefficients of pairs of types that were not given, and fill the cutoffs; an error when neither can be. In a hybrid
- *  style a pair of types is mixed in each part that both its types are given in. */
+/** Mix the coefficients of pairs of types that were not given, and fill the cutoffs; an error when neither can be. In a
+ *  hybrid style a pair of types is mixed in each part that both its types are given in. */
 HS_MUST_USE hs_status hs_pair_complete(hs_pair *pair, hs_error *err);
 /** Whether any part exerts forces. */
 bool hs_pair_has_forces(const hs_pair *pair);

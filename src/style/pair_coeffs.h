@@ -34,11 +34,11 @@ HS_MUST_USE hs_status hs_pair_coeffs_no_settings(hs_pair *pair, const hs_args *a
 /** Cutoff of a pair from word @p i, or the one of all pairs when there is no such word. */
 HS_MUST_USE hs_status hs_pair_coeffs_read_cutoff(const hs_pair *pair, const hs_args *args, int i, double *cutoff,
                                                  hs_error *err);
-/** The coefficients that fix adapt may change, of all pairs of types: moved into a checkpoint or back; their names there begin
- *  with @p name. */
+/** The coefficients that fix adapt may change, of all pairs of types: moved into a checkpoint or back; their names
+ *  there begin with @p name. */
 HS_MUST_USE hs_status hs_pair_coeffs_keep(hs_pair *pair, const char *name, hs_state *state, hs_error *err);
-/** ->write_coeff of styles whose last word of pair_coeff (coeff_syntax.n_max) is the cutoff, and the others the coefficients in their
- *  order. Numbers have the digits that bring them back. */
+/** ->write_coeff of styles whose last word of pair_coeff (coeff_syntax.n_max) is the cutoff, and the others the
+ *  coefficients in their order. Numbers have the digits that bring them back. */
 HS_MUST_USE hs_status hs_pair_coeffs_write(const hs_pair *pair, int i, int j, hs_text *words, hs_error *err);
 /** The same of styles whose words are all coefficients: their cutoffs follow from these. */
 HS_MUST_USE hs_status hs_pair_coeffs_write_bare(const hs_pair *pair, int i, int j, hs_text *words, hs_error *err);

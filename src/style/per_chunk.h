@@ -41,8 +41,8 @@ typedef double (*hs_per_chunk_value)(const hs_compute *compute, int i, int64_t c
 /** Column k = sums over the atoms of each chunk (collective). */
 HS_MUST_USE hs_status hs_per_chunk_sum(hs_compute *compute, int k, hs_per_chunk_value value, const void *context,
                                        hs_error *err);
-/** Columns 0 to n_columns - 1, with the chunks' centers up to date: the context of `value` is an int, the column. A whole evaluation
- *  (collective). */
+/** Columns 0 to n_columns - 1, with the chunks' centers up to date: the context of `value` is an int, the column. A
+ *  whole evaluation (collective). */
 HS_MUST_USE hs_status hs_per_chunk_sum_moments(hs_compute *compute, hs_per_chunk_value value, hs_error *err);
 /** The same as hs_per_chunk_sum, into out[c * stride] for each chunk c. */
 HS_MUST_USE hs_status hs_per_chunk_add_up(hs_compute *compute, hs_per_chunk_value value, const void *context,
@@ -55,8 +55,8 @@ static inline void hs_per_chunk_arm(const hs_compute *compute, int i, int64_t c,
     const double *center = ((const hs_per_chunk *)compute->state)->center + 4 * c;
     for (int axis = 0; axis < 3; ++axis) d[axis] = hs_unwrapped(compute->env, axis, i) - center[axis];
 }
-/** Means weighted by mass of three values, as columns 0 to 2: `value` gets the axis as its context; 0 where there are no atoms
- *  (collective). */
+/** Means weighted by mass of three values, as columns 0 to 2: `value` gets the axis as its context; 0 where there are
+ *  no atoms (collective). */
 HS_MUST_USE hs_status hs_per_chunk_mean(hs_compute *compute, hs_per_chunk_value value, hs_error *err);
 
 #endif

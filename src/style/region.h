@@ -23,8 +23,8 @@ typedef struct hs_region_style {
     void (*destroy)(struct hs_region *region); /**< free what create allocated; NULL: nothing */
     /** Whether x is inside the shape, its surface included (side is applied by hs_region_contains). */
     bool (*inside)(const struct hs_region *region, const double x[3]);
-    /** Surfaces nearer than cutoff to a point x that the region (with its side in or out) contains: fills contact[], gives
-     *  their number. NULL: the region cannot be a wall. In two dimensions surfaces across z do not count. */
+    /** Surfaces nearer than cutoff to a point x that the region (with its side in or out) contains: fills contact[],
+     *  gives their number. NULL: the region cannot be a wall. In two dimensions surfaces across z do not count. */
     int (*surfaces)(const struct hs_region *region, const double x[3], double cutoff, hs_contact *contact);
     /** Whether this region is made of that one; NULL: of none. */
     bool (*uses)(const struct hs_region *region, const struct hs_region *other);

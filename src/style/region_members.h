@@ -1,4 +1,5 @@
-/** Regions made of other regions: what union and intersect have in common. Their state begins with hs_region_members. */
+/** Regions made of other regions: what union and intersect have in common. Their state begins with
+ *  hs_region_members. */
 #ifndef HS_STYLE_REGION_MEMBERS_H
 #define HS_STYLE_REGION_MEMBERS_H
 

@@ -1,5 +1,5 @@
-/** Hooks of fixes that add forces to atoms and show what these sum to: three components f_ID[1] ... f_ID[3], and an energy f_ID. The
- *  fix's state begins with the hs_late_sums of these four, in this order. */
+/** Hooks of fixes that add forces to atoms and show what these sum to: three components f_ID[1] ... f_ID[3], and an
+ *  energy f_ID. The fix's state begins with the hs_late_sums of these four, in this order. */
 #ifndef HS_STYLE_SHOWN_SUMS_H
 #define HS_STYLE_SHOWN_SUMS_H
 

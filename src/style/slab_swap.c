@@ -74,7 +74,8 @@ static void find_candidates(const hs_slab_swap *swap, const hs_fix *fix, hs_slab
     }
 }
 
-/** The next pair of all ranks: mine[slab] is the local index of a partner that is here, else -1. False: a layer has none left. */
+/** The next pair of all ranks: mine[slab] is the local index of a partner that is here, else -1. False: a layer has
+ *  none left. */
 static bool next_pair(const hs_fix *fix, candidates *c, int mine[2])
 {
     const hs_parallel *parallel = fix->env->parallel;

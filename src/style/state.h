@@ -1,5 +1,5 @@
-/** What of a style decides the future and must survive a restart: named numbers. One hook moves them in either direction,
- *  into a checkpoint or back out of it, so that writing and reading cannot differ:
+/** What of a style decides the future and must survive a restart: named numbers. One hook moves them in either
+ *  direction, into a checkpoint or back out of it, so that writing and reading cannot differ:
  *
  *      static hs_status keep_state(hs_fix *fix, hs_state *state, hs_error *err)
  *      {
@@ -43,7 +43,8 @@ HS_MUST_USE hs_status hs_state_double(hs_state *state, const char *name, double 
 HS_MUST_USE hs_status hs_state_int64(hs_state *state, const char *name, int64_t *values, int64_t n, hs_error *err);
 HS_MUST_USE hs_status hs_state_int(hs_state *state, const char *name, int *value, hs_error *err);
 HS_MUST_USE hs_status hs_state_bool(hs_state *state, const char *name, bool *value, hs_error *err);
-/** Arrays whose length is part of the state: when reading, *values is given back and allocated anew (hs_memory_alloc). */
+/** Arrays whose length is part of the state: when reading, *values is given back and allocated anew
+ *  (hs_memory_alloc). */
 HS_MUST_USE hs_status hs_state_doubles(hs_state *state, const char *name, double **values, int64_t *n, hs_error *err);
 HS_MUST_USE hs_status hs_state_int64s(hs_state *state, const char *name, int64_t **values, int64_t *n, hs_error *err);
 /** A string, or NULL: when reading, *text is given back and allocated anew. */

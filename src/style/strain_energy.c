@@ -21,7 +21,8 @@ static void invert(double h[3][3], double inverse[3][3])
     inverse[0][2] = (h[0][1] * h[1][2] * inverse[1][1] - h[0][2]) * inverse[0][0] * inverse[2][2];
 }
 
-/** S of the components that are wanted; h0^-T diag(h0) has ones on its diagonal and mixes those in its lower half into the others. */
+/** S of the components that are wanted; h0^-T diag(h0) has ones on its diagonal and mixes those in its lower half into
+ *  the others. */
 static void find_stress(double h[3][3], double inverse[3][3], const double stress[6], double s[3][3])
 {
     const double m21 = inverse[0][1] * h[0][0], m31 = inverse[0][2] * h[0][0], m32 = inverse[1][2] * h[1][1];

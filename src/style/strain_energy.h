@@ -2,8 +2,9 @@
  *
  *      E = 1/2 tr(sigma h^T h),      sigma = V0 h0^-1 S h0^-T
  *
- *  with the edges of the box as columns of h (h0, V0: reference box). Source: M. Parrinello, A. Rahman, J. Appl. Phys. 52, 7182 (1981),
- *  doi:10.1063/1.328693. (LAMMPS adds up h h^T: in tilted boxes that is no energy of the forces h sigma, and line searches end early.) */
+ *  with the edges of the box as columns of h (h0, V0: reference box). Source: M. Parrinello, A. Rahman, J. Appl. Phys.
+ *  52, 7182 (1981), doi:10.1063/1.328693. (LAMMPS adds up h h^T: in tilted boxes that is no energy of the forces h
+ *  sigma, and line searches end early.) */
 #ifndef HS_STYLE_STRAIN_ENERGY_H
 #define HS_STYLE_STRAIN_ENERGY_H
 
@@ -14,9 +15,9 @@ typedef struct hs_strain_energy {
     double sigma[3][3]; /**< pressure times volume over squared length */
 } hs_strain_energy;
 
-/** Make @p box the reference. Where the forces of its pressure are V P diag(h)^-1, as in fix box/relax, it comes to rest in its reference
- *  shape at the stress P = S h0^-T diag(h0): S is chosen so that the components on and above the diagonal are those of @p stress
- *  (xx yy zz xy xz yz; pressure). */
+/** Make @p box the reference. Where the forces of its pressure are V P diag(h)^-1, as in fix box/relax, it comes to
+ *  rest in its reference shape at the stress P = S h0^-T diag(h0): S is chosen so that the components on and above the
+ *  diagonal are those of @p stress (xx yy zz xy xz yz; pressure). */
 void hs_strain_energy_set(hs_strain_energy *strain, const hs_box *box, const double stress[6]);
 /** Pressure times volume. */
 double hs_strain_energy_of(const hs_strain_energy *strain, const hs_box *box);

@@ -1,7 +1,8 @@
-/** What all temperature computes share: degrees of freedom, sums, compute_modify. Their state begins with an hs_temperature.
+/** What all temperature computes share: degrees of freedom, sums, compute_modify. Their state begins with an
+ *  hs_temperature.
  *
- *  Thermal is a velocity without its bias, the part that the style leaves out (hs_compute_style.bias): thermostats change
- *  only the thermal part. */
+ *  Thermal is a velocity without its bias, the part that the style leaves out (hs_compute_style.bias): thermostats
+ *  change only the thermal part. */
 #ifndef HS_STYLE_TEMPERATURE_H
 #define HS_STYLE_TEMPERATURE_H
 
@@ -17,8 +18,8 @@ typedef struct hs_temperature {
     bool is_dynamic;  /**< atoms are counted at each evaluation: compute_modify dynamic/dof */
 } hs_temperature;
 
-/** Room for the tensor. The dimensions of the box are looked up when atoms are counted: the temperature of the thermo output
- *  exists before the deck says `dimension 2`. */
+/** Room for the tensor. The dimensions of the box are looked up when atoms are counted: the temperature of the thermo
+ *  output exists before the deck says `dimension 2`. */
 HS_MUST_USE hs_status hs_temperature_create(hs_compute *compute, int n_axes, hs_error *err);
 void hs_temperature_destroy(hs_compute *compute);
 /** Count the atoms: compute->n_dof. Before each run (collective). */

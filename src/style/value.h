@@ -1,5 +1,5 @@
-/** Values that a deck names: c_ID, c_ID[i], c_ID[i][j] of computes, f_ID... of fixes, v_name of variables, i_name and d_name of atoms. Thermo output,
- *  formulas, dumps, averages and reductions read them all through here.
+/** Values that a deck names: c_ID, c_ID[i], c_ID[i][j] of computes, f_ID... of fixes, v_name of variables, i_name and
+ *  d_name of atoms. Thermo output, formulas, dumps, averages and reductions read them all through here.
  *
  *  What a reference means depends on who asks, as in LAMMPS:
  *    number   c_ID the scalar, c_ID[i] an element of the vector, c_ID[i][j] one of the array (row i, column j)
@@ -21,14 +21,15 @@ typedef struct hs_value {
     int64_t index[2]; /**< from 1 */
 } hs_value;
 
-/** Whether a word has the form of a reference: c_ID, f_ID with up to two [i] (each a number, or a range with *), v_name, i_name or d_name.
- *  For the first pass over a deck. */
+/** Whether a word has the form of a reference: c_ID, f_ID with up to two [i] (each a number, or a range with *),
+ *  v_name, i_name or d_name. For the first pass over a deck. */
 bool hs_value_is_reference(const char *word);
 /** Length of the longest beginning of @p words that all are references (words with `$` count too). */
 int hs_value_count(const hs_args *args, int first);
 
-/** Read references; those with a range, c_ID[*] or c_ID[2*4], become several. Fails when a word is no reference, or what
- *  it names does not exist or has no such shape. (*values)[*n] is the caller's: hs_values_destroy. Not collective. */
+/** Read references; those with a range, c_ID[*] or c_ID[2*4], become several. Fails when a word is no reference, or
+ *  what it names does not exist or has no such shape. (*values)[*n] is the caller's: hs_values_destroy. Not
+ *  collective. */
 HS_MUST_USE hs_status hs_values_create(hs_value **values, int *n, hs_env *env, const hs_args *args, int first,
                                        int n_words, hs_value_shape shape, hs_error *err);
 /** The same for values that need not exist yet, unless a range asks for their length. */
@@ -40,8 +41,8 @@ HS_MUST_USE hs_status hs_value_init(hs_value *value, hs_env *env, const hs_args 
                                     hs_error *err);
 void hs_value_fini(hs_value *value);
 
-/** Fail, naming @p command, unless the value exists and has that shape (computes and fixes may have been removed since).
- *  Elements beyond the end are refused. */
+/** Fail, naming @p command, unless the value exists and has that shape (computes and fixes may have been removed
+ *  since). Elements beyond the end are refused. */
 HS_MUST_USE hs_status hs_value_check(hs_env *env, const hs_value *value, hs_value_shape shape, const char *command,
                                      hs_error *err);
 /** Whether the shape is there at all: no error. */
@@ -51,8 +52,8 @@ bool hs_value_exists(hs_env *env, const hs_value *value);
 /** How many elements, columns or rows index number @p which (0 or 1) may count in that shape; 0: the shape has none. */
 int hs_value_limit(hs_env *env, const hs_value *value, hs_value_shape shape, int which);
 
-/** Bring a vector, or column of an array, whose length varies up to date, so that hs_value_length is that of now (collective).
- *  Nothing for all others. */
+/** Bring a vector, or column of an array, whose length varies up to date, so that hs_value_length is that of now
+ *  (collective). Nothing for all others. */
 HS_MUST_USE hs_status hs_value_refresh(hs_env *env, const hs_value *value, hs_error *err);
 /** Whether the length of a vector, or of an array's columns, varies. */
 bool hs_value_is_variable(hs_env *env, const hs_value *value);
@@ -65,8 +66,8 @@ HS_MUST_USE hs_status hs_value_vector(hs_env *env, const hs_value *value, double
 /** out[n_local]: the value of each local atom (collective). */
 HS_MUST_USE hs_status hs_value_atoms(hs_env *env, const hs_value *value, double *out, hs_error *err);
 
-/** All that a reference stands for, of the first shape that is there: a number, an array (c_ID), a vector (c_ID; c_ID[j]: column
- *  j of an array). */
+/** All that a reference stands for, of the first shape that is there: a number, an array (c_ID), a vector (c_ID;
+ *  c_ID[j]: column j of an array). */
 typedef struct hs_value_extents {
     int rank; /**< 0: a number; 1: a vector; 2: an array */
     int n[2]; /**< lengths; 1 beyond the rank */
@@ -79,7 +80,8 @@ HS_MUST_USE hs_status hs_value_find_extents(hs_env *env, const hs_value *value, 
 HS_MUST_USE hs_status hs_value_all(hs_env *env, const hs_value *value, const hs_value_extents *extents, double *out,
                                    hs_error *err);
 
-/** Whether the value may ask for the pair energy or virial. What a variable asks for is not known before it does: yes. */
+/** Whether the value may ask for the pair energy or virial. What a variable asks for is not known before it does:
+ *  yes. */
 bool hs_value_needs_energy(hs_env *env, const hs_value *value);
 /** Tell the compute that it will be asked for at the end of the coming step: hs_compute_style.announce. */
 void hs_value_announce(hs_env *env, const hs_value *value);

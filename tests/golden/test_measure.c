@@ -11,7 +11,8 @@
 #include "support/harness.h"
 #include "support/run_deck.h"
 
-/* Files have 6 digits, the last of which may be rounded the other way, and trajectories agree to about 1e-10 in so few steps. */
+/* Files have 6 digits, the last of which may be rounded the other way, and trajectories agree to about 1e-10 in so few
+ * steps. */
 #define TOLERANCE 2e-5
 /* What cancels to zero (forces and momenta of a lattice) is rounding error in both programs. */
 #define SMALL 1e-9

@@ -1,4 +1,5 @@
-/* Minimisations against what LAMMPS prints (tests/golden/minimize.txt): energies on the way, and why and when they end. */
+/* Minimisations against what LAMMPS prints (tests/golden/minimize.txt): energies on the way, and why and when they
+ * end. */
 #include "support/run_deck.h"
 
 #include "physics/physics.h" /* after the others: its type `table` would be shadowed in their headers */
@@ -11,8 +12,8 @@ static void check_row(const char *name, const table *t, const char *line)
     ck_assert_int_eq(read_row(line, line + strcspn(line, "\n"), expected, 3), 3);
     while (row < t->n_rows && cell(t, row, 0) != expected[0]) ++row;
     ck_assert_msg(row < t->n_rows, "%s: no row of step %g", name, expected[0]);
-    /* Eight digits are printed. Rounding grows with the iterations, by a factor of some hundred until the end; at a minimum energies feel
-     * it in the second order only, pressures in the first. */
+    /* Eight digits are printed. Rounding grows with the iterations, by a factor of some hundred until the end; at a
+     * minimum energies feel it in the second order only, pressures in the first. */
     const double tolerance[2] = {1e-7 * fabs(expected[1]), 1e-6 * fabs(expected[2]) + 2e-8};
     for (int k = 0; k < 2; ++k)
         ck_assert_msg(fabs(cell(t, row, k + 1) - expected[k + 1]) <= tolerance[k],
@@ -80,7 +81,8 @@ static void finish(int n_threads, const char *method, double end[3])
     close_experiment(&e);
 }
 
-/* Sums over atoms are exact, moves are rounded to the grid of positions: any threads and any method reach the same bits. */
+/* Sums over atoms are exact, moves are rounded to the grid of positions: any threads and any method reach the same
+ * bits. */
 START_TEST(test_same_bits)
 {
     double first[3], other[3];

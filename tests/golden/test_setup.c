@@ -1,5 +1,5 @@
-/* Set-up commands against LAMMPS: box, positions, types and image numbers must have the same bits, velocities all but the
- * last few: LAMMPS rounds the sums for momentum and temperature at every atom, Halfshell once.
+/* Set-up commands against LAMMPS: box, positions, types and image numbers must have the same bits, velocities all but
+ * the last few: LAMMPS rounds the sums for momentum and temperature at every atom, Halfshell once.
  * tests/golden/setup/NAME.deck are the decks, NAME.values what lmp of 29 Sep 2021 made of them (setup/make.sh). */
 #include <inttypes.h>
 #include <math.h>

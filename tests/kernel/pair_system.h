@@ -1,5 +1,5 @@
-/** Systems of atoms for kernel tests, their forces by the neighbor methods, and by the slow obvious sum over all pairs and all
- *  periodic images. */
+/** Systems of atoms for kernel tests, their forces by the neighbor methods, and by the slow obvious sum over all pairs
+ *  and all periodic images. */
 #ifndef HS_TESTS_PAIR_SYSTEM_H
 #define HS_TESTS_PAIR_SYSTEM_H
 
@@ -284,8 +284,8 @@ static forces_t evaluate_with(system_t *s, method_t method, hs_isa isa, hs_preci
     return evaluate_counting(s, method, isa, precision, with_energy, NULL);
 }
 
-/** Forces, energy and virial within the tolerance, relative to the largest force of one pair (energy: to the sum and n); forces
- *  that sum to zero. */
+/** Forces, energy and virial within the tolerance, relative to the largest force of one pair (energy: to the sum and
+ *  n); forces that sum to zero. */
 static void assert_same(const forces_t *a, const forces_t *b, int n, bool with_energy, double tolerance,
                         const char *what)
 {

@@ -1,6 +1,6 @@
-/* The force kernel that counts the distances of its pairs, and the pass over a list that only counts: the histogram of the plain
- * sum over all pairs and images, and the forces of the kernel that does not count, bit for bit; in every instruction set, in
- * double and in fixed point, in two and three dimensions. */
+/* The force kernel that counts the distances of its pairs, and the pass over a list that only counts: the histogram of
+ * the plain sum over all pairs and images, and the forces of the kernel that does not count, bit for bit; in every
+ * instruction set, in double and in fixed point, in two and three dimensions. */
 #include "kernel/pair_system.h"
 
 extern const hs_evaluator hs_evaluator_lj_cut;

@@ -1,5 +1,6 @@
-/* Forces, energy and virial of the neighbor methods against the slow obvious sum over all pairs and all periodic images,
- * for every instruction set of this machine, over kinds of systems where cells, halos and ragged clusters go wrong. */
+/* Forces, energy and virial of the neighbor methods against the slow obvious sum over all pairs and all periodic
+ * images, for every instruction set of this machine, over kinds of systems where cells, halos and ragged clusters go
+ * wrong. */
 #include "kernel/pair_system.h"
 
 extern const hs_evaluator hs_evaluator_lj_cut;
@@ -36,10 +37,11 @@ static void add_lattice(system_t *s, const int n[3])
             }
 }
 
-/** Relative to the largest pair force. Double: a force is a sum of at most some hundred terms, none larger than that, each
- *  with a relative error of some epsilon (2.2e-16) from r^-14 and from x_i - x_j. Mixed: coordinates up to 6 from the origin
- *  are rounded to 2.4e-7 (half a unit of float there), which r^-14 turns into 14 * 2.4e-7 / 0.8 = 4e-6 a pair, with some ten
- *  near pairs, and as much again from float arithmetic. Fixed point: 50 bits for the largest pair, as good as double. */
+/** Relative to the largest pair force. Double: a force is a sum of at most some hundred terms, none larger than that,
+ *  each with a relative error of some epsilon (2.2e-16) from r^-14 and from x_i - x_j. Mixed: coordinates up to 6 from
+ *  the origin are rounded to 2.4e-7 (half a unit of float there), which r^-14 turns into 14 * 2.4e-7 / 0.8 = 4e-6 a
+ *  pair, with some ten near pairs, and as much again from float arithmetic. Fixed point: 50 bits for the largest pair,
+ *  as good as double. */
 static const double tolerances[HS_N_PRECISIONS] = {1e-12, 4e-5, 1e-12};
 
 static void check_all_methods(system_t *s, const char *what)

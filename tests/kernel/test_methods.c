@@ -99,8 +99,9 @@ START_TEST(same_tables)
     for (int method = 0; method < HS_N_METHODS; ++method)
         for (int n_threads = 1; n_threads <= 3; ++n_threads)
             for (int isa = 0; isa <= (method == HS_METHOD_NSQ ? 0 : (int)hs_isa_best()); ++isa) {
-                /* How threads share the work does not depend on the instruction set, and tests/physics/test_reproducible.c has
-                 * every method bit for bit on several: all numbers of threads for the usual method, one for the others. */
+                /* How threads share the work does not depend on the instruction set, and
+                 * tests/physics/test_reproducible.c has every method bit for bit on several: all numbers of threads for
+                 * the usual method, one for the others. */
                 const bool tries_all = method == HS_METHOD_CLUSTER && isa == (int)hs_isa_best();
                 if (!tries_all && n_threads != 1 + (isa + method) % 2) continue;
                 char what[160];

@@ -1,11 +1,12 @@
-/* Every pair style there is: forces by all methods, instruction sets and precisions against the plain sum; the force is minus
- * the slope of the energy; energy and force at the cutoff; published or exact values. */
+/* Every pair style there is: forces by all methods, instruction sets and precisions against the plain sum; the force is
+ * minus the slope of the energy; energy and force at the cutoff; published or exact values. */
 #include "kernel/pair_system.h"
 
 /** How a style is used here: words of pair_style, and of pair_coeff for the types 1 1, 2 2 and 1 2. */
 static const struct usage {
     const char *style, *words, *coeff[3];
-    /** Continuous at the cutoff: energy, then energy and force. 0: neither. With pair_modify shift yes, the energy always is. */
+    /** Continuous at the cutoff: energy, then energy and force. 0: neither. With pair_modify shift yes, the energy
+     *  always is. */
     int smoothness;
     bool can_shift;
 } usages[] = {
@@ -96,8 +97,8 @@ static void begin_system(system_t *s, hs_pair *pair, int dimension, const double
     s->table.is_uniform = hs_pair_table_is_uniform(&s->table);
 }
 
-/** As in test_forces.c; here no potential is steeper than r^-14 at r = 0.8, so the same tolerances hold, with exponentials
- *  and cosines of 2 units in the last place among the some tens of terms. */
+/** As in test_forces.c; here no potential is steeper than r^-14 at r = 0.8, so the same tolerances hold, with
+ *  exponentials and cosines of 2 units in the last place among the some tens of terms. */
 static const double tolerances[HS_N_PRECISIONS] = {1e-12, 4e-5, 1e-12};
 
 START_TEST(all_methods)
@@ -134,7 +135,8 @@ START_TEST(all_methods)
 }
 END_TEST
 
-/** By central differences: truncation h^2 U'''/6 with U''' below 1e5 of the energy's scale beyond r = 0.8; rounding eps U/h. */
+/** By central differences: truncation h^2 U'''/6 with U''' below 1e5 of the energy's scale beyond r = 0.8; rounding eps
+ *  U/h. */
 START_TEST(force_is_minus_slope)
 {
     const struct usage *usage = &usages[_i];

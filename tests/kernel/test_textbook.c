@@ -1,5 +1,5 @@
-/* Every neighbor method with its options x 2D and 3D x periodic and closed boxes x equal and unequal particles x densities
- * from 0.001 to 1.2, against the double loop: forces, energy and virial at the start and after some steps. */
+/* Every neighbor method with its options x 2D and 3D x periodic and closed boxes x equal and unequal particles x
+ * densities from 0.001 to 1.2, against the double loop: forces, energy and virial at the start and after some steps. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -39,7 +39,8 @@ static double next_uniform(uint64_t *state)
     return (double)(*state >> 11) * 0x1p-53;
 }
 
-/** Half the places on a jittered lattice that fills the box, the rest beside others, so that a thin gas has pairs too. */
+/** Half the places on a jittered lattice that fills the box, the rest beside others, so that a thin gas has pairs
+ *  too. */
 static void place(int dimension, double length, bool is_dense, double x[N_ATOMS][3])
 {
     const int side = dimension == 3 ? 5 : 12; /* 125 or 144 sites */
@@ -112,7 +113,8 @@ static void run(const char *text, int n_threads, result *kept)
     ck_assert_msg(err.status == HS_OK, "%s", err.text);
 }
 
-/** Sums in another order: 1e-15 of the terms, of which the largest are some hundred; 10 steps of motion make at most 1e3 of it. */
+/** Sums in another order: 1e-15 of the terms, of which the largest are some hundred; 10 steps of motion make at most
+ *  1e3 of it. */
 static void compare(const result *right, const result *other, const char *what)
 {
     const double tolerance = 1e-9;

@@ -1,5 +1,5 @@
-/* Tilted boxes: forces, energies and virials of every method against a plain sum over all periodic images, and wrapped places against
- * whole edges. The oracle knows the three edges of the box and nothing else. */
+/* Tilted boxes: forces, energies and virials of every method against a plain sum over all periodic images, and wrapped
+ * places against whole edges. The oracle knows the three edges of the box and nothing else. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>

@@ -29,7 +29,8 @@ static const vector_math *const sets[HS_N_ISAS][N_WIDTHS] = {
 enum { N = 16000 };
 static double x[N], y[N];
 
-/** Distance of y from the exact value, in last places of a number of that size (of the smallest normal number below it). */
+/** Distance of y from the exact value, in last places of a number of that size (of the smallest normal number below
+ *  it). */
 static double ulps(double value, long double exact, bool is_float)
 {
     if (is_float ? (float)exact == (float)value : (double)exact == value) return 0.0;

@@ -1,4 +1,5 @@
-/** What the tests of measures share: a deck run to its end with a look at the values that its computes and fixes then show. */
+/** What the tests of measures share: a deck run to its end with a look at the values that its computes and fixes then
+ *  show. */
 #ifndef HS_TESTS_MEASURED_H
 #define HS_TESTS_MEASURED_H
 

@@ -1,7 +1,8 @@
 /* Stochastic motion against exact solutions: free, trapped and active Brownian particles, Langevin dynamics.
  *
  * All seeds are fixed, so every run gives the same numbers. Means are compared within 3 standard errors of the sample
- * (0.3 % by chance, once, when the seeds were chosen), distributions by Kolmogorov-Smirnov at the 1 % limit 1.63/sqrt(n). */
+ * (0.3 % by chance, once, when the seeds were chosen), distributions by Kolmogorov-Smirnov at the 1 % limit
+ * 1.63/sqrt(n). */
 #include "physics/physics.h"
 
 typedef struct estimate {
@@ -151,7 +152,8 @@ START_TEST(test_free_brownian)
 }
 END_TEST
 
-/** A Brownian particle on a spring: the Euler-Maruyama scheme has the variance (kT/k) / (1 - k dt / (2 gamma)) exactly. */
+/** A Brownian particle on a spring: the Euler-Maruyama scheme has the variance (kT/k) / (1 - k dt / (2 gamma))
+ *  exactly. */
 START_TEST(test_trapped_brownian)
 {
     enum { N = 4000 };
@@ -183,8 +185,8 @@ START_TEST(test_trapped_brownian)
 }
 END_TEST
 
-/** Free Langevin particles: Maxwell's velocities, and <r^2> = 6 D (t - damp (1 - exp(-t/damp))), D = kT damp / m. The scheme
- *  has both exactly at whole steps, but for the exponential. */
+/** Free Langevin particles: Maxwell's velocities, and <r^2> = 6 D (t - damp (1 - exp(-t/damp))), D = kT damp / m. The
+ *  scheme has both exactly at whole steps, but for the exponential. */
 START_TEST(test_free_langevin)
 {
     enum { N = 4000 };
@@ -252,7 +254,8 @@ START_TEST(test_equipartition)
 }
 END_TEST
 
-/** Active particles that repel each other: the same bits on one thread and on three, and after the run is cut in two. */
+/** Active particles that repel each other: the same bits on one thread and on three, and after the run is cut in
+ *  two. */
 START_TEST(test_threads_and_cut_runs)
 {
     double *x[3], *v[3];

@@ -1,5 +1,6 @@
-/* What is known of groups and chunks beforehand: a body that turns as a whole has that angular velocity, a group with itself has the
- * energy of all, two groups pull at each other with opposite forces, and a thermostat leaves the motion of chunks alone. */
+/* What is known of groups and chunks beforehand: a body that turns as a whole has that angular velocity, a group with
+ * itself has the energy of all, two groups pull at each other with opposite forces, and a thermostat leaves the motion
+ * of chunks alone. */
 #include "physics/measured.h"
 
 #define LIQUID(region)                                                                                                 \

@@ -79,8 +79,8 @@ START_TEST(test_ideal_gas)
 }
 END_TEST
 
-/** A hot gas between walls that throw atoms back at random comes to their temperature and velocity, whatever the accommodation;
- *  its density stays even. */
+/** A hot gas between walls that throw atoms back at random comes to their temperature and velocity, whatever the
+ *  accommodation; its density stays even. */
 START_TEST(test_stochastic_walls)
 {
     enum { N = 3000 };
@@ -314,8 +314,8 @@ static void expect(const char *text, int exit_code, const char *const *parts)
     "timestep 0.005\nthermo 50\n"
 #define CELL "neighbor_method cell\n"
 
-/** Atom 2 flies free and is at 5.01 + 0.05 n after n steps: beyond 10 at step 100. All methods look when lists are due, here at
- *  every sixth step: 0.3 is more than half the skin. */
+/** Atom 2 flies free and is at 5.01 + 0.05 n after n steps: beyond 10 at step 100. All methods look when lists are due,
+ *  here at every sixth step: 0.3 is more than half the skin. */
 START_TEST(test_lost_atom)
 {
     expect(CLOSED_BOX "run 99\n", 0, PARTS("Loop time"));

@@ -1,5 +1,5 @@
-/* What is measured two ways agrees: correlations by transform and by the direct sum, means and the errors of their samples, rdf from
- * the force's list and from a scan of its own, energies and stresses per atom and their sums. */
+/* What is measured two ways agrees: correlations by transform and by the direct sum, means and the errors of their
+ * samples, rdf from the force's list and from a scan of its own, energies and stresses per atom and their sums. */
 #define _GNU_SOURCE
 #include <complex.h>
 
@@ -178,8 +178,8 @@ START_TEST(values_per_atom_add_up)
 }
 END_TEST
 
-/* A number's share of the upper bin is the mean of "it is above the middle"; and windows of one sample are samples. Of values per
- * atom, of which all but a few are counted, share and error are those of the ratio of two sums. */
+/* A number's share of the upper bin is the mean of "it is above the middle"; and windows of one sample are samples. Of
+ * values per atom, of which all but a few are counted, share and error are those of the ratio of two sums. */
 static void check_shares(hs_deck *deck, void *context)
 {
     static const char *const pairs[][2] = {{"f_h[2][3]", "f_t[1]"},     {"f_h[2][4]", "f_t[2]"},

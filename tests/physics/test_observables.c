@@ -1,5 +1,5 @@
-/* What an experiment would measure, mean-square displacement and pair correlation, from the double loop and from every other neighbor
- * method: the same bits, for runs are reproducible and count the same pairs. */
+/* What an experiment would measure, mean-square displacement and pair correlation, from the double loop and from every
+ * other neighbor method: the same bits, for runs are reproducible and count the same pairs. */
 #include "physics/physics.h"
 
 static const char *const methods[] = {"linked",      "linked cell 0.4 order none stencil cube",

@@ -95,8 +95,8 @@ START_TEST(strained_lattice)
 }
 END_TEST
 
-/* Unequal targets: along the axes, where forces are the derivatives of the energy, and in shear, where they are nearly so in a box that
- * is tilted, so that line searches end before the target is reached to the last digit. */
+/* Unequal targets: along the axes, where forces are the derivatives of the energy, and in shear, where they are nearly
+ * so in a box that is tilted, so that line searches end before the target is reached to the last digit. */
 START_TEST(unequal_targets)
 {
     const struct {

@@ -1,5 +1,5 @@
-/* Reproducible runs: the same bits of thermo output, positions, velocities and forces from every neighbor method, number of
- * threads, and instruction set with a fused multiply-add. Nothing here has a tolerance. */
+/* Reproducible runs: the same bits of thermo output, positions, velocities and forces from every neighbor method,
+ * number of threads, and instruction set with a fused multiply-add. Nothing here has a tolerance. */
 #include <sys/wait.h>
 
 #include "kernel/kernel.h"

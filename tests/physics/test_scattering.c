@@ -1,5 +1,5 @@
-/* Scattering functions and the motion of atoms against direct sums over a dump of all samples; the structure factor against its direct
- * sum and against the radial distribution function, of which it is the transform. */
+/* Scattering functions and the motion of atoms against direct sums over a dump of all samples; the structure factor
+ * against its direct sum and against the radial distribution function, of which it is the transform. */
 #define _GNU_SOURCE
 #include <complex.h>
 #include <string.h>
@@ -143,7 +143,8 @@ START_TEST(scattering_functions_are_those_of_the_direct_sum)
 END_TEST
 
 /** Both sides of one Fourier transform, weighted with a Gaussian so that both sums end: with G(r) = exp(-r^2/(2 w^2)) /
- *  (2 pi w^2)^(3/2),  rho / N sum over q of S(q) exp(-q^2 w^2/2) = sum over all ordered pairs and images of G(r) / N + G(0) - rho. */
+ *  (2 pi w^2)^(3/2),  rho / N sum over q of S(q) exp(-q^2 w^2/2) = sum over all ordered pairs and images of G(r) / N +
+ *  G(0) - rho. */
 static void check_width(hs_deck *deck, double w)
 {
     enum { N = 500 };
@@ -160,7 +161,8 @@ static void check_width(hs_deck *deck, double w)
         const double shell = 4.0 * M_PI / 3.0 * (upper * upper * upper - lower * lower * lower);
         from_g += rho * (N - 1.0) / N * g[i] * shell * peak * exp(-0.5 * r[i] * r[i] / (w * w));
     }
-    /* distances are known to half a bin, 0.0005: what remains is the rounding of some 20,000 distances, of random sign */
+    /* distances are known to half a bin, 0.0005: what remains is the rounding of some 20,000 distances, of random
+     * sign */
     ck_assert_msg(fabs(from_s - from_g) < 2e-4 * peak, "width %g: %.8g from S(q), %.8g from g(r)", w, from_s, from_g);
     free(r), free(g), free(qx), free(qy), free(qz), free(s);
 }

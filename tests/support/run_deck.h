@@ -4,8 +4,8 @@
 
 #include "deck/deck.h"
 
-/** Carry out the lines of @p deck one by one in a new simulation; what goes to the log is returned (the caller frees it with
- *  free), up to the first error, which is in @p err. */
+/** Carry out the lines of @p deck one by one in a new simulation; what goes to the log is returned (the caller frees it
+ *  with free), up to the first error, which is in @p err. */
 char *hs_test_run_deck(const char *deck, hs_error *err);
 /** The same with options of the command line; @p at_end, unless NULL, sees the deck after its last line. */
 char *hs_test_run_deck_with(const char *deck, const hs_options *options, void (*at_end)(hs_deck *deck, void *context),
@@ -23,8 +23,8 @@ void hs_test_command(hs_deck *deck, const char *line);
 char *hs_test_read_file(const char *path);
 void hs_test_write_file(const char *path, const char *text);
 
-/** Cases of a file, each a line "== name" and lines after it; the first one's lines (@p start) are what all begin with. Calls @p run for
- *  each of the others, which may change the text, and returns how many there are. */
+/** Cases of a file, each a line "== name" and lines after it; the first one's lines (@p start) are what all begin with.
+ *  Calls @p run for each of the others, which may change the text, and returns how many there are. */
 int hs_test_each_case(const char *path, void (*run)(const char *start, const char *name, char *text));
 
 #endif

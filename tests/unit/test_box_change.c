@@ -1,4 +1,5 @@
-/* Boxes that change while atoms go along, flip, or flow: in reproducible runs all images of an atom stay images in every bit. */
+/* Boxes that change while atoms go along, flip, or flow: in reproducible runs all images of an atom stay images in
+ * every bit. */
 #include <math.h>
 #include <string.h>
 

@@ -21,8 +21,8 @@ static hs_grid_plan plan_of(int dimension, double length, double reach, double e
 }
 
 /** Cells as wide as the cutoff: 13 neighbors in 3D, 4 in 2D, as every textbook says; half as wide: 62, the
- *  whole cube, of which a sphere reaches all (the corner's gap is sqrt(3)/2 of the cutoff); a third as wide: 171 in the cube,
- *  less the half of the 32 at offsets (3 3 3) and (3 3 2), whose gaps are sqrt(12)/3 and exactly 1. */
+ *  whole cube, of which a sphere reaches all (the corner's gap is sqrt(3)/2 of the cutoff); a third as wide: 171 in the
+ *  cube, less the half of the 32 at offsets (3 3 3) and (3 3 2), whose gaps are sqrt(12)/3 and exactly 1. */
 START_TEST(stencils)
 {
     static const struct {
@@ -154,7 +154,8 @@ START_TEST(chains_hold_all_atoms)
 }
 END_TEST
 
-/** The same atoms in a box of 10^15 times the volume: the same arrays. An array of all cells would not fit, and says so. */
+/** The same atoms in a box of 10^15 times the volume: the same arrays. An array of all cells would not fit, and says
+ *  so. */
 START_TEST(hash_goes_by_atoms)
 {
     hs_atoms atoms;

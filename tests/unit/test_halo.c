@@ -1,5 +1,5 @@
-/* The halo of one rank: every copy is its source's place and a box length away, whatever the number of threads, with more threads than
- * atoms, and after a sort; what the copies have is added to their sources, each once. */
+/* The halo of one rank: every copy is its source's place and a box length away, whatever the number of threads, with
+ * more threads than atoms, and after a sort; what the copies have is added to their sources, each once. */
 #include <stdio.h>
 #include <string.h>
 

@@ -1,5 +1,5 @@
-/* Measures of the neighbors of each atom against double loops over all pairs: compute hexorder/atom. (LAMMPS's package with
- * it is often not built in.) */
+/* Measures of the neighbors of each atom against double loops over all pairs: compute hexorder/atom. (LAMMPS's package
+ * with it is often not built in.) */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -114,7 +114,8 @@ START_TEST(test_distribution)
         double *a = draw_numbers((hs_noise_kind)kind, N, 10, "one"), sum[5] = {0};
         for (int i = 0; i < N; ++i)
             for (int p = 1; p < 5; ++p) sum[p] += pow(a[i], p) / N;
-        /* variances of x, x^2, x^3, x^4: from the moments 1, 9/5, 27/7, 9 of the uniform, 1, 3, 15, 105 of the normal one */
+        /* variances of x, x^2, x^3, x^4: from the moments 1, 9/5, 27/7, 9 of the uniform, 1, 3, 15, 105 of the normal
+         * one */
         const double fourth = kind == HS_NOISE_UNIFORM ? 1.8 : 3.0,
                      sixth = kind == HS_NOISE_UNIFORM ? 27.0 / 7.0 : 15.0,
                      eighth = kind == HS_NOISE_UNIFORM ? 9.0 : 105.0;

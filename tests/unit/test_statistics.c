@@ -72,7 +72,8 @@ static hs_estimate two_times(uint64_t seed, double part, double fast, double slo
 
 enum { SERIES = 2000 };
 
-/** The true mean, 0, must lie within one error in 68.3 % of the series, give or take 1.0 % by chance (one standard deviation for
+/** The true mean, 0, must lie within one error in 68.3 % of the series, give or take 1.0 % by chance (one standard
+ *  deviation for
  *  2000) and 2 % for what the estimate assumes. */
 static void check_fraction(const char *what, int n_within, double lowest, double highest)
 {
@@ -114,7 +115,8 @@ START_TEST(errors_are_honest)
 }
 END_TEST
 
-/* A slow mode with a tenth of the variance and most of the error: by blocks alone 45 % to 55 % would be within one error. */
+/* A slow mode with a tenth of the variance and most of the error: by blocks alone 45 % to 55 % would be within one
+ * error. */
 START_TEST(slow_modes_are_seen)
 {
     int n_within[2] = {0};
@@ -140,8 +142,8 @@ START_TEST(short_series_say_so)
 }
 END_TEST
 
-/** Means of groups that vary in size: sums over 0 to 8 correlated values each, with the number as the weight. The errors of
- *  the ratio of both sums must be honest too; series 1 of the set has no weights and is the plain mean. */
+/** Means of groups that vary in size: sums over 0 to 8 correlated values each, with the number as the weight. The
+ *  errors of the ratio of both sums must be honest too; series 1 of the set has no weights and is the plain mean. */
 START_TEST(errors_of_ratios_are_honest)
 {
     enum { N = 1000 };

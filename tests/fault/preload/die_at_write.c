@@ -1,6 +1,6 @@
-/* Loaded before a program (LD_PRELOAD) this kills it at the N-th change it makes to a file: N in DIE_AT_WRITE. A write is done
- * up to the first border of a page inside it, as the kernel may leave it; one within a page is not done. Without, the
- * changes are counted into the file named by COUNT_WRITES. Used by tests/fault. */
+/* Loaded before a program (LD_PRELOAD) this kills it at the N-th change it makes to a file: N in DIE_AT_WRITE. A write
+ * is done up to the first border of a page inside it, as the kernel may leave it; one within a page is not done.
+ * Without, the changes are counted into the file named by COUNT_WRITES. Used by tests/fault. */
 #define _GNU_SOURCE
 #include <dlfcn.h>
 #include <signal.h>

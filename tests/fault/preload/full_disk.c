@@ -1,5 +1,5 @@
-/* Loaded before a program (LD_PRELOAD) this makes a disk that is full: no file whose name holds the word FULL_NAME may grow beyond
- * FULL_BYTES bytes. Used by tests/fault where no small file system can be mounted. */
+/* Loaded before a program (LD_PRELOAD) this makes a disk that is full: no file whose name holds the word FULL_NAME may
+ * grow beyond FULL_BYTES bytes. Used by tests/fault where no small file system can be mounted. */
 #define _GNU_SOURCE
 #include <dlfcn.h>
 #include <errno.h>
