@@ -1,7 +1,6 @@
 #include "base/error.h"
 
 #include <stdio.h>
-#include <string.h>
 
 hs_status(hs_fail)(hs_error *err, hs_status status, const char *fmt, ...)
 {

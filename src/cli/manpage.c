@@ -1,6 +1,5 @@
 /* halfshell(1): the man page, in troff, from the same tables as the manual. */
 #include <stdio.h>
-#include <string.h>
 
 #include "base/memory.h"
 #include "cli/catalog.h"

@@ -4,7 +4,6 @@
 #include <string.h>
 #include <strings.h>
 
-#include "base/memory.h"
 #include "cli/report.h"
 
 hs_status hs_html_text(hs_text *page, const char *text, hs_error *err)

@@ -1,10 +1,8 @@
 /* What a log says beside its thermo tables. */
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 #include <zlib.h>
 
-#include "base/memory.h"
 #include "cli/report.h"
 #include "deck/command.h"
 

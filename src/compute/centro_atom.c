@@ -4,7 +4,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/memory.h"
 #include "style/nearest.h"
 #include "style/pair_scan.h"
 

@@ -1,6 +1,5 @@
 /* Clusters of atoms: two atoms nearer than a distance belong to one cluster, and so do all that are linked by such
  * pairs. */
-#include <string.h>
 
 #include "base/memory.h"
 #include "style/compute.h"

@@ -2,7 +2,7 @@
 #include <string.h>
 
 #include "base/memory.h"
-#include "style/atom_sum.h"
+#include "core/exact_sum.h"
 #include "style/compute.h"
 #include "style/pair_scan.h"
 

@@ -3,7 +3,7 @@
  * Source: J. H. Irving, J. G. Kirkwood, J. Chem. Phys. 18, 817 (1950), doi:10.1063/1.1747782. */
 #include "base/memory.h"
 #include "style/atom_sum.h"
-#include "style/value.h"
+#include "style/compute.h"
 
 enum { KE, PE, STRESS, N_INPUTS };
 static const char *const styles[N_INPUTS] = {"ke/atom", "pe/atom", "stress/atom"};

@@ -1,5 +1,4 @@
 /* Sizes, numbers and places of chunks. */
-#include <string.h>
 
 #include "base/memory.h"
 #include "style/per_chunk.h"

@@ -1,9 +1,7 @@
 /* Radial distribution function g(r), and the mean number of neighbors up to r. */
 #include <math.h>
-#include <string.h>
 
 #include "base/memory.h"
-#include "base/text.h"
 #include "kernel/pair_histogram.h"
 #include "style/atom_sum.h"
 #include "style/compute.h"

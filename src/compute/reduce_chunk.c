@@ -1,6 +1,5 @@
 /* One number for each chunk from the values of its atoms. */
 #include <float.h>
-#include <string.h>
 
 #include "base/memory.h"
 #include "style/per_chunk.h"

@@ -6,7 +6,6 @@
 
 #include "base/memory.h"
 #include "core/atom_style.h"
-#include "style/atom_sum.h"
 #include "style/chunks.h"
 #include "style/temperature.h"
 

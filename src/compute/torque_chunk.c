@@ -1,5 +1,4 @@
 /* Torque on each chunk about its center of mass. */
-#include "core/atom_style.h"
 #include "style/per_chunk.h"
 
 /** (r - r_cm) x f along an axis. */

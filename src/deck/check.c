@@ -1,5 +1,4 @@
 /** The first pass: what can be said about a deck before anything runs. */
-#include <stdio.h>
 #include <string.h>
 #include <unistd.h>
 

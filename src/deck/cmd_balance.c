@@ -2,7 +2,6 @@
 #include <string.h>
 
 #include "base/memory.h"
-#include "base/text.h"
 #include "base/timer.h"
 #include "comm/balance.h"
 #include "deck/command.h"

@@ -3,7 +3,6 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "base/text.h"
 #include "deck/command.h"
 #include "style/box_shape.h"
 

@@ -1,5 +1,4 @@
 /* Commands that make atoms: create_atoms, mass. */
-#include <stdio.h>
 #include <string.h>
 
 #include "base/memory.h"

@@ -6,7 +6,6 @@
 #include "deck/by_id.h"
 #include "deck/command.h"
 #include "deck/marsaglia.h"
-#include "style/atom_sum.h"
 #include "style/pair_scan.h"
 
 typedef enum { DELETE_GROUP, DELETE_REGION, DELETE_OVERLAP, DELETE_POROSITY } delete_style;

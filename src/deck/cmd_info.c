@@ -1,5 +1,4 @@
 /* The command info: what there is at this point of the deck. */
-#include <stdio.h>
 #include <string.h>
 
 #include "base/memory.h"

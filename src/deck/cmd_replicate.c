@@ -1,5 +1,4 @@
 /* The command replicate. */
-#include <string.h>
 
 #include "base/memory.h"
 #include "deck/command.h"

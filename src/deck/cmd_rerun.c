@@ -1,7 +1,6 @@
 /* Commands that read trajectories back: read_dump, rerun. */
 #include <string.h>
 
-#include "base/memory.h"
 #include "base/text.h"
 #include "deck/command.h"
 #include "sim/rerun.h"

@@ -1,5 +1,4 @@
 /* Commands of time: run, timestep, reset_timestep. */
-#include <stdio.h>
 #include <string.h>
 
 #include "deck/command.h"

@@ -1,7 +1,6 @@
 /* Commands before the box: units, dimension, boundary, atom_style, atom_modify, newton, processors. */
 #include <string.h>
 
-#include "base/text.h"
 #include "core/atom_style.h"
 #include "deck/command.h"
 #include "deck/place_atoms.h"

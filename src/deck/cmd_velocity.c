@@ -4,7 +4,6 @@
 #include <string.h>
 
 #include "base/memory.h"
-#include "base/text.h"
 #include "core/atom_style.h"
 #include "core/random.h"
 #include "deck/by_id.h"

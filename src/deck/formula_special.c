@@ -1,6 +1,5 @@
 /** Special functions of formulas: about vectors of computes and fixes, groups and regions per atom, and what is
  *  defined. */
-#include <stdio.h>
 #include <string.h>
 #include <unistd.h>
 

@@ -1,5 +1,4 @@
 /* dump custom: chosen values of every atom. */
-#include <string.h>
 
 #include "io/dump_table.h"
 

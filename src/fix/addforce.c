@@ -53,9 +53,9 @@ static void destroy(hs_fix *fix)
 
 static hs_status init(hs_fix *fix, hs_error *err)
 {
-    const addforce_state *state = fix->state;
+    addforce_state *state = fix->state;
     const hs_env *env = fix->env;
-    HS_TRY(hs_applied_force_init(&((addforce_state *)fix->state)->force, fix, true, err));
+    HS_TRY(hs_applied_force_init(&state->force, fix, true, err));
     if (state->energy_variable == NULL) return HS_OK;
     const int kind = env->variable_kind != NULL ? env->variable_kind(env->deck, state->energy_variable) : 0;
     if (kind == 2) return HS_OK;

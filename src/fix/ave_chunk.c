@@ -5,7 +5,6 @@
 #include "io/average.h"
 #include "io/chunk_columns.h"
 #include "style/chunks.h"
-#include "style/value.h"
 
 typedef struct ave_state {
     hs_schedule schedule;

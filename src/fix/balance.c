@@ -1,8 +1,7 @@
 /* Moves the cut planes between the ranks' bricks now and then, so that all ranks have equal work. */
-#include <string.h>
 
-#include "base/memory.h"
 #include "comm/balance.h"
+#include "base/memory.h"
 #include "style/balance_weight.h"
 #include "style/fix.h"
 

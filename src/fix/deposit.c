@@ -3,7 +3,6 @@
 #include <math.h>
 #include <string.h>
 
-#include "base/memory.h"
 #include "core/lattice.h"
 #include "core/random.h"
 #include "style/fix.h"

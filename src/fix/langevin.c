@@ -6,7 +6,6 @@
 #include <string.h>
 
 #include "base/memory.h"
-#include "core/atom_style.h"
 #include "fix/bath.h"
 #include "kernel/noise_fill.h"
 #include "style/atom_sum.h"

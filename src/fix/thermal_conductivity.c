@@ -1,7 +1,5 @@
 /* Makes heat flow through a fluid, for its thermal conductivity: a hot atom of one layer and a cold one of another
  * exchange their velocities. Source: F. Müller-Plathe, J. Chem. Phys. 106, 6082 (1997), doi:10.1063/1.473271. */
-#include <math.h>
-#include <string.h>
 
 #include "core/atom_style.h"
 #include "style/slab_swap.h"

@@ -1,5 +1,4 @@
 /* Friction against a resting medium:  F = -gamma v. */
-#include <string.h>
 
 #include "base/memory.h"
 #include "style/fix.h"

@@ -1,5 +1,4 @@
 /* The surface of a region as a wall with a potential of the distance to it. */
-#include <math.h>
 #include <string.h>
 
 #include "style/atom_sum.h"

@@ -9,7 +9,6 @@
 #include <zlib.h>
 
 #include "base/memory.h"
-#include "base/text.h"
 #include "io/checkpoint_internal.h"
 #include "io/h5.h"
 #include "io/h5_driver.h"

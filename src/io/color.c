@@ -4,7 +4,6 @@
 #include <string.h>
 
 #include "base/memory.h"
-#include "base/text.h"
 
 /** The colour names of the web (CSS Color Module Level 3, section 4.3), which LAMMPS has too. */
 static const struct {

@@ -3,7 +3,6 @@
 #include <string.h>
 
 #include "base/memory.h"
-#include "base/text.h"
 #include "io/color.h"
 
 enum { NAMED_SIZE = 9 };

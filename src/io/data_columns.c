@@ -1,5 +1,4 @@
 /* Columns of the sections Atoms and Velocities, which differ between atom styles. */
-#include <math.h>
 
 #include "core/atom_style.h"
 #include "io/data_internal.h"

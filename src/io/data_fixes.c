@@ -1,7 +1,6 @@
 /* Sections of data files that fixes write and read: a line for each atom, its id and the values of the fix. */
 #include <string.h>
 
-#include "base/memory.h"
 #include "io/data_internal.h"
 
 const hs_data_section *hs_data_find_section(const hs_data_reader *reader, const char *name)

@@ -1,6 +1,5 @@
 /* Which atoms a snapshot holds, and in which order. */
 #include <stdlib.h>
-#include <string.h>
 
 #include "base/memory.h"
 #include "io/dump_table.h"

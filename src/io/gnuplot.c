@@ -8,8 +8,6 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "base/memory.h"
-
 extern char **environ;
 
 /** Script, picture and messages go through files without names: no pipe can fill up, whatever their size. */

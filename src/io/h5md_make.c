@@ -6,8 +6,6 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "base/memory.h"
-#include "base/text.h"
 #include "io/h5.h"
 #include "io/h5_driver.h"
 #include "io/h5md_internal.h"

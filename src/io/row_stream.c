@@ -1,7 +1,5 @@
 #include "io/row_stream.h"
 
-#include <string.h>
-
 #include "base/memory.h"
 
 /* Pieces in which rows travel: some hundred kilobytes, less where pieces of very many ranks must be held at once. */

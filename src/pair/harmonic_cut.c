@@ -16,8 +16,6 @@ HS_EVALUATE(const hs_vec *p, hs_vec r2, hs_vec *force_over_r, hs_vec *energy, bo
 
 #ifndef HS_KERNEL_ISA
 
-#include <math.h>
-
 #include "style/pair_coeffs.h"
 
 static hs_status coeff(hs_pair *pair, int i, int j, const hs_args *args, hs_error *err)

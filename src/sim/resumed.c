@@ -2,7 +2,6 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "base/memory.h"
 #include "sim/methods.h"
 #include "sim/saving.h"
 #include "sim/thermo.h"

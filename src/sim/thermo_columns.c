@@ -2,7 +2,6 @@
 #include <string.h>
 
 #include "base/memory.h"
-#include "base/text.h"
 #include "sim/thermo_internal.h"
 
 static void fini_column(hs_thermo_column *column)

@@ -1,5 +1,4 @@
 /* Number formats of thermo output: thermo_modify format, else those of the style. */
-#include <string.h>
 
 #include "base/memory.h"
 #include "io/user_format.h"

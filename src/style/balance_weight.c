@@ -1,7 +1,6 @@
 #include "style/balance_weight.h"
 
 #include <math.h>
-#include <string.h>
 
 #include "base/memory.h"
 #include "style/custom_atom.h"

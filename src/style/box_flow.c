@@ -1,7 +1,5 @@
 #include "style/box_flow.h"
 
-#include <string.h>
-
 hs_box_flow_map hs_box_flow_now(const hs_env *env)
 {
     const hs_box *box = env->box;

@@ -1,6 +1,5 @@
 #include "style/fix.h"
 
-#include "base/memory.h"
 #include "style/atom_sum.h"
 #include "style/compute.h"
 #include "style/moments.h"

@@ -1,7 +1,6 @@
 #include "style/per_chunk.h"
 
 #include <stdio.h>
-#include <string.h>
 
 #include "base/memory.h"
 #include "core/atom_style.h"
