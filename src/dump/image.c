@@ -221,15 +221,12 @@ static void destroy(hs_dump *dump)
 
 static hs_status init(hs_dump *dump, hs_error *err)
 {
-    const hs_dump_image *state = dump->state;
-    const char *region = state->table.region_id;
+    hs_dump_image *state = dump->state;
     if (strchr(dump->file, '*') == NULL && !dump->is_single)
         return hs_fail(err, HS_ERROR_INPUT,
                        "dump '%s': every picture is a file of its own: the name '%s' needs a *, which becomes the step",
                        dump->id, dump->file);
-    if (region != NULL && dump->env->find_region(dump->env, region) == NULL)
-        return hs_fail(err, HS_ERROR_INPUT, "dump '%s': there is no region '%s'", dump->id, region);
-    return HS_OK;
+    return hs_where_find(&state->table.where, dump->env, "dump", dump->id, "image", err);
 }
 
 static hs_status write_picture(hs_dump *dump, hs_writer *writer, hs_error *err)

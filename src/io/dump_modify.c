@@ -233,12 +233,12 @@ hs_status hs_dump_table_modify(hs_dump *dump, const hs_args *args, int *n_used, 
         return HS_OK;
     }
     if (strcmp(args->word[1], "none") == 0) {
-        HS_FREE(table->region_id);
+        hs_where_fini(&table->where);
         return HS_OK;
     }
     if (dump->env->find_region(dump->env, args->word[1]) == NULL)
         return hs_fail(err, HS_ERROR_INPUT, "%s: there is no region '%s'", args->command, args->word[1]);
-    return hs_memory_replace(&table->region_id, args->word[1], err);
+    return hs_where_set(&table->where, args->word[1], err);
 }
 
 hs_status hs_dump_modify(hs_dump *dump, const hs_args *args, hs_error *err)

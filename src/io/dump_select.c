@@ -27,12 +27,11 @@ static bool compare(double value, int comparison, double with)
     }
 }
 
-static bool is_selected(const hs_dump *dump, const hs_region *region, int i)
+static bool is_selected(const hs_dump *dump, int i)
 {
     const hs_dump_table *table = dump->state;
     const hs_atoms *atoms = dump->env->atoms;
-    if (!(atoms->mask[i] & dump->mask)) return false;
-    if (region != NULL && !hs_region_has(region, atoms, i)) return false;
+    if (!(atoms->mask[i] & dump->mask) || !hs_where_has(&table->where, atoms, i)) return false;
     for (int k = 0; k < table->n_conditions; ++k) {
         const hs_dump_condition *condition = &table->condition[k];
         if (!compare(hs_dump_value(dump, &condition->column, i), condition->comparison, condition->value)) return false;
@@ -97,21 +96,16 @@ static hs_status select_local(hs_dump *dump, hs_error *err)
 {
     hs_dump_table *table = dump->state;
     const hs_atoms *atoms = dump->env->atoms;
-    hs_region *region = NULL;
     for (int k = 0; k < table->n_columns; ++k) HS_TRY(fill_variable(dump, &table->column[k], err));
     for (int k = 0; k < table->n_conditions; ++k) HS_TRY(fill_variable(dump, &table->condition[k].column, err));
-    if (table->region_id != NULL) {
-        region = dump->env->find_region(dump->env, table->region_id);
-        if (region == NULL)
-            return hs_fail(err, HS_ERROR_INPUT, "dump '%s': there is no region '%s'", dump->id, table->region_id);
-    }
+    HS_TRY(hs_where_find(&table->where, dump->env, "dump", dump->id, dump->style->about.name, err));
     if (table->capacity_order < atoms->n_local) {
         HS_TRY(HS_GROW(table->order, 0, (size_t)atoms->n_local, err));
         table->capacity_order = atoms->n_local;
     }
     table->n_rows = 0;
     for (int i = 0; i < atoms->n_local; ++i)
-        if (is_selected(dump, region, i)) table->order[table->n_rows++] = i;
+        if (is_selected(dump, i)) table->order[table->n_rows++] = i;
     return sort_rows(dump, err);
 }
 

@@ -67,7 +67,7 @@ void hs_dump_table_destroy(hs_dump *dump)
     HS_FREE(table->format_line);
     HS_FREE(table->format_int);
     HS_FREE(table->format_float);
-    HS_FREE(table->region_id);
+    hs_where_fini(&table->where);
     for (int k = 0; k < table->n_conditions; ++k) hs_dump_fini_column(&table->condition[k].column);
     HS_FREE(table->condition);
     for (int64_t k = 0; table->recent != NULL && k < table->max_files; ++k) HS_FREE(table->recent[k]);
@@ -153,8 +153,7 @@ hs_status hs_dump_table_init(hs_dump *dump, hs_error *err)
 {
     hs_dump_table *table = dump->state;
     const hs_env *env = dump->env;
-    if (table->region_id != NULL && dump->env->find_region(dump->env, table->region_id) == NULL)
-        return hs_fail(err, HS_ERROR_INPUT, "dump '%s': there is no region '%s'", dump->id, table->region_id);
+    HS_TRY(hs_where_find(&table->where, dump->env, "dump", dump->id, dump->style->about.name, err));
     if (table->n_elements > 0 && table->n_elements != env->atoms->n_types)
         return hs_fail(err, HS_ERROR_INPUT, "dump '%s': dump_modify element gave %d names, but there are %d atom types",
                        dump->id, table->n_elements, env->atoms->n_types);

@@ -8,6 +8,7 @@
 #include "io/writer.h"
 #include "style/attribute.h"
 #include "style/dump.h"
+#include "style/region.h"
 #include "style/value.h"
 
 /** One value of an atom: a column of a row, or the left side of a condition. */
@@ -49,7 +50,7 @@ typedef struct hs_dump_table {
     char **element; /**< owned [n_types + 1]; NULL: none given */
     int n_elements;
     char *format_line, *format_int, *format_float;
-    char *region_id; /**< owned; NULL: everywhere */
+    hs_where where;
     hs_dump_condition *condition;
     int n_conditions;
     int64_t delay; /**< nothing before this step; -1: no delay */

@@ -24,7 +24,11 @@ hs_status hs_where_set(hs_where *where, const char *id, hs_error *err)
     return hs_memory_replace(&where->id, id, err);
 }
 
-void hs_where_fini(hs_where *where) { HS_FREE(where->id); }
+void hs_where_fini(hs_where *where)
+{
+    HS_FREE(where->id);
+    where->region = NULL;
+}
 
 hs_status hs_where_find(hs_where *where, hs_env *env, const char *what, const char *who_id, const char *style,
                         hs_error *err)

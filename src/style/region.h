@@ -61,6 +61,7 @@ typedef struct hs_where {
 
 /** Name the region, in the place of one that was named before. The ID is copied; hs_where_fini frees it. */
 HS_MUST_USE hs_status hs_where_set(hs_where *where, const char *id, hs_error *err);
+/** Everywhere again. */
 void hs_where_fini(hs_where *where);
 /** Find the region as it is now. When there is none, the message names who asks for it, such as: fix 'h' (heat). */
 HS_MUST_USE hs_status hs_where_find(hs_where *where, hs_env *env, const char *what, const char *who_id,
