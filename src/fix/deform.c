@@ -149,17 +149,18 @@ static void destroy(hs_fix *fix)
 static hs_status check_start(const hs_fix *fix, hs_error *err)
 {
     const deform_state *state = fix->state;
-    char name[128];
-    snprintf(name, sizeof name, "fix '%.80s' (deform)", fix->id);
     if (fix->env->box_flow != &state->flow)
         return hs_fail(err, HS_ERROR_INPUT,
-                       "%s: another fix deform changes the box, too; one fix can change all lengths and tilts", name);
-    for (int k = 0; k < HS_DEFORM_PATHS; ++k) HS_TRY(hs_deform_path_check(&state->plan.path[k], fix->env, name, err));
+                       "fix '%s' (deform): another fix deform changes the box, too; one fix can change all lengths and "
+                       "tilts",
+                       fix->id);
+    for (int k = 0; k < HS_DEFORM_PATHS; ++k) HS_TRY(hs_deform_path_check(&state->plan.path[k], fix, err));
     for (int tilt = 0; tilt < 3; ++tilt)
         if (state->plan.path[3 + tilt].style == HS_DEFORM_TRUE_RATE && state->plan.start_tilt[tilt] == 0.0)
             return hs_fail(err, HS_ERROR_INPUT,
-                           "%s: '%s trate' multiplies the tilt, which is 0; 'erate' makes it grow from there", name,
-                           hs_tilt_names[tilt]);
+                           "fix '%s' (deform): '%s trate' multiplies the tilt, which is 0; 'erate' makes it grow from "
+                           "there",
+                           fix->id, hs_tilt_names[tilt]);
     return HS_OK;
 }
 

@@ -59,12 +59,10 @@ void hs_deform_path_fini(hs_deform_path *path)
     for (int k = 0; k < 2; ++k) HS_FREE(path->variable[k]);
 }
 
-hs_status hs_deform_path_check(const hs_deform_path *path, const hs_env *env, const char *name, hs_error *err)
+hs_status hs_deform_path_check(const hs_deform_path *path, const hs_fix *fix, hs_error *err)
 {
     for (int k = 0; k < 2; ++k)
-        if (path->variable[k] != NULL &&
-            (env->variable_kind == NULL || env->variable_kind(env->deck, path->variable[k]) != 1))
-            return hs_fail(err, HS_ERROR_INPUT, "%s: there is no equal-style variable '%s'", name, path->variable[k]);
+        if (path->variable[k] != NULL) HS_TRY(hs_fix_need_equal_style(fix, path->variable[k], err));
     return HS_OK;
 }
 

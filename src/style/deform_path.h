@@ -2,8 +2,7 @@
 #ifndef HS_STYLE_DEFORM_PATH_H
 #define HS_STYLE_DEFORM_PATH_H
 
-#include "style/args.h"
-#include "style/env.h"
+#include "style/varying.h"
 
 typedef enum {
     HS_DEFORM_NOT,
@@ -29,9 +28,8 @@ typedef struct hs_deform_path {
 HS_MUST_USE hs_status hs_deform_path_read(hs_deform_path *path, const hs_args *args, int i, bool is_tilt, double unit,
                                           int *n_used, hs_error *err);
 void hs_deform_path_fini(hs_deform_path *path);
-/** Refuse variables that there are not. Messages begin with @p name. */
-HS_MUST_USE hs_status hs_deform_path_check(const hs_deform_path *path, const hs_env *env, const char *name,
-                                           hs_error *err);
+/** Before a run: variables must be there, with one value; an error names the fix. */
+HS_MUST_USE hs_status hs_deform_path_check(const hs_deform_path *path, const hs_fix *fix, hs_error *err);
 
 /** What grows. */
 typedef struct hs_deform_start {
