@@ -15,7 +15,7 @@ const hs_compute_style hs_compute_style_reduce = {
              "`sumsq` (of squares) grow with the number of atoms: under `thermo_modify norm yes` thermo output "
              "divides them by it; `ave` and `avesq` divide by the atoms of the group themselves. With one input the "
              "result is the scalar `c_ID`, with several the vector `c_ID[1]`, ... . Without atoms in the group the "
-             "result is 0.",
+             "result is 0, but of `min` 1e20 and of `max` -1e20, as in LAMMPS.",
          .example = "compute fmax all reduce max fx fy fz\ncompute q all reduce max c_k x replace 2 1"},
     .state_size = sizeof(hs_reduction),
     .create = hs_reduction_create,

@@ -237,10 +237,12 @@ static hs_status change_run(hs_deck *deck, const hs_args *args, hs_error *err)
     HS_TRY(hs_groups_get(&sim->groups, args->word[0], &bit, err));
     c.mask = hs_group_mask(bit);
     HS_TRY(read_units(&c, args, err));
+    hs_sim_shrink_box(sim); /* to the atoms as they are now, from which new margins and lengths follow, as in LAMMPS */
     c.set = *box;
     sim->env.position_magic = 0.0; /* between runs positions are on no grid */
     for (int i = 1; i < args->n; i += n_used) HS_TRY(carry_out(&c, args, i, &n_used, err));
     hs_box_settle_faces(box);
+    hs_sim_shrink_box(sim);
     HS_TRY(hs_atoms_wrap_all(sim, args->command, err));
     hs_sim_atoms_changed(sim);
     hs_box_say(deck->out, "Changing box ...\n  ", box);

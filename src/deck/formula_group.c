@@ -4,6 +4,7 @@
 
 #include "core/atom_style.h"
 #include "core/exact_sum.h"
+#include "core/rotation.h"
 #include "deck/formula_nodes.h"
 
 /** The atoms a function is about. */
@@ -40,12 +41,8 @@ static void unwrap(const hs_sim *sim, int i, double x[3])
     for (int d = 0; d < 3; ++d) x[d] = hs_box_unwrapped(&sim->box, place, image, d);
 }
 
-static hs_status need_mass(double mass, const hs_node *node, hs_error *err)
-{
-    if (mass > 0.0) return HS_OK;
-    return hs_fail(err, HS_ERROR_INPUT, "%s: the group '%s' has no atoms here, or they have no mass",
-                   node->words_of->usage, node->words[0]);
-}
+/** 0 without atoms, as in LAMMPS: a region may become empty in the middle of a run. */
+static double per_mass(double sum, double mass) { return mass > 0.0 ? sum / mass : 0.0; }
 
 static hs_status axis_of(const hs_node *node, const char *word, int *axis, hs_error *err)
 {
@@ -101,8 +98,7 @@ static hs_status do_xcm(hs_deck *deck, const hs_node *node, double *value, hs_er
     HS_TRY(axis_of(node, node->words[1], &axis, err));
     HS_TRY(select_atoms(deck, node, &chosen, err));
     sum_mass(&chosen, sums);
-    HS_TRY(need_mass(sums[0], node, err));
-    *value = sums[1 + axis] / sums[0];
+    *value = per_mass(sums[1 + axis], sums[0]);
     return HS_OK;
 }
 
@@ -122,8 +118,7 @@ static hs_status do_vcm(hs_deck *deck, const hs_node *node, double *value, hs_er
         hs_exact_add(&exact[1], atoms->v[axis][i] * mass);
     }
     hs_exact_total(exact, 2, &chosen.sim->parallel, sums);
-    HS_TRY(need_mass(sums[0], node, err));
-    *value = sums[1] / sums[0];
+    *value = per_mass(sums[1], sums[0]);
     return HS_OK;
 }
 
@@ -151,13 +146,12 @@ static hs_status do_bound(hs_deck *deck, const hs_node *node, double *value, hs_
     HS_TRY(select_atoms(deck, node, &chosen, err));
     const double *x = chosen.sim->atoms.x[word[0] - 'x'], sign = word[2] == 'a' ? 1.0 : -1.0;
     /* The minimum is the maximum of the negatives. */
-    double largest = -INFINITY;
+    double largest = -1e20; /* what LAMMPS gives without atoms */
     for (int i = 0; i < chosen.sim->atoms.n_local; ++i)
         if (is_chosen(&chosen, i) && sign * x[i] > largest) largest = sign * x[i];
     hs_parallel_max_double(&chosen.sim->parallel, &largest, 1);
     *value = sign * largest;
-    if (isfinite(*value)) return HS_OK;
-    return hs_fail(err, HS_ERROR_INPUT, "%s: the group '%s' has no atoms here", node->words_of->usage, node->words[0]);
+    return HS_OK;
 }
 
 static hs_status do_ke(hs_deck *deck, const hs_node *node, double *value, hs_error *err)
@@ -177,25 +171,22 @@ static hs_status do_ke(hs_deck *deck, const hs_node *node, double *value, hs_err
     return HS_OK;
 }
 
-/** Centre of mass of the selection; an error without mass. */
-static hs_status find_centre(const selection *chosen, const hs_node *node, double centre[3], double *mass,
-                             hs_error *err)
+/** Centre of mass of the selection; its mass is returned. */
+static double find_centre(const selection *chosen, double centre[3])
 {
     double sums[4];
     sum_mass(chosen, sums);
-    HS_TRY(need_mass(sums[0], node, err));
-    for (int d = 0; d < 3; ++d) centre[d] = sums[1 + d] / sums[0];
-    *mass = sums[0];
-    return HS_OK;
+    for (int d = 0; d < 3; ++d) centre[d] = per_mass(sums[1 + d], sums[0]);
+    return sums[0];
 }
 
 static hs_status do_gyration(hs_deck *deck, const hs_node *node, double *value, hs_error *err)
 {
     selection chosen;
-    double centre[3], mass, sum;
+    double centre[3], sum;
     hs_exact_sum exact = {0};
     HS_TRY(select_atoms(deck, node, &chosen, err));
-    HS_TRY(find_centre(&chosen, node, centre, &mass, err));
+    const double mass = find_centre(&chosen, centre);
     const hs_atoms *atoms = &chosen.sim->atoms;
     for (int i = 0; i < atoms->n_local; ++i) {
         if (!is_chosen(&chosen, i)) continue;
@@ -205,64 +196,95 @@ static hs_status do_gyration(hs_deck *deck, const hs_node *node, double *value, 
         hs_exact_add(&exact, (dx * dx + dy * dy + dz * dz) * hs_atom_mass(atoms, i));
     }
     hs_exact_total(&exact, 1, &chosen.sim->parallel, &sum);
-    *value = sqrt(sum / mass);
+    *value = sqrt(per_mass(sum, mass));
     return HS_OK;
 }
 
-/** Component of the sum over atoms of (x - centre) cross (m v or f). */
-static hs_status sum_moment(hs_deck *deck, const hs_node *node, bool of_forces, double *value, hs_error *err)
+/** Component @p axis of the sum over the atoms of (x - centre) cross (m v or f). */
+static double moment_of(const selection *chosen, const double centre[3], int axis, bool of_forces)
 {
-    selection chosen;
-    double centre[3], mass;
-    int axis;
-    HS_TRY(axis_of(node, node->words[1], &axis, err));
-    HS_TRY(select_atoms(deck, node, &chosen, err));
-    HS_TRY(find_centre(&chosen, node, centre, &mass, err));
-    const hs_atoms *atoms = &chosen.sim->atoms;
+    const hs_atoms *atoms = &chosen->sim->atoms;
     const int a = (axis + 1) % 3, b = (axis + 2) % 3;
     double *const *vector = of_forces ? (double *const *)atoms->f : (double *const *)atoms->v;
     hs_exact_sum sum = {0};
+    double total;
     for (int i = 0; i < atoms->n_local; ++i) {
-        if (!is_chosen(&chosen, i)) continue;
+        if (!is_chosen(chosen, i)) continue;
         double x[3];
-        unwrap(chosen.sim, i, x);
+        unwrap(chosen->sim, i, x);
         const double weight = of_forces ? 1.0 : hs_atom_mass(atoms, i);
         hs_exact_add(&sum, weight * ((x[a] - centre[a]) * vector[b][i] - (x[b] - centre[b]) * vector[a][i]));
     }
-    hs_exact_total(&sum, 1, &chosen.sim->parallel, value);
+    hs_exact_total(&sum, 1, &chosen->sim->parallel, &total);
+    return total;
+}
+
+/** Element of the tensor of the moments of inertia about @p centre. */
+static double inertia_of(const selection *chosen, const double centre[3], int a, int b)
+{
+    const hs_atoms *atoms = &chosen->sim->atoms;
+    hs_exact_sum sum = {0};
+    double total;
+    for (int i = 0; i < atoms->n_local; ++i) {
+        if (!is_chosen(chosen, i)) continue;
+        double x[3], r2 = 0.0;
+        unwrap(chosen->sim, i, x);
+        for (int d = 0; d < 3; ++d) x[d] -= centre[d], r2 += x[d] * x[d];
+        hs_exact_add(&sum, hs_atom_mass(atoms, i) * ((a == b ? r2 : 0.0) - x[a] * x[b]));
+    }
+    hs_exact_total(&sum, 1, &chosen->sim->parallel, &total);
+    return total;
+}
+
+static hs_status do_moment(hs_deck *deck, const hs_node *node, bool of_forces, double *value, hs_error *err)
+{
+    selection chosen;
+    double centre[3];
+    int axis;
+    HS_TRY(axis_of(node, node->words[1], &axis, err));
+    HS_TRY(select_atoms(deck, node, &chosen, err));
+    find_centre(&chosen, centre);
+    *value = moment_of(&chosen, centre, axis, of_forces);
     return HS_OK;
 }
 
 static hs_status do_angmom(hs_deck *deck, const hs_node *node, double *value, hs_error *err)
 {
-    return sum_moment(deck, node, false, value, err);
+    return do_moment(deck, node, false, value, err);
 }
 
 static hs_status do_torque(hs_deck *deck, const hs_node *node, double *value, hs_error *err)
 {
-    return sum_moment(deck, node, true, value, err);
+    return do_moment(deck, node, true, value, err);
 }
 
 static hs_status do_inertia(hs_deck *deck, const hs_node *node, double *value, hs_error *err)
 {
     selection chosen;
-    double centre[3], mass;
+    double centre[3];
     const char *word = node->words[1];
     if (strlen(word) != 2 || word[0] < 'x' || word[0] > 'z' || word[1] < 'x' || word[1] > 'z')
         return hs_fail(err, HS_ERROR_INPUT, "%s: '%s' must be xx, yy, zz, xy, yz or xz", node->words_of->usage, word);
-    const int a = word[0] - 'x', b = word[1] - 'x';
     HS_TRY(select_atoms(deck, node, &chosen, err));
-    HS_TRY(find_centre(&chosen, node, centre, &mass, err));
-    const hs_atoms *atoms = &chosen.sim->atoms;
-    hs_exact_sum sum = {0};
-    for (int i = 0; i < atoms->n_local; ++i) {
-        if (!is_chosen(&chosen, i)) continue;
-        double x[3], r2 = 0.0;
-        unwrap(chosen.sim, i, x);
-        for (int d = 0; d < 3; ++d) x[d] -= centre[d], r2 += x[d] * x[d];
-        hs_exact_add(&sum, hs_atom_mass(atoms, i) * ((a == b ? r2 : 0.0) - x[a] * x[b]));
+    find_centre(&chosen, centre);
+    *value = inertia_of(&chosen, centre, word[0] - 'x', word[1] - 'x');
+    return HS_OK;
+}
+
+static hs_status do_omega(hs_deck *deck, const hs_node *node, double *value, hs_error *err)
+{
+    selection chosen;
+    double centre[3], inertia[3][3], momentum[3], omega[3];
+    int axis;
+    HS_TRY(axis_of(node, node->words[1], &axis, err));
+    HS_TRY(select_atoms(deck, node, &chosen, err));
+    find_centre(&chosen, centre);
+    for (int a = 0; a < 3; ++a) {
+        momentum[a] = moment_of(&chosen, centre, a, false);
+        for (int b = a; b < 3; ++b) inertia[a][b] = inertia[b][a] = inertia_of(&chosen, centre, a, b);
     }
-    hs_exact_total(&sum, 1, &chosen.sim->parallel, value);
+    hs_rotation_velocity((const double(*)[3])inertia, momentum, omega);
+    *value = omega[axis];
     return HS_OK;
 }
 
@@ -279,5 +301,6 @@ const hs_word_function hs_group_functions[] = {
     {"torque", 2, 3, do_torque, NULL, "torque(group,x|y|z[,region])", "torque about the centre of mass"},
     {"inertia", 2, 3, do_inertia, NULL, "inertia(group,xx|yy|zz|xy|yz|xz[,region])",
      "component of the moment of inertia"},
+    {"omega", 2, 3, do_omega, NULL, "omega(group,x|y|z[,region])", "angular velocity about the centre of mass"},
     {0},
 };

@@ -26,8 +26,6 @@ const char *const hs_refused_functions[] = {
     "it reads file-style and atomfile-style variables, which Halfshell does not have",
     "charge",
     "Halfshell's atoms carry no charge",
-    "omega",
-    "angular velocities of groups are not supported; angmom() and inertia() are",
     "is_active",
     "it asks for settings of LAMMPS's own parts; is_defined(category,ID) and is_available(category,name) are supported",
     "extract_setting",

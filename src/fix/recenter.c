@@ -9,7 +9,7 @@
 
 typedef struct recenter_state {
     bool is_held[3];    /**< NULL: this direction is free */
-    bool is_initial[3]; /**< INIT: where it was when the fix was defined */
+    bool is_initial[3]; /**< INIT: where it was at the start of the run */
     double word[3];     /**< as in the deck */
     enum { IN_BOX, IN_LATTICE, IN_FRACTIONS } units;
     double initial[3]; /**< distance, unwrapped */
@@ -68,8 +68,16 @@ static hs_status create(hs_fix *fix, const hs_args *args, hs_error *err)
             state->units = choice == 0 ? IN_BOX : choice == 1 ? IN_LATTICE : IN_FRACTIONS;
         }
     }
-    if (center_of(fix, state->initial)) return HS_OK;
+    double center[3];
+    if (center_of(fix, center)) return HS_OK;
     return hs_fail(err, HS_ERROR_INPUT, "%s: the group has no atoms", args->command);
+}
+
+static hs_status init(hs_fix *fix, hs_error *err)
+{
+    (void)err;
+    (void)center_of(fix, ((recenter_state *)fix->state)->initial); /* without atoms nothing is shifted */
+    return HS_OK;
 }
 
 static double target(const hs_fix *fix, int axis)
@@ -85,7 +93,7 @@ static double target(const hs_fix *fix, int axis)
     return state->word[axis] * (state->units == IN_LATTICE ? fix->env->lattice->spacing[axis] : 1.0);
 }
 
-static hs_status post_integrate(hs_fix *fix, hs_error *err)
+static hs_status initial_integrate(hs_fix *fix, hs_error *err)
 {
     recenter_state *state = fix->state;
     const hs_atoms *atoms = fix->env->atoms;
@@ -134,15 +142,17 @@ const hs_fix_style hs_fix_style_recenter = {
                     .keywords = keywords},
          .summary = "hold the center of mass of a group at a place",
          .details =
-             "After each drift the atoms are shifted so that the group's center of mass (unwrapped) is at x, y, z. "
-             "`NULL` leaves a direction free, `INIT` is where the center was when the fix was defined. `shift` moves "
+             "In its turn among the fixes that integrate (so it should come after them), the atoms are shifted so that "
+             "the group's center of mass (unwrapped) is at x, y, z. "
+             "`NULL` leaves a direction free, `INIT` is where the center is at the start of a run. `shift` moves "
              "another group, for example all. Numbers are in lattice spacings (default), distance units (`units box`) "
              "or fractions of the box. Velocities are not changed.\n\nThe scalar `f_ID` is the length of the last "
              "shift, the vector `f_ID[1]` ... `f_ID[3]` the shift (distance).",
          .example = "fix 1 all recenter INIT INIT NULL\nfix 1 drop recenter 0.5 0.5 0.5 units fraction shift all"},
     .state_size = sizeof(recenter_state),
     .create = create,
-    .post_integrate = post_integrate,
+    .init = init,
+    .initial_integrate = initial_integrate,
     .scalar = scalar,
     .vector = vector,
     .keep_state = keep_state,

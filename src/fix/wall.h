@@ -16,7 +16,7 @@ static const char *const wall_faces[] = {"xlo", "xhi", "ylo", "yhi", "zlo", "zhi
 /** One flat wall, across an axis. Particles are above a lower wall and below an upper one. */
 typedef struct wall_face {
     int axis, end;                 /**< end 0: lower, 1: upper */
-    bool is_edge;                  /**< stands at the box's face */
+    bool is_edge;                  /**< stands where the box's face was when the fix was defined */
     char *variable;                /**< owned; equal-style variable that gives the place; NULL without */
     double place;                  /**< distance, from the box's origin */
     double epsilon, sigma, cutoff; /**< wall potentials only; energy, distance */
@@ -55,6 +55,7 @@ static inline hs_status wall_read_face(hs_fix *fix, const hs_args *args, int i, 
                        args->command, args->word[i], "xyz"[face->axis]);
     HS_TRY(hs_arg_need(args, i + 1, "the place of the wall", err));
     face->is_edge = strcmp(args->word[i + 1], "EDGE") == 0;
+    if (face->is_edge) face->place = face->end == 0 ? box->lo[face->axis] : box->hi[face->axis];
     if (face->is_edge) return HS_OK;
     if (strncmp(args->word[i + 1], "v_", 2) == 0) return hs_memory_strdup(&face->variable, args->word[i + 1] + 2, err);
     return hs_arg_double(args, i + 1, &face->place, err);
@@ -63,17 +64,27 @@ static inline hs_status wall_read_face(hs_fix *fix, const hs_args *args, int i, 
 /** Places that are numbers in lattice units become distances; those of variables do when they are read. */
 static inline double wall_unit(const hs_fix *fix, const wall_face *face, bool is_lattice)
 {
-    return is_lattice ? fix->env->lattice->spacing[face->axis] : 1.0;
+    return is_lattice && !face->is_edge ? fix->env->lattice->spacing[face->axis] : 1.0;
 }
 
 /** Where the wall stands at this step; @p unit as from wall_unit. */
 static inline hs_status wall_place(const hs_fix *fix, wall_face *face, double unit, hs_error *err)
 {
     const hs_env *env = fix->env;
-    if (face->is_edge) face->place = face->end == 0 ? env->box->lo[face->axis] : env->box->hi[face->axis];
     if (face->variable == NULL) return HS_OK;
     HS_TRY(env->variable_value(env->deck, face->variable, &face->place, err));
     face->place *= unit;
+    return HS_OK;
+}
+
+/** A wall at an edge stands still; a shrink-wrapped box does not, and a restart would define it elsewhere. */
+static inline hs_status wall_keep_state(hs_fix *fix, hs_state *kept, hs_error *err)
+{
+    wall_state *state = fix->state;
+    double place[WALL_MAX];
+    for (int k = 0; k < state->n; ++k) place[k] = state->face[k].place;
+    HS_TRY(hs_state_double(kept, "place", place, state->n, err));
+    for (int k = 0; k < state->n; ++k) state->face[k].place = place[k];
     return HS_OK;
 }
 

@@ -169,8 +169,8 @@ static inline hs_status wall_vector(hs_fix *fix, int i, double *value, hs_error 
 
 #define WALL_DETAILS                                                                                                   \
     "A face is xlo, xhi, ylo, yhi, zlo or zhi; up to six walls can be given one after the other, each with its own "   \
-    "values. The place is a coordinate, `EDGE` (the box's face, where it is at that step), or an equal-style "         \
-    "variable "                                                                                                        \
+    "values. The place is a coordinate, `EDGE` (where the box's face is when the fix is defined), or an "              \
+    "equal-style variable "                                                                                            \
     "`v_name`; numbers and variables are in lattice spacings unless `units box` is said. epsilon (energy), sigma and " \
     "cutoff (distance) are in plain units. Walls must stand across directions that are not periodic. An atom on or "   \
     "behind a wall stops the run.\n\nThe scalar `f_ID` is the energy of all walls, `f_ID[1]` ... the force on each "   \
@@ -181,7 +181,8 @@ static inline hs_status wall_vector(hs_fix *fix, int i, double *value, hs_error 
 /** The rest of a wall style's descriptor. */
 #define WALL_HOOKS                                                                                                     \
     .state_size = sizeof(wall_potential_state), .create = create, .destroy = wall_destroy,                             \
-    .post_force = wall_post_force, .acts_in_minimize = true, .scalar = wall_scalar, .vector = wall_vector,             \
-    .n_vector = WALL_MAX, .is_extensive = true, .is_vector_extensive = true, .has_energy = true, .has_virial = true
+    .keep_state = wall_keep_state, .post_force = wall_post_force, .acts_in_minimize = true, .scalar = wall_scalar,     \
+    .vector = wall_vector, .n_vector = WALL_MAX, .is_extensive = true, .is_vector_extensive = true,                    \
+    .has_energy = true, .has_virial = true
 
 #endif

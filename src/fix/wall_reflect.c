@@ -75,7 +75,8 @@ const hs_fix_style hs_fix_style_wall_reflect = {
          .syntax = {.usage = "<face> <place> ... [units lattice|box]", .n_min = 0, .n_max = 0, .keywords = keywords},
          .summary = "flat walls that reflect",
          .details =
-             "A face is xlo, xhi, ylo, yhi, zlo or zhi, its place a coordinate, `EDGE` (the box's face) or an "
+             "A face is xlo, xhi, ylo, yhi, zlo or zhi, its place a coordinate, `EDGE` (where the box's face is when "
+             "the fix is defined) or an "
              "equal-style variable `v_name`; numbers and variables are in lattice spacings unless `units box` is said. "
              "After each drift an atom of the group beyond a wall is mirrored back inside, and its velocity across the "
              "wall changes sign. Walls must stand across directions that are not periodic; atoms that are outside at "
@@ -85,6 +86,7 @@ const hs_fix_style hs_fix_style_wall_reflect = {
     .state_size = sizeof(reflect_state),
     .create = create,
     .destroy = wall_destroy,
+    .keep_state = wall_keep_state,
     .setup = setup,
     .post_integrate = post_integrate,
 };

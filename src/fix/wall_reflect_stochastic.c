@@ -196,7 +196,8 @@ const hs_fix_style hs_fix_style_wall_reflect_stochastic = {
          .summary = "flat walls with a temperature, which send atoms back with random velocities",
          .details =
              "A face is xlo, xhi, ylo, yhi, zlo or zhi, its place a coordinate (in lattice spacings unless `units box` "
-             "is said) or `EDGE`, the box's face; T is the temperature of the wall, (vx, vy, vz) its velocity, which "
+             "is said) or `EDGE`, where the box's face is when the fix is defined; T is the temperature of the wall, "
+             "(vx, vy, vz) its velocity, which "
              "must lie in its plane. An atom of the group that crosses a wall during a step is put back to the place "
              "and time of its collision and goes on with a new velocity:\n\n"
              "`diffusive`: as if it came out of a gas at rest with the wall, of temperature T. `maxwell`: with the "
@@ -214,6 +215,7 @@ const hs_fix_style hs_fix_style_wall_reflect_stochastic = {
     .state_size = sizeof(stochastic_state),
     .create = create,
     .destroy = wall_destroy,
+    .keep_state = wall_keep_state,
     .setup = setup,
     .post_integrate = post_integrate,
 };

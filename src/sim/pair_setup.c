@@ -107,6 +107,22 @@ static hs_status count_types(hs_sim *sim, hs_error *err)
     return HS_OK;
 }
 
+/** Which pairs of kernel types are excluded. */
+static hs_status fill_excluded(hs_sim *sim, int n_classes, const int *groups, int n_groups, hs_error *err)
+{
+    const hs_neighbor_settings *settings = &sim->neighbor.settings;
+    const int n = sim->atoms.n_types + 1, n_all = n_classes * n;
+    HS_FREE(sim->excluded);
+    if (settings->n_exclusions == 0) return HS_OK;
+    HS_TRY(HS_ALLOC(sim->excluded, (size_t)n_all * (size_t)n_all, err));
+    sim->n_kernel_types = n_all;
+    for (int a = 0; a < n_all; ++a)
+        for (int b = 0; b < n_all; ++b)
+            sim->excluded[(size_t)a * (size_t)n_all + (size_t)b] =
+                is_excluded(settings, a % n, a / n, b % n, b / n, groups, n_groups);
+    return HS_OK;
+}
+
 /** Cutoffs and tables, all else being known. */
 static hs_status renew(hs_sim *sim, hs_error *err)
 {
@@ -114,6 +130,7 @@ static hs_status renew(hs_sim *sim, hs_error *err)
     const int n_groups = excluded_groups(&sim->neighbor.settings, groups);
     HS_TRY(hs_pair_complete(sim->pair, err));
     sim->env.reach = sim->pair->cutoff_max > 0.0 ? sim->pair->cutoff_max + sim->neighbor.settings.skin : 0.0;
+    HS_TRY(fill_excluded(sim, 1 << n_groups, groups, n_groups, err));
     return fill_tables(sim, 1 << n_groups, groups, n_groups, err);
 }
 

@@ -97,6 +97,7 @@ void hs_sim_destroy(hs_sim **sim_pointer)
     hs_saving_fini(sim->saving);
     HS_FREE(sim->saving);
     HS_FREE(sim->n_of_type);
+    HS_FREE(sim->excluded);
     hs_force_space_fini(&sim->forces);
     hs_cluster_list_fini(&sim->list);
     hs_verlet_list_fini(&sim->verlet);
@@ -135,7 +136,9 @@ hs_dump *hs_sim_find_dump(hs_sim *sim, const char *id) { FIND(sim->dump, sim->n_
 static void view_pairs(hs_env *env, hs_pair_view *view)
 {
     const hs_sim *sim = sim_of(env);
-    *view = (hs_pair_view){.type = sim->kernel_type != NULL ? sim->kernel_type : sim->atoms.type};
+    *view = (hs_pair_view){.type = sim->kernel_type != NULL ? sim->kernel_type : sim->atoms.type,
+                           .excluded = sim->excluded,
+                           .n_kernel_types = sim->n_kernel_types};
     if (sim->pair == NULL || sim->n_pair_tables < sim->pair->n_parts) return;
     view->cutoff_max = sim->pair->cutoff_max;
     if (!(view->cutoff_max > 0.0) || !hs_pair_has_forces(sim->pair)) return;

@@ -62,7 +62,10 @@ typedef struct hs_sim {
     hs_pair_table
         *pair_table;   /**< for each part of the pair style, parameters of all pairs of kernel types; by hs_sim_setup */
     int n_pair_tables; /**< owned [n_pair_tables] */
-    int32_t *kernel_type;  /**< atom field: type and exclusion class; NULL while no groups are excluded */
+    int32_t *kernel_type; /**< atom field: type and exclusion class; NULL while no groups are excluded */
+    bool
+        *excluded; /**< owned [n_kernel_types^2]: pairs of kernel types that do not interact; NULL: none are excluded */
+    int n_kernel_types;
     hs_force_space forces; /**< buffers of the pair kernels */
     hs_cluster_list list;  /**< method cluster: pairs of the last scheduled build */
     hs_verlet_list verlet; /**< method verlet: the same */

@@ -339,8 +339,7 @@ static void strain_box(const hs_fix *fix)
         hi[axis] = env->box->hi[axis];
         nh->strain[axis] += 0.5 * nh->dt * nh->strain_rate[axis];
         if (!nh->axis[axis]) continue;
-        const double point = nh->has_fixed_point ? nh->fixed_point[axis] : 0.5 * (lo[axis] + hi[axis]),
-                     growth = exp(0.5 * nh->dt * nh->strain_rate[axis]);
+        const double point = nh->fixed_point[axis], growth = exp(0.5 * nh->dt * nh->strain_rate[axis]);
         lo[axis] = (lo[axis] - point) * growth + point;
         hi[axis] = (hi[axis] - point) * growth + point;
         /* tilts keep their ratio to the length that they tilt */

@@ -50,10 +50,9 @@ typedef struct hs_nose_hoover {
     bool is_mtk;                          /**< with the terms that make the ensemble right */
     int64_t reset_every;                  /**< steps after which the reference box is set anew; 0: never */
     double v_reference, inv_reference[3]; /**< volume and 1/lengths of the reference box; 0: not set yet */
-    bool has_fixed_point;
-    double fixed_point[3];
-    uint32_t dilate;     /**< group bits of the atoms that follow the box */
-    bool scales_tilt[3]; /**< xy, xz, yz keep their ratio to the length along their second axis */
+    double fixed_point[3];                /**< place that the strain leaves where it is, distance */
+    uint32_t dilate;                      /**< group bits of the atoms that follow the box */
+    bool scales_tilt[3];                  /**< xy, xz, yz keep their ratio to the length along their second axis */
 } hs_nose_hoover;
 
 /** Keywords of nvt, of nvt/sllod, and of npt and nph. */

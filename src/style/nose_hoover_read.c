@@ -7,7 +7,8 @@
 #define COMMON_KEYWORDS                                                                                                \
     {"tchain", 1, "<N>", "thermostats in the chain (default: 3; nvt/sllod: 1)"},                                       \
         {"tloop", 1, "<M>", "parts into which a step of the chain is cut (default: 1)"},                               \
-        {"drag", 1, "<Df>", "damps oscillations of the chains; 0: not at all (default)"},
+        {"drag", 1, "<Df>", "damps oscillations of the chains; 0: not at all (default)"},                              \
+        {"mtk", 1, "yes|no", "pressures with the terms that make the ensemble right (default: yes)"},
 
 #define TEMPERATURE_KEYWORDS                                                                                           \
     {"temp", 3, "<Tstart> <Tstop> <Tdamp>", "temperature at the start and end of a run, and damping time"},
@@ -22,11 +23,11 @@
         {"couple", 1, "none|xyz|xy|yz|xz", "axes that share the mean of their pressures"},                             \
         {"pchain", 1, "<N>", "thermostats in the chain of the barostat; 0: none (default: 3)"},                        \
         {"ploop", 1, "<M>", "parts into which a step of that chain is cut (default: 1)"},                              \
-        {"mtk", 1, "yes|no", "with the terms that make the ensemble right (default: yes)"},                            \
         {"nreset", 1, "<steps>", "set the reference box of unequal pressures anew so often; 0: never (default)"},      \
         {"ptemp", 1, "<T>", "temperature that sets the masses of the barostat (default: that of temp, or the first)"}, \
         {"dilate", 1, "<group-ID>", "atoms that follow the box (default: all)"},                                       \
-        {"fixedpoint", 3, "<x> <y> <z>", "place that stays where it is (default: the center of the box)"},             \
+        {"fixedpoint", 3, "<x> <y> <z>",                                                                               \
+         "place that stays where it is (default: the box's center when the fix is defined)"},                          \
         {"scalexy", 1, "yes|no", "the tilt xy keeps its ratio to the length in y (default: yes)"},                     \
         {"scalexz", 1, "yes|no", "xz that to the length in z"},                                                        \
         {"scaleyz", 1, "yes|no", "yz that to the length in z"},                                                        \
@@ -100,7 +101,6 @@ static hs_status read_group(hs_fix *fix, const hs_args *args, int i, hs_error *e
 
 static hs_status read_fixed_point(hs_nose_hoover *nh, const hs_args *args, int i, hs_error *err)
 {
-    nh->has_fixed_point = true;
     for (int axis = 0; axis < 3; ++axis) HS_TRY(hs_arg_double(args, i + 1 + axis, &nh->fixed_point[axis], err));
     return HS_OK;
 }
@@ -199,12 +199,14 @@ static hs_status check_axes(const hs_fix *fix, const hs_args *args, hs_error *er
 hs_status hs_nose_hoover_read(hs_fix *fix, const hs_args *args, hs_error *err)
 {
     hs_nose_hoover *nh = fix->state;
+    const hs_box *box = fix->env->box;
     nh->chain.n = nh->is_sllod ? 1 : 3; /* as in LAMMPS: longer chains take long to become steady in a flow */
     nh->barostat_chain.n = 3;
     nh->scales_tilt[0] = nh->scales_tilt[1] = nh->scales_tilt[2] = true;
     nh->chain.n_loops = nh->barostat_chain.n_loops = 1;
     nh->is_mtk = true;
     nh->dilate = hs_group_mask(0);
+    for (int axis = 0; axis < 3; ++axis) nh->fixed_point[axis] = 0.5 * (box->lo[axis] + box->hi[axis]);
     for (int i = 0, n_used; i < args->n; i += n_used) {
         HS_TRY(refuse_shear(args, i, err));
         HS_TRY(read_keyword(fix, args, i, &n_used, err));

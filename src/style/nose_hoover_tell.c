@@ -127,5 +127,6 @@ hs_status hs_nose_hoover_keep_state(hs_fix *fix, hs_state *kept, hs_error *err)
     HS_TRY(hs_state_double(kept, "target pressure", nh->p_target, 3, err));
     HS_TRY(hs_state_double(kept, "mean pressure", &nh->p_mean, 1, err));
     HS_TRY(hs_state_double(kept, "reference volume", &nh->v_reference, 1, err));
+    HS_TRY(hs_state_double(kept, "fixed point", nh->fixed_point, 3, err));
     return hs_state_double(kept, "reference box", nh->inv_reference, 3, err);
 }

@@ -14,6 +14,8 @@ static hs_status copy_atoms(hs_pair_scan *scan, hs_env *env, hs_error *err)
     const size_t n = (size_t)from->n_local;
     hs_pair_view view;
     env->view_pairs(env, &view);
+    scan->excluded = view.excluded;
+    scan->n_kernel_types = view.n_kernel_types;
     HS_TRY(hs_atoms_init(to, err));
     HS_TRY(hs_atoms_add_field(to, "scan_mask", (void **)&scan->mask, sizeof *scan->mask, true, err));
     HS_TRY(hs_atoms_add_field(to, "scan_id", (void **)&scan->id, sizeof *scan->id, true, err));
@@ -142,6 +144,12 @@ static void flush(filling *f)
     f->batch.n = 0;
 }
 
+static inline bool is_excluded(const hs_pair_scan *scan, int i, int j)
+{
+    return scan->excluded != NULL &&
+           scan->excluded[(size_t)scan->atoms.type[i] * (size_t)scan->n_kernel_types + (size_t)scan->atoms.type[j]];
+}
+
 /** Atom i against a run of sorted atoms. Of two local atoms the one with the lower index meets the other. */
 static inline void meet_run(filling *f, int i, const double x[3], int begin, int end)
 {
@@ -153,7 +161,7 @@ static inline void meet_run(filling *f, int i, const double x[3], int begin, int
         const double r2 = dx * dx + dy * dy + dz * dz;
         if (!(r2 < range2)) continue;
         const int j = scan->index[k];
-        if (j <= i) continue; /* halo atoms have the higher indices */
+        if (j <= i || is_excluded(scan, i, j)) continue; /* halo atoms have the higher indices */
         const int n = batch->n++;
         batch->i[n] = i;
         batch->j[n] = j;

@@ -2,7 +2,8 @@
  *
  *  Independent of the neighbor method, its lists and their range: a scan copies the positions, makes a halo of its own as
  *  wide as asked for, sorts all into cells and visits each pair once. It costs some timesteps' time and about 100 bytes an
- *  atom while it lasts. On several ranks each pair is visited on one of them. */
+ *  atom while it lasts. On several ranks each pair is visited on one of them. As in LAMMPS, whose computes see its lists, pairs that
+ *  `neigh_modify exclude` leaves out are not visited. */
 #ifndef HS_STYLE_PAIR_SCAN_H
 #define HS_STYLE_PAIR_SCAN_H
 
@@ -17,7 +18,9 @@ typedef struct hs_pair_view {
     const hs_pair_table *table; /**< [pair->n_parts], of those parts that have an evaluator */
     bool is_uniform;            /**< all pairs of atoms are listed up to the same distance */
     const int32_t *type;        /**< kernel types of the local atoms */
-    double cutoff_max;          /**< distance; 0 before the first run, or without a pair style */
+    const bool *excluded; /**< [n_kernel_types^2]: whether `neigh_modify exclude` leaves such pairs out; NULL: none */
+    int n_kernel_types;
+    double cutoff_max; /**< distance; 0 before the first run, or without a pair style */
     const hs_clusters *clusters;
     const struct hs_cluster_list *list; /**< pairs whose forces count, of the last scheduled build; NULL: not kept */
 } hs_pair_view;
@@ -41,13 +44,15 @@ typedef struct hs_pair_scan {
     int n_all;    /**< local and halo atoms */
     double lo[3], inv_edge[3];
     int n_cells[3];
-    int32_t *source_of; /**< owned [n_halo]: local index of the original of a halo atom, -1: on another rank */
-    int32_t *start;     /**< owned [cells + 1] */
-    int32_t *index;     /**< owned [n_all]: atoms in the order of cells */
-    double *x[3];       /**< owned [n_all]: their positions in that order */
-    uint32_t *mask;     /**< atom field of the copies with room for the halo */
-    int64_t *id;        /**< the same */
-    double *radius;     /**< the same; NULL: no radii */
+    int32_t *source_of;   /**< owned [n_halo]: local index of the original of a halo atom, -1: on another rank */
+    int32_t *start;       /**< owned [cells + 1] */
+    int32_t *index;       /**< owned [n_all]: atoms in the order of cells */
+    double *x[3];         /**< owned [n_all]: their positions in that order */
+    uint32_t *mask;       /**< atom field of the copies with room for the halo */
+    int64_t *id;          /**< the same */
+    double *radius;       /**< the same; NULL: no radii */
+    const bool *excluded; /**< borrowed, as in hs_pair_view */
+    int n_kernel_types;
 } hs_pair_scan;
 
 /** Get ready to visit pairs (collective). Zero the scan before; always followed by hs_pair_scan_end, also after an error. */

@@ -153,7 +153,8 @@ static void add_terms(const hs_atoms *atoms, const void *context, int begin, int
             hs_exact_add(&sums[0], is_squared ? state->values[i] * state->values[i] : state->values[i]);
 }
 
-/** Extreme of state->values over all atoms of the group, and the least id of an atom that has it (0: no atoms). */
+/** Extreme of state->values over all atoms of the group, and the least id of an atom that has it. Without atoms: LAMMPS's 1e20 for a
+ *  minimum, -1e20 for a maximum, and 0. */
 static void find_extreme(const hs_compute *compute, double *extreme, int64_t *id)
 {
     const hs_reduction *state = compute->state;
@@ -168,7 +169,7 @@ static void find_extreme(const hs_compute *compute, double *extreme, int64_t *id
         if (is_in(compute, i) && sign * state->values[i] == best && -atoms->id[i] > minus_id) minus_id = -atoms->id[i];
     hs_parallel_max_int64(compute->env->parallel, &minus_id, 1);
     *id = minus_id == -INT64_MAX ? 0 : -minus_id;
-    *extreme = *id == 0 ? 0.0 : sign * best;
+    *extreme = sign * (*id == 0 ? -1e20 : best);
 }
 
 static hs_status reduce_one(hs_compute *compute, const hs_reduction_input *from, double *value, hs_error *err)
