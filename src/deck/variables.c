@@ -7,7 +7,7 @@
 #include "base/memory.h"
 
 const char *const hs_variable_styles[] = {"index", "loop", "string",   "format", "getenv",
-                                          "equal", "atom", "internal", NULL};
+                                          "equal", "atom", "internal", "file",   NULL};
 
 hs_status hs_variables_create(hs_variables **variables, hs_error *err) { return HS_ALLOC(*variables, 1, err); }
 
@@ -128,8 +128,8 @@ hs_status hs_variables_refill(hs_variable *variable, int n, const char *const *v
 {
     const int style = (int)variable->style;
     forget(variable);
-    if (style < 0 || style > HS_VARIABLE_INTERNAL ||
-        (style == HS_VARIABLE_INDEX && (variable->which < 0 || variable->which >= n)) ||
+    if (style < 0 || style > HS_VARIABLE_FILE ||
+        ((style == HS_VARIABLE_INDEX || style == HS_VARIABLE_FILE) && (variable->which < 0 || variable->which >= n)) ||
         ((style == HS_VARIABLE_EQUAL || style == HS_VARIABLE_ATOM) && formula == NULL) ||
         ((style == HS_VARIABLE_STRING || style == HS_VARIABLE_GETENV) && n < 1) ||
         (style == HS_VARIABLE_FORMAT && (n < 2 || !hs_format_is_for_double(values[1]))))
@@ -167,10 +167,11 @@ static hs_status set_formula(hs_variable *variable, const hs_args *args, hs_erro
 /** Styles whose second definition is ignored, as in LAMMPS: this is how -var wins and how loops keep their place. */
 static bool keeps_first(hs_variable_style style)
 {
-    return style == HS_VARIABLE_INDEX || style == HS_VARIABLE_LOOP || style == HS_VARIABLE_GETENV;
+    return style == HS_VARIABLE_INDEX || style == HS_VARIABLE_LOOP || style == HS_VARIABLE_GETENV ||
+           style == HS_VARIABLE_FILE;
 }
 
-static hs_status fill(hs_variable *variable, const hs_args *args, hs_error *err)
+static hs_status fill(hs_deck *deck, hs_variable *variable, const hs_args *args, hs_error *err)
 {
     switch (variable->style) {
     case HS_VARIABLE_LOOP:
@@ -180,6 +181,8 @@ static hs_status fill(hs_variable *variable, const hs_args *args, hs_error *err)
         return set_formula(variable, args, err);
     case HS_VARIABLE_INTERNAL:
         return hs_arg_double(args, 2, &variable->number, err);
+    case HS_VARIABLE_FILE:
+        return hs_variables_read_file(variable, args->word[2], &deck->sim->parallel, err);
     default:
         forget(variable);
         return copy_values(variable, args->n - 2, args->word + 2, err);
@@ -208,10 +211,10 @@ hs_status hs_variables_define(hs_deck *deck, const hs_args *args, hs_error *err)
         if (variable->is_evaluating)
             return hs_fail(err, HS_ERROR_INPUT, "variable: '%s' cannot change while it is being evaluated",
                            variable->name);
-        return fill(variable, args, err);
+        return fill(deck, variable, args, err);
     }
     HS_TRY(add(variables, args->word[0], (hs_variable_style)style, &variable, err));
-    hs_status status = fill(variable, args, err);
+    hs_status status = fill(deck, variable, args, err);
     if (status != HS_OK) remove_variable(variables, args->word[0]);
     return status;
 }
@@ -232,10 +235,11 @@ static hs_status check_next(const hs_variables *variables, const hs_args *args, 
     for (int i = 0; i < args->n; ++i) {
         hs_variable *variable;
         HS_TRY(hs_variables_need(variables, args->word[i], &variable, err));
-        if (variable->style != HS_VARIABLE_INDEX && variable->style != HS_VARIABLE_LOOP)
+        if (variable->style != HS_VARIABLE_INDEX && variable->style != HS_VARIABLE_LOOP &&
+            variable->style != HS_VARIABLE_FILE)
             return hs_fail(err, HS_ERROR_INPUT,
-                           "next: the variable '%s' is %s-style; only index and loop have a next value", variable->name,
-                           hs_variable_styles[variable->style]);
+                           "next: the variable '%s' is %s-style; only index, loop and file have a next value",
+                           variable->name, hs_variable_styles[variable->style]);
         if (i > 0 && variable->style != style)
             return hs_fail(err, HS_ERROR_INPUT, "next: the variables '%s' and '%s' must have the same style",
                            args->word[0], args->word[i]);
@@ -250,7 +254,7 @@ hs_status hs_variables_next(hs_variables *variables, const hs_args *args, bool *
     *exhausted = false;
     for (int i = 0; i < args->n; ++i) {
         hs_variable *variable = hs_variables_find(variables, args->word[i]);
-        const int64_t last = variable->style == HS_VARIABLE_INDEX ? variable->n_values - 1 : variable->last;
+        const int64_t last = variable->style != HS_VARIABLE_LOOP ? variable->n_values - 1 : variable->last;
         if (++variable->which > last) *exhausted = true;
     }
     for (int i = 0; i < args->n && *exhausted; ++i) remove_variable(variables, args->word[i]);

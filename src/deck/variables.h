@@ -14,7 +14,8 @@ typedef enum {
     HS_VARIABLE_GETENV,
     HS_VARIABLE_EQUAL,
     HS_VARIABLE_ATOM,
-    HS_VARIABLE_INTERNAL
+    HS_VARIABLE_INTERNAL,
+    HS_VARIABLE_FILE
 } hs_variable_style;
 
 /** Names of the styles in that order, ended by NULL. */
@@ -25,9 +26,9 @@ extern const char *const hs_variable_styles_refused[];
 typedef struct hs_variable {
     char *name; /**< owned */
     hs_variable_style style;
-    char **value; /**< owned [n_values]: index: all values; string; format: variable and format; getenv: name */
+    char **value; /**< owned [n_values]: index, file: all values; string; format: variable and format; getenv: name */
     int n_values;
-    int64_t which;       /**< index: place of the present value; loop: the present number */
+    int64_t which;       /**< index, file: place of the present value; loop: the present number */
     int64_t first, last; /**< loop */
     int width;           /**< loop: digits to pad to, 0 without pad */
     double number;       /**< internal */
@@ -63,6 +64,9 @@ HS_MUST_USE hs_status hs_variables_restore(hs_variables *variables, const char *
                                            hs_error *err);
 HS_MUST_USE hs_status hs_variables_refill(hs_variable *variable, int n, const char *const *values, const char *formula,
                                           hs_error *err);
+/** Values of a file-style variable, which has none yet: the first words of the lines that have any (collective). */
+HS_MUST_USE hs_status hs_variables_read_file(hs_variable *variable, const char *path, const hs_parallel *parallel,
+                                             hs_error *err);
 /** -var: an index variable that later definitions in the deck do not change. */
 HS_MUST_USE hs_status hs_variables_set_index(hs_variables *variables, const char *name, int n,
                                              const char *const *values, hs_error *err);

@@ -7,7 +7,6 @@ const char *const hs_variable_styles_refused[] = {
     "world",    "Halfshell runs one simulation at a time; use index",
     "universe", "Halfshell runs one simulation at a time; use index and next",
     "uloop",    "Halfshell runs one simulation at a time; use loop and next",
-    "file",     "values cannot be read from a file line by line; use index",
     "atomfile", "values per atom cannot be read from a file",
     "python",   "decks cannot run Python",
     "timer",    "Halfshell times its phases itself; see the timing table of the log",
@@ -91,6 +90,7 @@ hs_status hs_variables_check(const hs_args *args, bool first_pass, hs_error *err
     if (strcmp(style, "loop") == 0) return check_loop(args, first_pass, err);
     if (strcmp(style, "string") == 0) return check_count(args, 1, 1, "string <text>", err);
     if (strcmp(style, "getenv") == 0) return check_count(args, 1, 1, "getenv <environment variable>", err);
+    if (strcmp(style, "file") == 0) return check_count(args, 1, 1, "file <file>", err);
     if (strcmp(style, "internal") == 0) return check_count(args, 1, 1, "internal <number>", err);
     if (strcmp(style, "format") == 0) return check_format(args, first_pass, err);
     return check_formula(args, strcmp(style, "atom") == 0, first_pass, err);

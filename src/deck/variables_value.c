@@ -84,6 +84,7 @@ hs_status hs_variables_text(hs_deck *deck, const char *name, hs_text *text, hs_e
     HS_TRY(hs_variables_need(deck->variables, name, &variable, err));
     switch (variable->style) {
     case HS_VARIABLE_INDEX:
+    case HS_VARIABLE_FILE:
         return hs_text_printf(text, err, "%s", variable->value[variable->which]);
     case HS_VARIABLE_LOOP:
         return hs_text_printf(text, err, "%0*lld", variable->width, (long long)variable->which);

@@ -9,6 +9,7 @@ cd "$folder"
 fail() { echo "FAILED: $*" >&2; exit 1; }
 
 # Loops, `if` and `run every` around the runs; lists on a lax schedule; a dump that must be cut back.
+printf 'one\ntwo\nthree\n' >words.txt
 cat >run.in <<'END'
 units lj
 lattice fcc 0.8442
@@ -22,14 +23,16 @@ pair_coeff 1 1 1.0 1.0 2.5
 neigh_modify every 20 delay 0 check no
 fix 1 all nve
 variable i loop 2
+variable w file words.txt
 variable r equal random(0,1,4711)
 checkpoint every 40 steps keep 3
 dump s all custom 10 s.dump id type x y z vx vy vz
 dump_modify s format float %.17g
 thermo 10
 label top
-if "$i < 5" then "run 115 every 40 'print after-$i-$r append said.txt'" "print done-$i append said.txt"
+if "$i < 5" then "run 115 every 40 'print after-$i-$w-$r append said.txt'" "print done-$i-$w append said.txt"
 run 30
+next w
 next i
 jump SELF top
 write_data end.data

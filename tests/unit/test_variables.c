@@ -132,6 +132,29 @@ START_TEST(next_deletes_at_the_end)
 }
 END_TEST
 
+/* The first word of each line that has one; like index they keep their first definition, and end. */
+START_TEST(lines_of_a_file)
+{
+    hs_test_enter_folder();
+    hs_test_write_file("values.txt", "# densities\n\n 0.7 liquid\n0.8 # denser\n\t0.9\n");
+    hs_test_write_file("others.txt", "1\n");
+    hs_deck *deck = hs_test_new_deck();
+    hs_test_command(deck, "variable d file values.txt");
+    hs_test_command(deck, "variable e equal 2*v_d");
+    check_text(deck, "d", "0.7");
+    hs_test_command(deck, "variable d file others.txt");
+    hs_test_command(deck, "next d");
+    check_text(deck, "d", "0.8");
+    ck_assert_double_eq(number(deck, "e"), 1.6);
+    hs_test_command(deck, "next d");
+    check_text(deck, "d", "0.9");
+    hs_test_command(deck, "next d");
+    ck_assert_ptr_null(hs_variables_find(deck->variables, "d"));
+    hs_deck_destroy(&deck);
+    hs_test_leave_folder();
+}
+END_TEST
+
 START_TEST(chains_of_variables_end)
 {
     hs_deck *deck = hs_test_new_deck();
@@ -178,5 +201,5 @@ END_TEST
 
 HS_TEST_MAIN("variables", each_style_has_its_text, command_line_wins_over_index, second_definitions,
              a_failed_definition_leaves_the_old_one, formulas_see_formulas_rounded_to_15_digits,
-             next_deletes_at_the_end, chains_of_variables_end, lines_that_grow_without_bound_are_refused,
+             next_deletes_at_the_end, lines_of_a_file, chains_of_variables_end, lines_that_grow_without_bound_are_refused,
              formats_must_have_one_conversion_for_a_number)
