@@ -231,14 +231,15 @@ const hs_command hs_commands_minimize[] = {
         .about =
             {
                 .name = "min_style",
-                .syntax = {"cg|sd|fire|fire/old", 1, 1, NULL},
+                .syntax = {"cg|sd|fire|fire/old|quickmin", 1, 1, NULL},
                 .summary = "How minimize finds its way",
                 .details =
                     "`cg` (default): conjugate gradients in the form of Polak and Ribiere, with line searches. `sd`: "
                     "steepest descent, each line along the forces. `fire`: damped dynamics (FIRE 2.0), with the masses "
                     "and, at first, the timestep of the deck. Settings are those of `min_modify`. `fire/old`: FIRE as "
                     "first published, whose settings are fixed but for dmax: explicit Euler steps, delaystep 5, tmax "
-                    "10, tmin 0, no half step back.\n",
+                    "10, tmin 0, no half step back. `quickmin`: steps of the deck's timestep along the forces, from "
+                    "rest wherever the last one went too far.\n",
                 .reference =
                     "J. Guenole et al., Comput. Mater. Sci. 175, 109584 (2020), doi:10.1016/j.commatsci.2020.109584",
                 .example = "min_style fire",

@@ -10,8 +10,8 @@
 #include "sim/thermo_internal.h"
 #include "style/atom_sum.h"
 
-const hs_min_style *const hs_min_styles[] = {&hs_min_style_cg, &hs_min_style_sd, &hs_min_style_fire,
-                                             &hs_min_style_fire_old, NULL};
+const hs_min_style *const hs_min_styles[] = {&hs_min_style_cg,       &hs_min_style_sd,       &hs_min_style_fire,
+                                             &hs_min_style_fire_old, &hs_min_style_quickmin, NULL};
 
 static const char *const reasons[HS_N_MIN_REASONS] = {
     [HS_MIN_MAX_ITERATIONS] = "max iterations",

@@ -179,3 +179,27 @@ const hs_min_style hs_min_style_fire_old = {.name = "fire/old",
                                             .is_from_rest = true,
                                             .begin = begin_old,
                                             .iterate = iterate};
+
+/** Steps in the direction of the forces alone, with the speed that the velocities have along it, or from rest where that is none. */
+static hs_status iterate_quickmin(hs_minimizer *min, hs_min_reason *reason, hs_error *err)
+{
+    enum { STEPS_DOWNHILL = 5 }; /* the energy may stand still where it has just turned uphill */
+    double sums[N_SUMS];
+    hs_atom_sum(&min->sim->atoms, &min->sim->parallel, add_products, NULL, N_SUMS, sums);
+    const bool is_downhill = sums[FORCE_VELOCITY] >= 0.0;
+    if (!is_downhill) min->last_uphill = min->n_iterations;
+    set_velocities(min, 0.0, 0.0,
+                   is_downhill && sums[FORCE_FORCE] > 0.0 ? sums[FORCE_VELOCITY] / sums[FORCE_FORCE] : 0.0);
+    const double dt = safe_step(min);
+    move(min, dt);
+    set_velocities(min, 1.0, dt * min->sim->env.units->ftm2v, 0.0);
+    HS_TRY(hs_min_evaluate(min, err));
+    *reason = hs_min_check(min, min->n_iterations - min->last_uphill > STEPS_DOWNHILL);
+    return HS_OK;
+}
+
+const hs_min_style hs_min_style_quickmin = {.name = "quickmin",
+                                            .summary = "damped dynamics (QuickMin); only dmax of min_modify matters",
+                                            .is_from_rest = true,
+                                            .begin = begin_old,
+                                            .iterate = iterate_quickmin};

@@ -79,6 +79,7 @@ HS_MUST_USE hs_status hs_min_renew_box(hs_minimizer *min, hs_error *err);
  *  they were then. */
 HS_MUST_USE hs_status hs_min_search_line(hs_minimizer *min, hs_min_reason *reason, hs_error *err);
 
-extern const hs_min_style hs_min_style_cg, hs_min_style_sd, hs_min_style_fire, hs_min_style_fire_old;
+extern const hs_min_style hs_min_style_cg, hs_min_style_sd, hs_min_style_fire, hs_min_style_fire_old,
+    hs_min_style_quickmin;
 
 #endif
