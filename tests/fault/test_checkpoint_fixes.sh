@@ -113,6 +113,14 @@ fix 2 all press/berendsen x 1.0 3.0 0.5 y 2.0 1.0 0.5 z 1.0 3.0 0.5 couple xz mo
 fix p all print 10 "$(lx:%.17g) $(ly:%.17g) $(c_2_press:%.17g)" file p.txt screen no
 D
 
+check springs <<'D'
+group one id <= 40
+fix 1 all nve
+fix 2 one spring couple all 20 1 2 NULL 0.3
+fix 3 one lineforce 1 2 3
+fix p all print 10 "$(f_2:%.17g) $(f_2[1]:%.17g)" file p.txt screen no
+D
+
 check npt <<'D'
 fix 1 all npt temp 1.0 1.2 0.5 x 1.0 3.0 2.0 y 2.0 1.0 1.5 z -1 0 1 nreset 20
 fix p all print 10 "$(lx:%.17g) $(f_1:%.17g) $(f_1[15]:%.17g)" file p.txt screen no

@@ -69,7 +69,7 @@ minimize 0 0 20 1000
 min_style cg
 minimize 0 0 60 1000
 D
-    system pressed 30 'lx ly lz' <<D
+    system pressed 30 'lx ly lz f_4 f_4[1]' <<D
 lattice fcc 0.8
 region box block 0 5 0 4 0 4
 create_box 1 box
@@ -82,6 +82,7 @@ group some id <= 150
 fix 1 all nve
 fix 2 all press/berendsen x 0.0 2.0 0.2 y 1.0 1.0 0.5 z 0.0 2.0 0.2 couple xz
 fix 3 some planeforce 1 2 3
+fix 4 some spring couple all 20 1 NULL 0.5 0.2
 D
 } >in.minimize
 
