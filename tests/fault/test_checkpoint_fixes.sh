@@ -118,6 +118,7 @@ group one id <= 40
 fix 1 all nve
 fix 2 one spring couple all 20 1 2 NULL 0.3
 fix 3 one lineforce 1 2 3
+fix 4 all temp/csvr 1.0 1.5 0.1 4711
 fix p all print 10 "$(f_2:%.17g) $(f_2[1]:%.17g)" file p.txt screen no
 D
 

@@ -83,6 +83,7 @@ fix 1 all nve
 fix 2 all press/berendsen x 0.0 2.0 0.2 y 1.0 1.0 0.5 z 0.0 2.0 0.2 couple xz
 fix 3 some planeforce 1 2 3
 fix 4 some spring couple all 20 1 NULL 0.5 0.2
+fix 5 all temp/csvr 1.0 1.5 0.1 4711
 D
 } >in.minimize
 
