@@ -7,29 +7,24 @@
  * Source: M. Parrinello, A. Rahman, J. Appl. Phys. 52, 7182 (1981), doi:10.1063/1.328693. */
 #include <string.h>
 
-#include "base/memory.h"
+#include "style/barometer.h"
 #include "style/box_shape.h"
-#include "style/compute.h"
-#include "style/fix.h"
 #include "style/strain_energy.h"
 
 enum { X, Y, Z, XY, XZ, YZ };
-/* The computes that the fix owns: fix->own. */
-enum { OWN_TEMPERATURE, OWN_PRESSURE };
 static const char *const names[] = {"x", "y", "z", "xy", "xz", "yz", NULL};
 
 typedef struct relax_state {
+    hs_barometer barometer; /**< iso: one coordinate, the first, for all axes */
     bool moves[HS_BOX_COORDINATES];
     double target[HS_BOX_COORDINATES]; /**< pressure */
     double p_mean;                     /**< of the axes that move */
-    bool is_coupled[3], is_iso;        /**< iso: one coordinate, the first, for all axes */
     bool has_stress;                   /**< targets differ, or are of tilts: S may be other than 0 */
     bool scales_tilt[3];               /**< xy, xz, yz keep their ratio to the length along their second axis */
     double farthest;                   /**< vmax */
     int64_t reset_every;               /**< iterations; 0: never */
     double fixed_point[3];
     uint32_t dilate;
-    char *temperature_id, *pressure_id; /**< owned; of fix_modify temp, press; NULL: the fix's own */
 
     bool has_begun;
     int64_t first_step;                                          /**< of the minimisation */
@@ -93,13 +88,6 @@ static hs_status set_target(hs_fix *fix, const hs_args *args, int k, double targ
     return HS_OK;
 }
 
-static void couple(relax_state *state, int which)
-{
-    static const bool axes[][3] = {
-        {0}, {true, true, true}, {true, true, false}, {false, true, true}, {true, false, true}};
-    memcpy(state->is_coupled, axes[which], sizeof state->is_coupled);
-}
-
 static hs_status read_target(hs_fix *fix, const hs_args *args, int i, hs_error *err)
 {
     const char *word = args->word[i];
@@ -109,7 +97,7 @@ static hs_status read_target(hs_fix *fix, const hs_args *args, int i, hs_error *
     HS_TRY(hs_arg_double(args, i + 1, &target, err));
     while (names[k] != NULL && strcmp(names[k], word) != 0) ++k;
     if (names[k] != NULL) return set_target(fix, args, k, target, err);
-    couple(fix->state, word[0] == 'i');
+    hs_barometer_couple(&((relax_state *)fix->state)->barometer, word[0] == 'i');
     for (k = X; k < dimension; ++k) HS_TRY(set_target(fix, args, k, target, err));
     for (k = XY; k < (dimension == 3 ? HS_BOX_COORDINATES : XZ) && word[0] == 't'; ++k)
         HS_TRY(set_target(fix, args, k, 0.0, err));
@@ -119,14 +107,13 @@ static hs_status read_target(hs_fix *fix, const hs_args *args, int i, hs_error *
 /** A keyword that is no target, and what follows it; is_scaled[k] is -1 where the deck says nothing. */
 static hs_status read_setting(hs_fix *fix, const hs_args *args, int i, int is_scaled[3], hs_error *err)
 {
-    static const char *const couplings[] = {"none", "xyz", "xy", "yz", "xz", NULL};
     static const char *const groups[] = {"all", "partial", NULL};
     relax_state *state = fix->state;
     const char *word = args->word[i];
     int choice;
     if (strcmp(word, "couple") == 0) {
-        HS_TRY(hs_arg_choice(args, i + 1, couplings, &choice, err));
-        couple(state, choice);
+        HS_TRY(hs_arg_choice(args, i + 1, hs_couplings, &choice, err));
+        hs_barometer_couple(&state->barometer, choice);
     } else if (strcmp(word, "nreset") == 0) {
         return hs_arg_int(args, i + 1, 0, INT64_MAX, &state->reset_every, err);
     } else if (strcmp(word, "vmax") == 0) {
@@ -151,7 +138,7 @@ static hs_status check_coupling(const hs_fix *fix, const hs_args *args, hs_error
     const relax_state *state = fix->state;
     int first = -1;
     for (int axis = 0; axis < fix->env->box->dimension; ++axis) {
-        if (!state->is_coupled[axis]) continue;
+        if (!state->barometer.is_coupled[axis]) continue;
         if (!state->moves[axis])
             return hs_fail(err, HS_ERROR_INPUT, "%s: the coupled axis %s has no target; '%s <P>' gives it one",
                            args->command, names[axis], names[axis]);
@@ -175,15 +162,6 @@ static hs_status check_scaling(relax_state *state, const hs_args *args, const in
                            args->command, names[XY + k], names[XY + k]);
     }
     return HS_OK;
-}
-
-static hs_status create_computes(hs_fix *fix, hs_error *err)
-{
-    const hs_args none = {.command = "fix"};
-    HS_TRY(hs_fix_own_compute(fix, OWN_TEMPERATURE, "temp", "temp", 0, &none, err));
-    const char *const words[] = {fix->own[OWN_TEMPERATURE]->id, "virial"};
-    const hs_args virial = {.command = "fix", .n = 2, .word = words};
-    return hs_fix_own_compute(fix, OWN_PRESSURE, "pressure", "press", 0, &virial, err);
 }
 
 static hs_status create(hs_fix *fix, const hs_args *args, hs_error *err)
@@ -213,53 +191,29 @@ static hs_status create(hs_fix *fix, const hs_args *args, hs_error *err)
     if (n_axes > 0) state->p_mean /= n_axes;
     HS_TRY(check_coupling(fix, args, err));
     HS_TRY(check_scaling(state, args, is_scaled, err));
-    const bool *is_coupled = state->is_coupled;
-    state->is_iso = is_coupled[X] && is_coupled[Y] && (is_coupled[Z] || box->dimension == 2) && n_coordinates == n_axes;
+    const bool *is_coupled = state->barometer.is_coupled;
+    state->barometer.is_iso =
+        is_coupled[X] && is_coupled[Y] && (is_coupled[Z] || box->dimension == 2) && n_coordinates == n_axes;
     for (int k = 0; k < HS_BOX_COORDINATES; ++k)
         if (state->moves[k]) state->has_stress |= state->target[k] != (k < XY ? state->p_mean : 0.0);
-    return create_computes(fix, err);
+    return hs_barometer_create(fix, true, err);
 }
 
-static void destroy(hs_fix *fix)
-{
-    relax_state *state = fix->state;
-    HS_FREE(state->temperature_id);
-    HS_FREE(state->pressure_id);
-}
-
-/* ---- Computes ---- */
-
-static hs_status find_compute(const hs_fix *fix, int which, hs_compute **compute, hs_error *err)
-{
-    const relax_state *state = fix->state;
-    const char *id = which == OWN_TEMPERATURE ? state->temperature_id : state->pressure_id;
-    *compute = id != NULL ? fix->env->find_compute(fix->env, id) : fix->own[which];
-    if (*compute != NULL) return HS_OK;
-    return hs_fail(err, HS_ERROR_INPUT, "fix '%s' (box/relax): there is no compute '%s' any more", fix->id, id);
-}
+static void destroy(hs_fix *fix) { hs_barometer_fini(&((relax_state *)fix->state)->barometer); }
 
 static hs_status set_temperature(hs_fix *fix, const char *id, hs_error *err)
 {
-    relax_state *state = fix->state;
-    hs_compute *pressure;
-    HS_TRY(hs_memory_replace(&state->temperature_id, id, err));
-    HS_TRY(find_compute(fix, OWN_PRESSURE, &pressure, err));
-    return pressure->style->set_temperature != NULL ? pressure->style->set_temperature(pressure, id, err) : HS_OK;
+    return hs_barometer_set_temperature(fix, &((relax_state *)fix->state)->barometer, id, err);
 }
 
 static hs_status set_pressure(hs_fix *fix, const char *id, hs_error *err)
 {
-    return hs_memory_replace(&((relax_state *)fix->state)->pressure_id, id, err);
+    return hs_barometer_set_pressure(&((relax_state *)fix->state)->barometer, id, err);
 }
 
 static hs_status init(hs_fix *fix, hs_error *err)
 {
-    hs_compute *compute;
-    for (int which = OWN_TEMPERATURE; which <= OWN_PRESSURE; ++which) {
-        HS_TRY(find_compute(fix, which, &compute, err));
-        if (fix->own[which]->style->init != NULL) HS_TRY(fix->own[which]->style->init(fix->own[which], err));
-    }
-    return HS_OK;
+    return hs_barometer_init(fix, &((relax_state *)fix->state)->barometer, err);
 }
 
 /* ---- Energy and forces ---- */
@@ -291,37 +245,17 @@ static hs_status scalar(hs_fix *fix, double *value, hs_error *err)
     return HS_OK;
 }
 
-/** Pressures of the six components; those of coupled axes become their mean. */
-static hs_status measure_pressure(const hs_fix *fix, double p[HS_BOX_COORDINATES], hs_error *err)
-{
-    const relax_state *state = fix->state;
-    hs_compute *pressure;
-    double sum = 0.0;
-    int n = 0;
-    HS_TRY(find_compute(fix, OWN_PRESSURE, &pressure, err));
-    hs_env_changed(fix->env);
-    if (state->is_iso) return hs_compute_scalar(pressure, &p[X], err);
-    HS_TRY(hs_compute_eval_vector(pressure, err));
-    memcpy(p, pressure->vector, HS_BOX_COORDINATES * sizeof *p);
-    for (int axis = 0; axis < fix->env->box->dimension; ++axis) {
-        n += state->is_coupled[axis];
-        if (state->is_coupled[axis]) sum += p[axis];
-    }
-    for (int axis = 0; axis < fix->env->box->dimension; ++axis)
-        if (state->is_coupled[axis]) p[axis] = sum / n;
-    return HS_OK;
-}
-
 static hs_status measure(hs_fix *fix, double *energy, double force[HS_BOX_COORDINATES], hs_error *err)
 {
     const relax_state *state = fix->state;
     const hs_box *box = fix->env->box;
     const double volume = hs_box_volume(box);
     double p[HS_BOX_COORDINATES], against[HS_BOX_COORDINATES] = {0.0};
-    HS_TRY(measure_pressure(fix, p, err));
+    hs_env_changed(fix->env);
+    HS_TRY(hs_barometer_read(fix, &state->barometer, p, err));
     *energy = energy_of(fix);
     memset(force, 0, HS_BOX_COORDINATES * sizeof *force);
-    if (state->is_iso) {
+    if (state->barometer.is_iso) {
         force[X] =
             box->dimension * (p[X] - state->p_mean) * volume / (1.0 + state->strain[X]) / fix->env->units->nktv2p;
         return HS_OK;
@@ -356,7 +290,8 @@ static void place(hs_fix *fix, double alpha, const double direction[HS_BOX_COORD
     const hs_box *first = &state->first;
     *box = *fix->env->box;
     for (int k = 0; k < HS_BOX_COORDINATES; ++k)
-        state->strain[k] = state->kept[k] + alpha * direction[state->is_iso && k < fix->env->box->dimension ? X : k];
+        state->strain[k] =
+            state->kept[k] + alpha * direction[state->barometer.is_iso && k < fix->env->box->dimension ? X : k];
     for (int axis = 0; axis < 3; ++axis) {
         if (!state->moves[axis]) continue;
         const double growth = 1.0 + state->strain[axis], point = state->fixed_point[axis];
@@ -391,7 +326,7 @@ static bool renew(hs_fix *fix)
 static int count(const hs_fix *fix)
 {
     const relax_state *state = fix->state;
-    if (state->is_iso) return 1;
+    if (state->barometer.is_iso) return 1;
     return state->moves[XY] || state->moves[XZ] || state->moves[YZ] ? 6 : 3; /* as LAMMPS counts */
 }
 

@@ -5,21 +5,17 @@
 #include <math.h>
 #include <string.h>
 
-#include "base/memory.h"
+#include "style/barometer.h"
 #include "style/box_change.h"
 #include "style/box_flow.h"
-#include "style/compute.h"
-#include "style/fix.h"
 #include "style/upright.h"
 
-enum { OWN_TEMPERATURE, OWN_PRESSURE };
-
 typedef struct press_state {
-    bool moves[3], is_coupled[3], is_iso; /**< iso: by the scalar pressure */
+    hs_barometer barometer;
+    bool moves[3];
     double start[3], stop[3], damping[3]; /**< pressure, pressure, time */
     double modulus;                       /**< pressure */
     uint32_t dilate;                      /**< group bits of the atoms that follow the box */
-    char *temperature_id, *pressure_id;   /**< owned; of fix_modify temp, press; NULL: the fix's own */
 } press_state;
 
 static const hs_keyword keywords[] = {
@@ -53,17 +49,9 @@ static hs_status read_axis(hs_fix *fix, const hs_args *args, int i, int axis, hs
     return hs_arg_positive(args, i + 3, &state->damping[axis], err);
 }
 
-static void couple(press_state *state, int which)
-{
-    static const bool axes[][3] = {
-        {0}, {true, true, true}, {true, true, false}, {false, true, true}, {true, false, true}};
-    memcpy(state->is_coupled, axes[which], sizeof state->is_coupled);
-}
-
 /** A keyword and what follows it; *n_used words. */
 static hs_status read_keyword(hs_fix *fix, const hs_args *args, int i, int *n_used, hs_error *err)
 {
-    static const char *const couplings[] = {"none", "xyz", "xy", "yz", "xz", NULL};
     press_state *state = fix->state;
     const char *word = args->word[i];
     int choice;
@@ -74,13 +62,13 @@ static hs_status read_keyword(hs_fix *fix, const hs_args *args, int i, int *n_us
         return HS_OK;
     }
     if (strcmp(word, "couple") == 0) {
-        HS_TRY(hs_arg_choice(args, i + 1, couplings, &choice, err));
-        couple(state, choice);
+        HS_TRY(hs_arg_choice(args, i + 1, hs_couplings, &choice, err));
+        hs_barometer_couple(&state->barometer, choice);
         return HS_OK;
     }
     *n_used = 4;
     if (word[1] == '\0') return read_axis(fix, args, i, word[0] - 'x', err);
-    couple(state, word[0] == 'i');
+    hs_barometer_couple(&state->barometer, word[0] == 'i');
     for (int axis = 0; axis < fix->env->box->dimension; ++axis) HS_TRY(read_axis(fix, args, i, axis, err));
     return HS_OK;
 }
@@ -93,7 +81,7 @@ static hs_status check_axes(const hs_fix *fix, const hs_args *args, hs_error *er
         return hs_fail(err, HS_ERROR_INPUT,
                        "%s: a pressure is missing: 'iso <Pstart> <Pstop> <Pdamp>', aniso, x, y or z", args->command);
     for (int axis = 0; axis < fix->env->box->dimension; ++axis) {
-        if (!s->is_coupled[axis]) continue;
+        if (!s->barometer.is_coupled[axis]) continue;
         if (first < 0) first = axis;
         if (!s->moves[axis])
             return hs_fail(err, HS_ERROR_INPUT,
@@ -111,59 +99,32 @@ static hs_status check_axes(const hs_fix *fix, const hs_args *args, hs_error *er
 static hs_status create(hs_fix *fix, const hs_args *args, hs_error *err)
 {
     press_state *state = fix->state;
-    const hs_args none = {.command = "fix"};
     HS_TRY(hs_syntax_check(&fix->style->about.syntax, args, false, err));
     state->modulus = 10.0;
     state->dilate = hs_group_mask(0);
     for (int i = 0, n_used; i < args->n; i += n_used) HS_TRY(read_keyword(fix, args, i, &n_used, err));
     HS_TRY(check_axes(fix, args, err));
-    const bool *is_coupled = state->is_coupled;
-    state->is_iso = is_coupled[0] && is_coupled[1] && (is_coupled[2] || fix->env->box->dimension == 2);
-    HS_TRY(hs_fix_own_compute(fix, OWN_TEMPERATURE, "temp", "temp", 0, &none, err));
-    static const char *const words[] = {"thermo_temp"}; /* until the fix, and with it its own, can be found */
-    const hs_args with_temperature = {.command = "fix", .n = 1, .word = words};
-    HS_TRY(hs_fix_own_compute(fix, OWN_PRESSURE, "pressure", "press", 0, &with_temperature, err));
-    hs_compute *pressure = fix->own[OWN_PRESSURE];
-    return pressure->style->set_temperature(pressure, fix->own[OWN_TEMPERATURE]->id, err);
+    const bool *is_coupled = state->barometer.is_coupled;
+    state->barometer.is_iso = is_coupled[0] && is_coupled[1] && (is_coupled[2] || fix->env->box->dimension == 2);
+    return hs_barometer_create(fix, false, err);
 }
 
-static void destroy(hs_fix *fix)
-{
-    press_state *state = fix->state;
-    HS_FREE(state->temperature_id);
-    HS_FREE(state->pressure_id);
-}
-
-/* ---- Computes ---- */
-
-static hs_status find_compute(const hs_fix *fix, int which, hs_compute **compute, hs_error *err)
-{
-    const press_state *state = fix->state;
-    const char *id = which == OWN_TEMPERATURE ? state->temperature_id : state->pressure_id;
-    *compute = id != NULL ? fix->env->find_compute(fix->env, id) : fix->own[which];
-    if (*compute != NULL) return HS_OK;
-    return hs_fail(err, HS_ERROR_INPUT, "fix '%s' (press/berendsen): there is no compute '%s' any more", fix->id, id);
-}
+static void destroy(hs_fix *fix) { hs_barometer_fini(&((press_state *)fix->state)->barometer); }
 
 static hs_status set_temperature(hs_fix *fix, const char *id, hs_error *err)
 {
-    press_state *state = fix->state;
-    hs_compute *pressure;
-    HS_TRY(hs_memory_replace(&state->temperature_id, id, err));
-    HS_TRY(find_compute(fix, OWN_PRESSURE, &pressure, err));
-    return pressure->style->set_temperature != NULL ? pressure->style->set_temperature(pressure, id, err) : HS_OK;
+    return hs_barometer_set_temperature(fix, &((press_state *)fix->state)->barometer, id, err);
 }
 
 static hs_status set_pressure(hs_fix *fix, const char *id, hs_error *err)
 {
-    return hs_memory_replace(&((press_state *)fix->state)->pressure_id, id, err);
+    return hs_barometer_set_pressure(&((press_state *)fix->state)->barometer, id, err);
 }
 
 static hs_status init(hs_fix *fix, hs_error *err)
 {
     const press_state *state = fix->state;
     const hs_env *env = fix->env;
-    hs_compute *compute;
     HS_TRY(hs_need_upright(env, "fix press/berendsen", err));
     for (int axis = 0; axis < 3; ++axis)
         if (state->moves[axis] && env->box_flow != NULL && env->box_flow->sets_length[axis])
@@ -172,45 +133,17 @@ static hs_status init(hs_fix *fix, hs_error *err)
                 "fix '%s' (press/berendsen): the length in %c is what fix deform makes it, and cannot follow a "
                 "pressure, too",
                 fix->id, "xyz"[axis]);
-    for (int which = OWN_TEMPERATURE; which <= OWN_PRESSURE; ++which) {
-        HS_TRY(find_compute(fix, which, &compute, err));
-        if (fix->own[which]->style->init != NULL) HS_TRY(fix->own[which]->style->init(fix->own[which], err));
-    }
-    return HS_OK;
+    return hs_barometer_init(fix, &state->barometer, err);
 }
 
 /* ---- Steps ---- */
-
-/** The pressures along the axes; those of coupled ones become their mean (collective). */
-static hs_status measure(const hs_fix *fix, double p[3], hs_error *err)
-{
-    const press_state *state = fix->state;
-    hs_compute *pressure;
-    double sum = 0.0;
-    int n = 0;
-    HS_TRY(find_compute(fix, OWN_PRESSURE, &pressure, err));
-    if (state->is_iso) {
-        HS_TRY(hs_compute_scalar(pressure, &p[0], err));
-        p[1] = p[2] = p[0];
-        return HS_OK;
-    }
-    HS_TRY(hs_compute_eval_vector(pressure, err));
-    memcpy(p, pressure->vector, 3 * sizeof *p);
-    for (int axis = 0; axis < fix->env->box->dimension; ++axis) {
-        n += state->is_coupled[axis];
-        if (state->is_coupled[axis]) sum += p[axis];
-    }
-    for (int axis = 0; axis < fix->env->box->dimension; ++axis)
-        if (state->is_coupled[axis]) p[axis] = sum / n;
-    return HS_OK;
-}
 
 static hs_status end_of_step(hs_fix *fix, hs_error *err)
 {
     const press_state *state = fix->state;
     hs_env *env = fix->env;
-    double p[3], lo[3], hi[3];
-    HS_TRY(measure(fix, p, err));
+    double p[6], lo[3], hi[3];
+    HS_TRY(hs_barometer_read(fix, &state->barometer, p, err));
     for (int axis = 0; axis < 3; ++axis) {
         lo[axis] = env->box->lo[axis];
         hi[axis] = env->box->hi[axis];
