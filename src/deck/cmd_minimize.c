@@ -29,6 +29,7 @@ static hs_status check_minimize(const hs_args *args, bool has_variables, hs_erro
 static hs_status pretend(hs_deck *deck, const hs_frame *frame, hs_error *err)
 {
     hs_sim *sim = deck->sim;
+    HS_TRY(hs_sim_check_minimize(sim, err));
     HS_TRY(hs_sim_setup(sim, err));
     hs_say(deck->out, "Minimization (%s) of at most %lld iterations with %lld atoms\n", sim->minimize.style->name,
            (long long)frame->left, (long long)sim->atoms.n_all);

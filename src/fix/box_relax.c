@@ -32,7 +32,7 @@ typedef struct relax_state {
     double strain[HS_BOX_COORDINATES], kept[HS_BOX_COORDINATES]; /**< at present; where the line began */
     hs_strain_energy reference;
     double unit
-        [3]; /**< lengths of the reference box: forces are along strains of it. Moves are strains of the first box, as in LAMMPS */
+        [3]; /**< lengths of the reference box: forces are along its strains, moves, as in LAMMPS, strains of the first */
 } relax_state;
 
 /* ---- Words ---- */
@@ -164,11 +164,33 @@ static hs_status check_scaling(relax_state *state, const hs_args *args, const in
     return HS_OK;
 }
 
+static bool moves_tilts(const relax_state *state) { return state->moves[XY] || state->moves[XZ] || state->moves[YZ]; }
+
+/** The mean target of the axes, and whether any differs from it. */
+static hs_status find_mean(relax_state *state, const hs_args *args, hs_error *err)
+{
+    double sum = 0.0, first = 0.0;
+    int n = 0;
+    for (int axis = X; axis <= Z; ++axis) {
+        if (!state->moves[axis]) continue;
+        if (n == 0) first = state->target[axis];
+        state->has_stress |= state->target[axis] != first;
+        sum += state->target[axis];
+        ++n;
+    }
+    for (int k = XY; k <= YZ; ++k) state->has_stress |= state->target[k] != 0.0;
+    state->p_mean = n == 0 ? 0.0 : state->has_stress ? sum / n : first; /* without rounding where all are one */
+    if (n > 0 || moves_tilts(state)) return HS_OK;
+    return hs_fail(err, HS_ERROR_INPUT,
+                   "%s: what relaxes? 'iso <P>', aniso, tri, x, y, z, xy, xz or yz with a target must follow",
+                   args->command);
+}
+
 static hs_status create(hs_fix *fix, const hs_args *args, hs_error *err)
 {
     relax_state *state = fix->state;
     const hs_box *box = fix->env->box;
-    int is_scaled[3] = {-1, -1, -1}, n_axes = 0, n_coordinates = 0;
+    int is_scaled[3] = {-1, -1, -1};
     HS_TRY(hs_syntax_check(&fix->style->about.syntax, args, false, err));
     state->farthest = 1e-4;
     state->dilate = hs_group_mask(0);
@@ -179,23 +201,12 @@ static hs_status create(hs_fix *fix, const hs_args *args, hs_error *err)
                                strcmp(word, "aniso") == 0 || strcmp(word, "tri") == 0;
         HS_TRY(is_target ? read_target(fix, args, i, err) : read_setting(fix, args, i, is_scaled, err));
     }
-    for (int k = 0; k < HS_BOX_COORDINATES; ++k) {
-        n_coordinates += state->moves[k];
-        n_axes += k < XY && state->moves[k];
-        if (k < XY && state->moves[k]) state->p_mean += state->target[k];
-    }
-    if (n_coordinates == 0)
-        return hs_fail(err, HS_ERROR_INPUT,
-                       "%s: what relaxes? 'iso <P>', aniso, tri, x, y, z, xy, xz or yz with a target must follow",
-                       args->command);
-    if (n_axes > 0) state->p_mean /= n_axes;
+    HS_TRY(find_mean(state, args, err));
     HS_TRY(check_coupling(fix, args, err));
     HS_TRY(check_scaling(state, args, is_scaled, err));
     const bool *is_coupled = state->barometer.is_coupled;
     state->barometer.is_iso =
-        is_coupled[X] && is_coupled[Y] && (is_coupled[Z] || box->dimension == 2) && n_coordinates == n_axes;
-    for (int k = 0; k < HS_BOX_COORDINATES; ++k)
-        if (state->moves[k]) state->has_stress |= state->target[k] != (k < XY ? state->p_mean : 0.0);
+        is_coupled[X] && is_coupled[Y] && (is_coupled[Z] || box->dimension == 2) && !moves_tilts(state);
     return hs_barometer_create(fix, true, err);
 }
 
@@ -327,7 +338,7 @@ static int count(const hs_fix *fix)
 {
     const relax_state *state = fix->state;
     if (state->barometer.is_iso) return 1;
-    return state->moves[XY] || state->moves[XZ] || state->moves[YZ] ? 6 : 3; /* as LAMMPS counts */
+    return moves_tilts(state) ? 6 : 3; /* as LAMMPS counts */
 }
 
 static uint32_t followers(const hs_fix *fix) { return ((const relax_state *)fix->state)->dilate; }

@@ -291,6 +291,12 @@ static hs_status minimize(hs_sim *sim, hs_min_plan *plan, hs_error *err)
     return HS_OK;
 }
 
+hs_status hs_sim_check_minimize(hs_sim *sim, hs_error *err)
+{
+    hs_fix *relaxes;
+    return hs_min_find_box(sim, &relaxes, err);
+}
+
 hs_status hs_sim_minimize(hs_sim *sim, hs_min_plan *plan, hs_error *err)
 {
     hs_neighbor_settings *settings = &sim->neighbor.settings;

@@ -68,6 +68,8 @@ typedef struct hs_min_plan {
     bool is_resumed;                             /**< go on where a checkpoint was written */
 } hs_min_plan;
 
+/** Whether the style and the fixes there are can minimise the energy. */
+HS_MUST_USE hs_status hs_sim_check_minimize(struct hs_sim *sim, hs_error *err);
 /** Minimise the energy (collective): set-up, iterations with output, statistics. */
 HS_MUST_USE hs_status hs_sim_minimize(struct hs_sim *sim, hs_min_plan *plan, hs_error *err);
 
