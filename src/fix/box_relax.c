@@ -1,9 +1,10 @@
 /* Relaxes the box when the energy is minimised.
  *
- * The coordinates of the box are strains e, counted from the box in which the minimisation began: lengths L = L1 (1 + e), tilts
- * xy = xy1 + e lx1 (xz likewise, yz with ly1). What is minimised is U + P (V - V0) + strain energy (style/strain_energy.h), with the mean
- * target pressure P of the axes. As in LAMMPS the forces along the strains leave out what the off-diagonal stress adds to them in a tilted
- * box, so that it is each component of the stress by itself that ends at its target.
+ * The coordinates of the box are strains e, counted from the box in which the minimisation began: lengths L = L1 (1 +
+ * e), tilts xy = xy1 + e lx1 (xz likewise, yz with ly1). What is minimised is U + P (V - V0) + strain energy
+ * (style/strain_energy.h), with the mean target pressure P of the axes. As in LAMMPS the forces along the strains
+ * leave out what the off-diagonal stress adds to them in a tilted box, so that it is each component of the stress by
+ * itself that ends at its target.
  * Source: M. Parrinello, A. Rahman, J. Appl. Phys. 52, 7182 (1981), doi:10.1063/1.328693. */
 #include <string.h>
 
@@ -31,8 +32,7 @@ typedef struct relax_state {
     hs_box first;                                                /**< the box that strains are counted from */
     double strain[HS_BOX_COORDINATES], kept[HS_BOX_COORDINATES]; /**< at present; where the line began */
     hs_strain_energy reference;
-    double unit
-        [3]; /**< lengths of the reference box: forces are along its strains, moves, as in LAMMPS, strains of the first */
+    double unit[3]; /**< lengths of the reference box, whose strains forces are along; moves are of the first's */
 } relax_state;
 
 /* ---- Words ---- */

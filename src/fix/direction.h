@@ -1,4 +1,5 @@
-/** What fix lineforce and planeforce share: a direction, and forces that are cut into their parts along it and across. */
+/** What fix lineforce and planeforce share: a direction, and forces that are cut into their parts along it and
+ *  across. */
 #ifndef HS_FIX_DIRECTION_H
 #define HS_FIX_DIRECTION_H
 

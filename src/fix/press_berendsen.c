@@ -1,7 +1,8 @@
-/* Weak coupling to a bath of constant pressure: at each step the lengths of the box, and the atoms' places in it, are scaled by
+/* Weak coupling to a bath of constant pressure: at each step the lengths of the box, and the atoms' places in it, are
+ * scaled by
  *     (1 - (dt/Pdamp) (P_wanted - P) / modulus)^(1/3).
- * Source: H. J. C. Berendsen et al., J. Chem. Phys. 81, 3684 (1984), doi:10.1063/1.448118, eq. (21), with the bulk modulus in the place
- * of 1/compressibility. */
+ * Source: H. J. C. Berendsen et al., J. Chem. Phys. 81, 3684 (1984), doi:10.1063/1.448118, eq. (21), with the bulk
+ * modulus in the place of 1/compressibility. */
 #include <math.h>
 #include <string.h>
 

@@ -41,7 +41,8 @@ static hs_status create(hs_fix *fix, const hs_args *args, hs_error *err)
     return hs_arg_not_negative(args, at, &state->rest, err);
 }
 
-/** From the group's center to the other end, along the directions that count; false where a group has no mass (collective). */
+/** From the group's center to the other end, along the directions that count; false where a group has no mass
+ *  (collective). */
 static bool find_ends(const hs_fix *fix, double d[3], double mass[2])
 {
     const spring_state *state = fix->state;

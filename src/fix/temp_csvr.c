@@ -1,6 +1,6 @@
-/* Canonical sampling by rescaling: the velocities of a group are scaled so that its kinetic energy makes a random walk whose distribution
- * is the canonical one, and which forgets where it was in the damping time. With c = exp(-dt/Tdamp), n degrees of freedom, and the wanted
- * over the present temperature in q = T_wanted/(n T),
+/* Canonical sampling by rescaling: the velocities of a group are scaled so that its kinetic energy makes a random
+ * walk whose distribution is the canonical one, and which forgets where it was in the damping time. With c =
+ * exp(-dt/Tdamp), n degrees of freedom, and the wanted over the present temperature in q = T_wanted/(n T),
  *     T'/T = c + (1 - c) q (R_1^2 + ... + R_n^2) + 2 R_1 sqrt(c (1 - c) q),      R_i normal.
  * Source: G. Bussi, D. Donadio, M. Parrinello, J. Chem. Phys. 126, 014101 (2007), doi:10.1063/1.2408420, eq. (A7). */
 #include "core/noise.h"

@@ -10,10 +10,9 @@
  *  given twice: each id is watched by one rank, so that no rank knows all. */
 typedef struct hs_data_id {
     int64_t id;
-    long line;     /**< of the file, 0 for atoms that were there before */
-    int32_t index; /**< local index, -1: the atom is another rank's */
-    int32_t
-        section; /**< the last section that had a line for it; HS_DATA_VELOCITIES, or one after that for each of the fixes */
+    long line;       /**< of the file, 0 for atoms that were there before */
+    int32_t index;   /**< local index, -1: the atom is another rank's */
+    int32_t section; /**< the last one that had a line for it; HS_DATA_VELOCITIES, or after that, a fix's */
 } hs_data_id;
 enum { HS_DATA_VELOCITIES = 1 };
 

@@ -1,4 +1,5 @@
-/* Minimisations that relax the box: the coordinates of one fix (style/box_freedom.h) are moved together with those of the atoms. */
+/* Minimisations that relax the box: the coordinates of one fix (style/box_freedom.h) are moved together with those of
+ * the atoms. */
 #include <math.h>
 #include <string.h>
 

@@ -1,9 +1,10 @@
 /* Line searches: how far to go along the search direction.
  *
- * The first try is the whole direction, or as far as dmax and the box allow. A place is taken when the energy has fallen by at least 0.4 of
- * what the slope at the start promises (the condition of Armijo); else half the distance is tried. `quadratic` tries the place where the
- * slope, a straight line through its two last values, would vanish, if energy and slopes so far agree with such a parabola, and takes it
- * where the energy has not risen by more than rounding may. As in LAMMPS a place whose parabola was tried in vain is not taken itself.
+ * The first try is the whole direction, or as far as dmax and the box allow. A place is taken when the energy has
+ * fallen by at least 0.4 of what the slope at the start promises (the condition of Armijo); else half the distance is
+ * tried. `quadratic` tries the place where the slope, a straight line through its two last values, would vanish, if
+ * energy and slopes so far agree with such a parabola, and takes it where the energy has not risen by more than
+ * rounding may. As in LAMMPS a place whose parabola was tried in vain is not taken itself.
  * Source: J. Nocedal, S. J. Wright, Numerical Optimization (2006), chapter 3, doi:10.1007/978-0-387-40065-5. */
 #include <math.h>
 
@@ -21,7 +22,8 @@ typedef struct place {
     double alpha, energy, slope;
 } place;
 
-/** Move from what alpha is now to @p alpha. Displacements are rounded apart, so that alpha 0 is where the atoms began, bit by bit. */
+/** Move from what alpha is now to @p alpha. Displacements are rounded apart, so that alpha 0 is where the atoms
+ *  began, bit by bit. */
 static void move_share(hs_minimizer *min, double alpha)
 {
     const hs_atoms *atoms = &min->sim->atoms;

@@ -53,7 +53,8 @@ hs_min_reason hs_min_check(const hs_minimizer *min, bool with_energy);
 /** Energy of the latest evaluation: pairs, fixes, box. */
 double hs_min_energy(const hs_minimizer *min);
 
-/* The part of the box (sim/minimize_box.c); without a fix that relaxes it these do nothing, and sums and counts are 0. */
+/* The part of the box (sim/minimize_box.c); without a fix that relaxes it these do nothing, and sums and counts are
+ * 0. */
 /** The fix that relaxes the box, or NULL; an error where there are two, or the style does not search along lines. */
 HS_MUST_USE hs_status hs_min_find_box(hs_sim *sim, hs_fix **fix, hs_error *err);
 /** Its energy and forces, from the latest forces of the atoms (collective). */
@@ -75,8 +76,8 @@ void hs_min_go_with_box(hs_minimizer *min, double alpha);
 /** After a line: energy and forces where the fix takes another reference (collective). */
 HS_MUST_USE hs_status hs_min_renew_box(hs_minimizer *min, hs_error *err);
 
-/** Move along the direction to a lower energy (collective). *reason is HS_MIN_ALPHA when there was none to be found; atoms are where
- *  they were then. */
+/** Move along the direction to a lower energy (collective). *reason is HS_MIN_ALPHA when there was none to be found;
+ *  atoms are where they were then. */
 HS_MUST_USE hs_status hs_min_search_line(hs_minimizer *min, hs_min_reason *reason, hs_error *err);
 
 extern const hs_min_style hs_min_style_cg, hs_min_style_sd, hs_min_style_fire, hs_min_style_fire_old,

@@ -25,7 +25,8 @@ void hs_barometer_fini(hs_barometer *barometer);
 HS_MUST_USE hs_status hs_barometer_set_temperature(hs_fix *fix, hs_barometer *barometer, const char *id, hs_error *err);
 HS_MUST_USE hs_status hs_barometer_set_pressure(hs_barometer *barometer, const char *id, hs_error *err);
 HS_MUST_USE hs_status hs_barometer_init(hs_fix *fix, const hs_barometer *barometer, hs_error *err);
-/** Components xx yy zz xy xz yz of the pressure; those of coupled axes are their mean, and iso has but the first three (collective). */
+/** Components xx yy zz xy xz yz of the pressure; those of coupled axes are their mean, and iso has but the first
+ *  three (collective). */
 HS_MUST_USE hs_status hs_barometer_read(const hs_fix *fix, const hs_barometer *barometer, double p[6], hs_error *err);
 
 #endif

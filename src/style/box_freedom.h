@@ -1,4 +1,5 @@
-/** Coordinates of the box that a minimisation of the energy moves together with those of the atoms. A fix that has them relaxes the box. */
+/** Coordinates of the box that a minimisation of the energy moves together with those of the atoms. A fix that has
+ *  them relaxes the box. */
 #ifndef HS_STYLE_BOX_FREEDOM_H
 #define HS_STYLE_BOX_FREEDOM_H
 
@@ -13,10 +14,12 @@ enum { HS_BOX_COORDINATES = 6 };
 typedef struct hs_box_freedom {
     /** A minimisation begins in the present box: all coordinates are 0 there. Not called where one is resumed. */
     void (*begin)(struct hs_fix *fix);
-    /** Energy of the box and forces along its coordinates (energy; coordinates have no unit), with the virial of the latest forces. */
+    /** Energy of the box and forces along its coordinates (energy; coordinates have no unit), with the virial of the
+     *  latest forces. */
     HS_MUST_USE hs_status (*measure)(struct hs_fix *fix, double *energy, double force[HS_BOX_COORDINATES],
                                      hs_error *err);
-    /** Take new coordinates from the last ones that were kept: those + alpha direction. @p box becomes the box that has them. */
+    /** Take new coordinates from the last ones that were kept: those + alpha direction. @p box becomes the box that
+     *  has them. */
     void (*place)(struct hs_fix *fix, double alpha, const double direction[HS_BOX_COORDINATES], hs_box *box);
     /** Keep the present coordinates. */
     void (*keep)(struct hs_fix *fix);

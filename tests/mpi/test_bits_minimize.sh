@@ -69,7 +69,7 @@ minimize 0 0 20 1000
 min_style cg
 minimize 0 0 60 1000
 D
-    system pressed 30 'lx ly lz f_4 f_4[1]' <<D
+    system pressed 30 'lx ly lz f_4 f_4[1] f_6 f_6[2]' <<D
 lattice fcc 0.8
 region box block 0 5 0 4 0 4
 create_box 1 box
@@ -84,6 +84,7 @@ fix 2 all press/berendsen x 0.0 2.0 0.2 y 1.0 1.0 0.5 z 0.0 2.0 0.2 couple xz
 fix 3 some planeforce 1 2 3
 fix 4 some spring couple all 20 1 NULL 0.5 0.2
 fix 5 all temp/csvr 1.0 1.5 0.1 4711
+fix 6 all rhok 3 -2 1 4.0 2.0
 D
 } >in.minimize
 

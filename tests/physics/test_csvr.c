@@ -1,4 +1,5 @@
-/* Canonical sampling by rescaling (fix temp/csvr): the distribution of the kinetic energy, how it forgets, what is conserved. */
+/* Canonical sampling by rescaling (fix temp/csvr): the distribution of the kinetic energy, how it forgets, what is
+ * conserved. */
 #include "physics/physics.h"
 
 /** Free particles: nothing but the thermostat changes their kinetic energy. */
@@ -12,9 +13,10 @@ static void open_gas(experiment *e, int n_side, double t, double damping)
          n_side, n_side, n_side, t, damping);
 }
 
-/* n T/T_wanted has the chi-square distribution of n degrees of freedom: mean n, variance 2n, third central moment 8n. With c = exp(-1/2)
- * between samples of a first-order process the means of m samples have (1 + c)/(1 - c) = 4.08 times the variance of independent ones;
- * squares forget twice as fast (factor 2.16), cubes three times. Limits are 4.5 standard errors (one in 150,000). */
+/* n T/T_wanted has the chi-square distribution of n degrees of freedom: mean n, variance 2n, third central moment 8n.
+ * With c = exp(-1/2) between samples of a first-order process the means of m samples have (1 + c)/(1 - c) = 4.08
+ * times the variance of independent ones; squares forget twice as fast (factor 2.16), cubes three times. Limits are
+ * 4.5 standard errors (one in 150,000). */
 START_TEST(distribution)
 {
     experiment e;
@@ -32,15 +34,16 @@ START_TEST(distribution)
     ck_assert_double_eq_tol(mean, n, 4.5 * sqrt(2.0 * n * 4.08 / m));
     /* fourth central moment 12 n (n + 4) */
     ck_assert_double_eq_tol(second, 2.0 * n, 4.5 * sqrt((12.0 * n * (n + 4.0) - 4.0 * n * n) * 2.16 / m));
-    /* sixth: 40 n (3 n^2 + 52 n + 96); the variance of (d^3) with what the mean's own error takes away is below its raw value */
+    /* sixth: 40 n (3 n^2 + 52 n + 96); the variance of (d^3) with what the mean's own error takes away is below its
+     * raw value */
     ck_assert_double_eq_tol(third, 8.0 * n, 4.5 * sqrt(40.0 * n * (3.0 * n * n + 52.0 * n + 96.0) * 4.08 / m));
     free(t.value);
     close_experiment(&e);
 }
 END_TEST
 
-/* From a temperature far off, the mean decays as exp(-t/Tdamp). Of 1,000 atoms T has a relative spread of some 3 % at most; limits are 5
- * of those. And what the thermostat has taken is what the atoms have lost. */
+/* From a temperature far off, the mean decays as exp(-t/Tdamp). Of 1,000 atoms T has a relative spread of some 3 % at
+ * most; limits are 5 of those. And what the thermostat has taken is what the atoms have lost. */
 START_TEST(decay)
 {
     experiment e;

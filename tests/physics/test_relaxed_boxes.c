@@ -58,8 +58,9 @@ START_TEST(lattice_constant)
         experiment e;
         open_crystal(&e, 2, "block 0 4 0 4 0 4");
         deck(&e, "fix r all box/relax iso %g vmax 0.01\nminimize 0 1e-9 1000 10000\n", pressures[k]);
-        /* forces below 1e-9, energy for a strain of 1, of a crystal whose stiffness 9 K V is 5e4 and more: strains of 1e-13; positions and
-           box are rounded to some 1e-14 */
+        /* forces below 1e-9, energy for a strain of 1, of a crystal whose stiffness 9 K V is 5e4 and more: strains of
+         * 1e-13; positions and
+         *            box are rounded to some 1e-14 */
         ck_assert_double_eq_tol(thermo(&e, "lx") / 4.0, lattice_edge(pressures[k]), 1e-10);
         ck_assert_double_eq_tol(thermo(&e, "press"), pressures[k], 1e-8);
         close_experiment(&e);
