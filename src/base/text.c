@@ -122,8 +122,9 @@ const char *hs_text_nearest(const char *word, const char *const *words, size_t n
     int best = limit;
     const char *nearest = NULL;
     for (size_t i = 0; i < n; ++i) {
-        int distance = edit_distance(word, words[i], limit);
-        if (distance < best) best = distance, nearest = words[i];
+        const int distance = edit_distance(word, words[i], limit);
+        const bool is_likelier = nearest != NULL && nearest[0] != word[0] && words[i][0] == word[0];
+        if (distance < best || (distance == best && is_likelier)) best = distance, nearest = words[i];
     }
     size_t longest = 0; /* of variants, such as nvt/uef, the style they vary */
     for (size_t i = 0; i < n && best == limit; ++i) {

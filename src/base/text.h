@@ -27,8 +27,8 @@ const char *hs_text_get(const hs_text *text);
 bool hs_text_to_double(const char *word, double *value);
 bool hs_text_to_int64(const char *word, int64_t *value);
 
-/** The nearest of @p n words by edit distance, else the longest one that stands before a slash in @p word; NULL when
- *  none is near enough to be meant. Borrowed from @p words. */
+/** The nearest of @p n words by edit distance, of equally near ones one with the same first letter; else the longest one that stands
+ *  before a slash in @p word; NULL when none is near enough to be meant. Borrowed from @p words. */
 const char *hs_text_nearest(const char *word, const char *const *words, size_t n);
 
 /** `pattern` with `*` and `?` matches all of `word`. */
