@@ -166,6 +166,7 @@ static hs_status displace_run(hs_deck *deck, const hs_args *args, hs_error *err)
     for (int axis = 0; axis < 3; ++axis) d.scale[axis] = is_box ? 1.0 : sim->lattice.spacing[axis];
     (void)displace(&d, style, args, err);
     HS_TRY(hs_atoms_wrap_all(sim, args->command, err));
+    hs_sim_shrink_box(sim); /* at once, as in LAMMPS: walls at EDGE are made where the faces are then */
     hs_sim_atoms_changed(sim);
     return HS_OK;
 }

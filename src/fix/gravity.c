@@ -62,7 +62,7 @@ static hs_status init(hs_fix *fix, hs_error *err)
 static double pull(const hs_fix *fix, int axis)
 {
     const gravity_state *state = fix->state;
-    return state->magnitude.value * state->direction[axis] / fix->env->units->ftm2v;
+    return state->magnitude.value * state->direction[axis];
 }
 
 static void pull_atoms(const hs_fix *fix, const double g[3])

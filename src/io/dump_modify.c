@@ -20,7 +20,7 @@ const hs_keyword hs_dump_modify_keywords[] = {
     {"element", -1, "<name of type 1> <name of type 2> ...",
      "names of the types for xyz files and the attribute element"},
     {"every", 1, "<N>", "steps between snapshots"},
-    {"first", 1, "yes|no", "write a snapshot at the first step of a run even if it is not due (default no)"},
+    {"first", 1, "yes|no", "write a snapshot at the first step of the dump's first run even if it is not due (default no)"},
     {"flush", 1, "yes|no", "accepted: every snapshot goes to the system when it is whole"},
     {"format", -1, "<line 'formats' | int format | float format | N format | none>", "printf formats of the columns"},
     {"header", 1, "yes|no", "write the lines above the rows (default yes)"},

@@ -51,6 +51,7 @@ static void set_box(const reading *self)
         box->lo[axis] = snapshot->lo[axis];
         box->hi[axis] = snapshot->hi[axis];
     }
+    if (self->options->box) hs_box_settle_faces(box);
 }
 
 /** As in LAMMPS a tilted box is for snapshots of tilted boxes and an orthogonal one for the others. */

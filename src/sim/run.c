@@ -91,12 +91,12 @@ hs_status hs_sim_setup_forces(hs_sim *sim, hs_error *err)
     return HS_OK;
 }
 
-/** Whether dump has a snapshot at this step; the first step of a run only when asked for (or a multiple). */
+/** Whether dump has a snapshot at this step; the first step of the dump's first run only when asked for (or a multiple). */
 static bool is_dump_due(const hs_dump *dump, int64_t step, bool is_first)
 {
     if (dump->last_written == step) return false;
     if (dump->every > 0 && step % dump->every == 0) return true;
-    return is_first && dump->write_first;
+    return is_first && dump->write_first && dump->last_written < 0;
 }
 
 static hs_status write_dumps(hs_sim *sim, bool is_first, hs_error *err)
