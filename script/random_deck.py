@@ -396,7 +396,7 @@ def deform_choices(deck, steps):
 
 
 WHOLE_GROUP = ("deform", "enforce2d", "thermal", "press", "heat", "ehex")  # fixes that are given group all here
-WITH_ENERGY = ("addforce", "spring", "gravity", "indent", "wall/lj", "wall/har", "wall/region")  # fix_modify energy yes
+WITH_ENERGY = ("addforce", "spring", "gravity", "indent", "wall/lj", "wall/har")  # fix_modify energy yes
 
 
 def add_fixes(deck):

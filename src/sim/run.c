@@ -99,15 +99,27 @@ static bool is_dump_due(const hs_dump *dump, int64_t step, bool is_first)
     return is_first && dump->write_first && dump->last_written < 0;
 }
 
+static hs_status write_dump(hs_sim *sim, hs_dump *dump, hs_error *err)
+{
+    const int64_t before = dump->last_written;
+    const hs_status status = dump->style->write(dump, err);
+    dump->last_written = status == HS_OK ? sim->env.step : before;
+    return status;
+}
+
+hs_status hs_sim_write_all_dumps(hs_sim *sim, hs_error *err)
+{
+    for (int k = 0; k < sim->n_dumps; ++k)
+        if (sim->dump[k]->last_written != sim->env.step) HS_TRY(write_dump(sim, sim->dump[k], err));
+    return HS_OK;
+}
+
 static hs_status write_dumps(hs_sim *sim, bool is_first, hs_error *err)
 {
     for (int k = 0; k < sim->n_dumps; ++k) {
         hs_dump *dump = sim->dump[k];
         if (!is_dump_due(dump, sim->env.step, is_first)) continue;
-        const int64_t before = dump->last_written;
-        const hs_status status = dump->style->write(dump, err);
-        dump->last_written = status == HS_OK ? sim->env.step : before;
-        HS_TRY(status);
+        HS_TRY(write_dump(sim, dump, err));
     }
     return HS_OK;
 }

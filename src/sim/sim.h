@@ -222,6 +222,8 @@ HS_MUST_USE hs_status hs_sim_move_forces(hs_sim *sim, hs_error *err);
 HS_MUST_USE hs_status hs_sim_begin_output(hs_sim *sim, hs_error *err);
 /** Snapshots and the row that are due at the present step, or all of the last one (collective).  sim/run.c */
 HS_MUST_USE hs_status hs_sim_output_if_due(hs_sim *sim, bool is_last, hs_error *err);
+/** A snapshot of every dump that has none of this step yet, due or not (collective). */
+HS_MUST_USE hs_status hs_sim_write_all_dumps(hs_sim *sim, hs_error *err);
 /** One timestep, without output (collective).  sim/step.c */
 HS_MUST_USE hs_status hs_sim_step(hs_sim *sim, bool with_energy, hs_error *err);
 /** Cells, lists, forces, energy and virial of atoms that were placed anew, when all else is set up. */

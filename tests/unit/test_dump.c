@@ -191,6 +191,8 @@ START_TEST(test_when)
     ck_assert_int_eq(count_snapshots("plain"), 4);
     run_good("dump 1 all atom 5 plain\nrun 0\n");
     ck_assert_int_eq(count_snapshots("plain"), 1);
+    run_good("reset_timestep 1\ndump 1 all atom 1000 least\nminimize 0.5 0 100 1000\n");
+    ck_assert_int_eq(count_snapshots("least"), 1); /* the minimum, though its step is no multiple */
     hs_test_leave_folder();
 }
 END_TEST
