@@ -70,6 +70,10 @@ class Deck:
         """Whether nothing counts steps, so that the number of the step may be changed."""
         return not any(re.match(r"dump |fix \S+ \S+ (ave/|deform|vector)", line) for line in self.lines)
 
+    def keeps_places(self):
+        """Whether a style remembers where atoms were, so that LAMMPS cannot replicate them."""
+        return any(re.match(r"fix \S+ \S+ spring/self|compute \S+ \S+ (msd|vacf|displace/atom)", line) for line in self.lines)
+
     def text(self):
         return "\n".join(self.lines) + "\n"
 
@@ -218,7 +222,7 @@ PAIRS = {
                           (0.1, 0.5, "energy length^8")]),
     "buck": (["cutoff"], [(100, 200, "energy"), (0.2, 0.3, "length"), (0.1, 1, "energy length^6")]),
     "gauss": (["cutoff"], [(-3, 3, "energy"), (0.5, 2, "1/area")]),
-    "soft": ([(1, 1.5, "length")], [(5, 30, "energy")]),
+    "soft": ([(1.3, 1.5, "length")], [(5, 30, "energy")]),
     "zero": (["cutoff"], []),
 }
 MIXES = ["lj/cut", "lj/smooth", "lj/expand", "lj/cubic", "lj/smooth/linear"]
@@ -444,7 +448,7 @@ def fill(deck, words):
         words = words.replace("{region}", more_regions(deck))
     bins = deck.pick("x 4", "y 3", "xy 3 2") + " out tensor"
     return words.format(z=0 if deck.dimension == 2 else 1, v=deck.value(0.5, "velocity"), bins=bins, com=deck.pick("", "com yes", "average yes"), group=deck.group(),
-                        reach=deck.number(1.2, 1.6, "length"), neighbors=4 if deck.dimension == 2 else 12,
+                        reach=deck.number(1.1, 1.25, "length"), neighbors=4 if deck.dimension == 2 else 12,
                         far=deck.value(1.7, "length"))
 
 
@@ -628,7 +632,7 @@ def simple_runs(deck):
     choices = [["run 20"], ["run 20"], ["run 12", "run 15"], ["run 10", "reset_timestep 0", "run 10"] if deck.may_reset() else ["run 20"],
                ["run 10", f"displace_atoms all move {length} 0 0 units box", "run 10"],
                ["run 10", "unfix int", "fix int all nve", "run 10"], ["run 10", f"delete_atoms group {deck.groups[-1]}", "run 10"],
-               ['run 20 every 5 "print hi" "variable now equal step"'], ["run 10", "replicate 2 1 1", "run 10"],
+               ['run 20 every 5 "print hi" "variable now equal step"'], ["run 10", "replicate 2 1 1", "run 10"] if not deck.keeps_places() else ["run 20"],
                ["run 10", "run 25 upto"], ["run 10 start 0 stop 30", "run 20 start 0 stop 30"], ["run 10", "run 10 pre no post no"],
                ["run 10", "velocity all scale " + deck.value(0.9, "temperature"), "run 10"],
                ["run 10", "set type 1 vx 0.0", "run 8"], ["run 10", "timestep " + deck.value(0.003, "time"), "run 10"],
@@ -673,7 +677,7 @@ def rereads(deck):
     dump = [f"dump out all custom 5 written.dump id type {fields}", "dump_modify out sort id format float %.15g",
             "run 10", "undump out"]
     style = deck.pick("data", "rerun", "read_dump")
-    if style == "rerun":
+    if style == "rerun" and deck.may_reset():
         return dump + [f"rerun written.dump dump {fields}"]
     if style == "read_dump" and deck.may_reset():
         return dump + [f"read_dump written.dump 5 {fields}", "run 10"]
