@@ -33,6 +33,12 @@
  *      hs_gather_between(x, i, j)         x[j[0]] - x[i[0]], ..., rounded after the subtraction
  *      hs_first_lanes(n)                  mask of the lanes below n
  *
+ *  where vectors can be compressed (HS_COMPRESSES is defined):
+ *
+ *      hs_append(to, m, a)                the lanes of a in which m is set, one after the other at to, where there is room for all;
+ *                                         their number is returned
+ *      hs_append_indices(to, m, from)     the same of HS_LANES 32-bit integers
+ *
  *  and of general use:
  *
  *      hs_min(a, b), hs_max(a, b)         b where either is not a number

@@ -22,6 +22,18 @@ static inline hs_masks hs_masks_of(const hs_cluster_entry *entry, int sub)
 }
 static inline hs_msk hs_masks_row(hs_masks masks, int row) { return (hs_msk)(masks >> 8 * row); }
 
+#define HS_COMPRESSES
+static inline int hs_append(hs_real *to, hs_msk m, hs_vec a)
+{
+    _mm256_storeu_ps(to, _mm256_maskz_compress_ps(m, a));
+    return __builtin_popcount(m);
+}
+static inline void hs_append_indices(int32_t *to, hs_msk m, const int32_t *from)
+{
+    const __m256i all = _mm256_loadu_si256((const __m256i *)(const void *)from);
+    _mm256_storeu_si256((__m256i *)(void *)to, _mm256_maskz_compress_epi32(m, all));
+}
+
 static inline hs_msk hs_mask_and(hs_msk m, hs_msk n) { return m & n; }
 static inline hs_msk hs_less(hs_vec a, hs_vec b) { return _mm256_cmp_ps_mask(a, b, _CMP_LT_OQ); }
 static inline hs_vec hs_keep(hs_msk m, hs_vec a) { return _mm256_maskz_mov_ps(m, a); }
