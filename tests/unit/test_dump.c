@@ -197,6 +197,27 @@ START_TEST(test_when)
 }
 END_TEST
 
+/** As in LAMMPS the last snapshot of a rerun has a row, whatever `thermo` says. */
+START_TEST(test_last_row_of_rerun)
+{
+    hs_test_enter_folder();
+    char deck[8192];
+    hs_error err;
+    snprintf(deck, sizeof deck, "%s%s", head,
+             "dump 1 all custom 5 places id x y z\nrun 10\nundump 1\nthermo 3\n"
+             "thermo_style custom step atoms\nrerun places dump x y z\n");
+    char *log = hs_test_run_deck(deck, &err);
+    ck_assert_msg(err.status == HS_OK, "%s", err.text);
+    const char *text = strstr(log, "rerun places");
+    ck_assert_ptr_nonnull(text);
+    ck_assert_ptr_nonnull(strstr(text, "\n       0 "));
+    ck_assert_ptr_null(strstr(text, "\n       5 "));
+    ck_assert_ptr_nonnull(strstr(text, "\n      10 "));
+    free(log);
+    hs_test_leave_folder();
+}
+END_TEST
+
 START_TEST(test_gzip_and_write_dump)
 {
     hs_test_enter_folder();
@@ -310,4 +331,4 @@ START_TEST(test_writer)
 END_TEST
 
 HS_TEST_MAIN("dump", test_atom, test_custom, test_xyz, test_extxyz, test_formats_and_headers, test_sort_and_selection,
-             test_when, test_gzip_and_write_dump, test_refusals, test_writer)
+             test_when, test_last_row_of_rerun, test_gzip_and_write_dump, test_refusals, test_writer)
