@@ -366,7 +366,8 @@ const hs_command hs_commands_rerun[] = {
               "are made as if a run were at its step, perhaps with another potential or with other measures than the "
               "run that wrote the file. Files follow one another; a snapshot that is not after the one before is "
               "passed over. Fixes are asked for forces and samples; none moves atoms. The samples of averaging fixes "
-              "must fit the steps of the snapshots. The first and the last snapshot have rows in the table, those between "
+              "must fit the steps of the snapshots. The first and the last snapshot have rows in the table, those "
+              "between "
               "where `thermo` says so.\n\n"
               "No checkpoints are written: a rerun can be begun anew at any step.",
           .example = "rerun run.dump dump x y z vx vy vz\n"
