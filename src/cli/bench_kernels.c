@@ -202,8 +202,8 @@ hs_status hs_cli_bench_kernels(const hs_cli *cli, hs_error *err)
     if (status == HS_OK) {
         hs_say(&out,
                "Pair kernels of lj/cut on a liquid, %lld atoms, density 0.8442, cutoff 2.5, lists to 2.8; one thread, "
-               "fastest of %lld\nLanes used: pairs within the cutoff. Share of peak: of multiplications and "
-               "additions side by side.\n\n",
+               "fastest of %lld\nLanes used: pairs within the cutoff. Share of peak: of multiplications and additions "
+               "side by side.\n\n",
                (long long)(4 * r.size * r.size * r.size), (long long)r.repeat);
         hs_say(&out, "%-9s %-13s %-22s %10s %15s %14s %10s %13s\n", "isa", "form", "computed", "ns/atom",
                "million pairs/s", "lanes an atom", "lanes used", "share of peak");

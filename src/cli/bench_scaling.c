@@ -72,11 +72,10 @@ static hs_status parse(const hs_cli *cli, hs_scaling_request *r, hs_error *err)
         } else if (strcmp(name, "-isa") == 0) {
             HS_TRY(hs_cli_parse_isa(r->isa = value, &ignored, err));
         } else {
-            return hs_fail(
-                err, HS_ERROR_INPUT,
-                "%s is not for 'halfshell bench scaling', which knows -ranks, -threads, -size, -steps, -repeat, "
-                "-precision, -reproducible, -isa and -out",
-                name);
+            return hs_fail(err, HS_ERROR_INPUT,
+                           "%s is not for 'halfshell bench scaling', which knows -ranks, -threads, -size, -steps, "
+                           "-repeat, -precision, -reproducible, -isa and -out",
+                           name);
         }
     }
     if (r->n_ranks == 0) take_powers(r->ranks, &r->n_ranks);
@@ -114,18 +113,17 @@ static hs_status write_csv(const hs_scaling_request *r, const hs_scaling_point *
             hs_writer_printf(csv, err,
                              "scaling,system,ranks,threads,atoms,steps,seconds,million_atom_steps_per_s,efficiency,"
                              "pair_s,neigh_s,comm_s,output_s,modify_s,pack_s,wait_s,unpack_s,agree_s,exchange_s,"
-                             "imbalance,halo_atoms,bytes_forward_per_step,"
-                             "bytes_back_per_step,messages_per_step\n");
+                             "imbalance,halo_atoms,bytes_forward_per_step,bytes_back_per_step,messages_per_step\n");
     for (int k = 0; k < n && status == HS_OK; ++k) {
         const hs_scaling_point *p = &all[k];
-        status = hs_writer_printf(
-            csv, err,
-            "%s,%s,%d,%d,%.0f,%lld,%.6g,%.5g,%.4f,%.5g,%.5g,%.5g,%.5g,%.5g,%.5g,%.5g,%.5g,%.5g,%.5g,%."
-            "4f,%.6g,%.6g,%.6g,%.4g\n",
-            hs_scaling_kind_of(p), hs_scaling_system_of(p), p->ranks, p->threads, p->n_atoms, (long long)r->steps,
-            p->seconds, speed_of(r, p), p->efficiency, p->phase_s[0], p->phase_s[1], p->phase_s[2], p->phase_s[3],
-            p->phase_s[4], p->comm_s[0], p->comm_s[1], p->comm_s[2], p->comm_s[3], p->comm_s[4], p->imbalance,
-            p->halo_atoms, p->bytes_forward, p->bytes_back, p->n_messages);
+        status = hs_writer_printf(csv, err,
+                                  "%s,%s,%d,%d,%.0f,%lld,%.6g,%.5g,%.4f,%.5g,%.5g,%.5g,%.5g,%.5g,%.5g,%.5g,%.5g,%.5g,%."
+                                  "5g,%.4f,%.6g,%.6g,%.6g,%.4g\n",
+                                  hs_scaling_kind_of(p), hs_scaling_system_of(p), p->ranks, p->threads, p->n_atoms,
+                                  (long long)r->steps, p->seconds, speed_of(r, p), p->efficiency, p->phase_s[0],
+                                  p->phase_s[1], p->phase_s[2], p->phase_s[3], p->phase_s[4], p->comm_s[0],
+                                  p->comm_s[1], p->comm_s[2], p->comm_s[3], p->comm_s[4], p->imbalance, p->halo_atoms,
+                                  p->bytes_forward, p->bytes_back, p->n_messages);
     }
     if (status == HS_OK) status = hs_writer_close(&csv, err);
     hs_writer_abandon(&csv);

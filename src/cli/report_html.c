@@ -33,12 +33,11 @@ hs_status hs_html_text(hs_text *page, const char *text, hs_error *err)
     return HS_OK;
 }
 
-static const char head[] =
-    "<meta charset=\"utf-8\">\n"
-    "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-    "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src data:; style-src "
-    "'unsafe-inline'\">\n"
-    "<meta name=\"color-scheme\" content=\"light dark\">\n";
+static const char head[] = "<meta charset=\"utf-8\">\n"
+                           "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+                           "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src data:; "
+                           "style-src 'unsafe-inline'\">\n"
+                           "<meta name=\"color-scheme\" content=\"light dark\">\n";
 
 static const char style[] =
     "<style>\n"

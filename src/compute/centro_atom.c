@@ -32,11 +32,10 @@ static hs_status find_range(const hs_compute *compute, double *range, hs_error *
     compute->env->view_pairs(compute->env, &view);
     *range = view.cutoff_max;
     if (*range > 0.0) return HS_OK;
-    return hs_fail(
-        err, HS_ERROR_INPUT,
-        "compute '%s' (centro/atom): neighbors are looked for within the cutoff of the pair style, and there "
-        "is none before the first run or without forces",
-        compute->id);
+    return hs_fail(err, HS_ERROR_INPUT,
+                   "compute '%s' (centro/atom): neighbors are looked for within the cutoff of the pair style, and "
+                   "there is none before the first run or without forces",
+                   compute->id);
 }
 
 static hs_status init(hs_compute *compute, hs_error *err)
@@ -92,19 +91,18 @@ static hs_status per_atom(hs_compute *compute, hs_error *err)
 }
 
 const hs_compute_style hs_compute_style_centro_atom = {
-    .about =
-        {.name = "centro/atom",
-         .syntax = {.usage = "fcc|bcc|<N>", .n_min = 1, .n_max = 1},
-         .summary = "deviation from central symmetry of each atom",
-         .details =
-             "The value per atom is the sum of the N/2 least |r_i + r_j|^2 (distance^2) over all pairs of its N "
-             "nearest neighbors, r being the vectors to them: 0 in a perfect lattice, small where it is strained or "
-             "warm, large at dislocations, stacking faults and surfaces. N is even; `fcc` stands for 12, `bcc` for 8, "
-             "and 6 is right for a hexagonal plane. Neighbors are looked for within the pair style's cutoff, and need "
-             "not belong to the group; an atom that has fewer than N there has 0.",
-         .reference = "C. L. Kelchner, S. J. Plimpton, J. C. Hamilton, Phys. Rev. B 58, 11085 (1998), "
-                      "doi:10.1103/PhysRevB.58.11085",
-         .example = "compute csym all centro/atom fcc\ndump d all custom 1000 flaws.txt id x y z c_csym"},
+    .about = {.name = "centro/atom",
+              .syntax = {.usage = "fcc|bcc|<N>", .n_min = 1, .n_max = 1},
+              .summary = "deviation from central symmetry of each atom",
+              .details =
+                  "The value per atom is the sum of the N/2 least |r_i + r_j|^2 (distance^2) over all pairs of its N "
+                  "nearest neighbors, r being the vectors to them: 0 in a perfect lattice, small where it is strained "
+                  "or warm, large at dislocations, stacking faults and surfaces. N is even; `fcc` stands for 12, `bcc` "
+                  "for 8, and 6 is right for a hexagonal plane. Neighbors are looked for within the pair style's "
+                  "cutoff, and need not belong to the group; an atom that has fewer than N there has 0.",
+              .reference = "C. L. Kelchner, S. J. Plimpton, J. C. Hamilton, Phys. Rev. B 58, 11085 (1998), "
+                           "doi:10.1103/PhysRevB.58.11085",
+              .example = "compute csym all centro/atom fcc\ndump d all custom 1000 flaws.txt id x y z c_csym"},
     .state_size = sizeof(centro_state),
     .create = create,
     .init = init,

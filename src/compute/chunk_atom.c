@@ -304,37 +304,35 @@ static hs_status keep_state(hs_compute *compute, hs_state *kept, hs_error *err)
 }
 
 const hs_compute_style hs_compute_style_chunk_atom = {
-    .about =
-        {.name = "chunk/atom",
-         .syntax =
-             {.usage =
-                  "type | bin/1d <axis> <origin> <delta> | bin/2d ... | bin/3d ... | bin/sphere <x> <y> <z> <rmin> "
-                  "<rmax> <n> | bin/cylinder <axis> <origin> <delta> <c1> <c2> <rmin> <rmax> <n> | <value> "
-                  "[keyword value ...]",
-              .n_min = 1,
-              .n_max = -1,
-              .keywords = keywords},
-         .summary = "number atoms by bins, types or values, for averages over each part",
-         .details =
-             "The value per atom `c_ID` is the number of the chunk it belongs to, from 1; 0 for none (atoms outside of "
-             "the group or the `region`). The scalar `c_ID` is the number of chunks.\n\n"
-             "`type`: the atom's type. `bin/1d`, `bin/2d`, `bin/3d`: layers, columns or boxes; for each axis (x, y, z) "
-             "an origin (`lower`, `center`, `upper` of the covered range, or a coordinate) and a width delta. Edges "
-             "are at origin plus multiples of delta, and bins cover the box, or the `bound`; the last axis changes "
-             "fastest. `bin/sphere`: n shells around a point (rings in two dimensions), from rmin to rmax; "
-             "`bin/cylinder`: such shells around a line along an axis, at c1, c2 of the two others, in layers along "
-             "the axis; c1, c2 and the radii are distances even in lattice units, as in LAMMPS. A value per atom "
-             "(`c_ID`, `c_ID[i]`, `f_ID`, `v_name`): its whole part, if that is at least 1.\n\n"
-             "With `nchunk every` bins follow the box and chunks are counted anew, though not within an averaging "
-             "window. `limit N max` leaves out numbers above N, `limit N exact` makes just N chunks. `compress yes` "
-             "numbers only chunks that have atoms. `discard` says what becomes of atoms outside of all bins: `mixed` "
-             "puts them into the nearest bin or shell, except beyond a bound given as a number. In lattice units the "
-             "bound of x (with bins along two axes of x and y, along three of all) is scaled, others are not, as in "
-             "LAMMPS. `ids once` keeps the first numbers, `ids nfreq` those of the first sample of each window of fix "
-             "ave/chunk.",
-         .example = "compute layers all chunk/atom bin/1d z lower 0.05 units reduced\n"
-                    "compute grid flow chunk/atom bin/2d x lower 1.0 y lower 1.0\ncompute kinds all chunk/atom type\n"
-                    "compute drop all chunk/atom bin/sphere 10 10 10 0 8 32 units box"},
+    .about = {.name = "chunk/atom",
+              .syntax = {.usage = "type | bin/1d <axis> <origin> <delta> | bin/2d ... | bin/3d ... | bin/sphere <x> "
+                                  "<y> <z> <rmin> <rmax> <n> | bin/cylinder <axis> <origin> <delta> <c1> <c2> <rmin> "
+                                  "<rmax> <n> | <value> [keyword value ...]",
+                         .n_min = 1,
+                         .n_max = -1,
+                         .keywords = keywords},
+              .summary = "number atoms by bins, types or values, for averages over each part",
+              .details =
+                  "The value per atom `c_ID` is the number of the chunk it belongs to, from 1; 0 for none (atoms "
+                  "outside of the group or the `region`). The scalar `c_ID` is the number of chunks.\n\n"
+                  "`type`: the atom's type. `bin/1d`, `bin/2d`, `bin/3d`: layers, columns or boxes; for each axis (x, "
+                  "y, z) an origin (`lower`, `center`, `upper` of the covered range, or a coordinate) and a width "
+                  "delta. Edges are at origin plus multiples of delta, and bins cover the box, or the `bound`; the "
+                  "last axis changes fastest. `bin/sphere`: n shells around a point (rings in two dimensions), from "
+                  "rmin to rmax; `bin/cylinder`: such shells around a line along an axis, at c1, c2 of the two others, "
+                  "in layers along the axis; c1, c2 and the radii are distances even in lattice units, as in LAMMPS. A "
+                  "value per atom (`c_ID`, `c_ID[i]`, `f_ID`, `v_name`): its whole part, if that is at least 1.\n\n"
+                  "With `nchunk every` bins follow the box and chunks are counted anew, though not within an averaging "
+                  "window. `limit N max` leaves out numbers above N, `limit N exact` makes just N chunks. `compress "
+                  "yes` numbers only chunks that have atoms. `discard` says what becomes of atoms outside of all bins: "
+                  "`mixed` puts them into the nearest bin or shell, except beyond a bound given as a number. In "
+                  "lattice units the bound of x (with bins along two axes of x and y, along three of all) is scaled, "
+                  "others are not, as in LAMMPS. `ids once` keeps the first numbers, `ids nfreq` those of the first "
+                  "sample of each window of fix ave/chunk.",
+              .example =
+                  "compute layers all chunk/atom bin/1d z lower 0.05 units reduced\n"
+                  "compute grid flow chunk/atom bin/2d x lower 1.0 y lower 1.0\ncompute kinds all chunk/atom type\n"
+                  "compute drop all chunk/atom bin/sphere 10 10 10 0 8 32 units box"},
     .state_size = sizeof(chunk_state),
     .create = create,
     .destroy = destroy,

@@ -123,19 +123,17 @@ static hs_status per_atom(hs_compute *compute, hs_error *err)
 }
 
 const hs_compute_style hs_compute_style_cluster_atom = {
-    .about =
-        {.name = "cluster/atom",
-         .syntax = {.usage = "<distance>", .n_min = 1, .n_max = 1},
-         .summary = "which cluster each atom belongs to",
-         .details =
-             "Two atoms of the group that are nearer than the distance belong to one cluster, and so do all atoms that "
-             "are linked by such pairs, across periodic faces too. The value per atom is the smallest id of the "
-             "cluster's atoms; 0 for atoms outside of the group. Any distance will do: pairs are found anew for each "
-             "evaluation.\n\n"
-             "`compute chunk/atom c_ID compress yes` makes chunks of the clusters; `compute reduce` and `fix "
-             "ave/histo` count them.",
-         .example = "compute c all cluster/atom 1.5\ncompute chunk all chunk/atom c_c compress yes\n"
-                    "fix sizes all ave/chunk 100 1 100 chunk density/number norm none"},
+    .about = {.name = "cluster/atom",
+              .syntax = {.usage = "<distance>", .n_min = 1, .n_max = 1},
+              .summary = "which cluster each atom belongs to",
+              .details = "Two atoms of the group that are nearer than the distance belong to one cluster, and so do "
+                         "all atoms that are linked by such pairs, across periodic faces too. The value per atom is "
+                         "the smallest id of the cluster's atoms; 0 for atoms outside of the group. Any distance will "
+                         "do: pairs are found anew for each evaluation.\n\n"
+                         "`compute chunk/atom c_ID compress yes` makes chunks of the clusters; `compute reduce` and "
+                         "`fix ave/histo` count them.",
+              .example = "compute c all cluster/atom 1.5\ncompute chunk all chunk/atom c_c compress yes\n"
+                         "fix sizes all ave/chunk 100 1 100 chunk density/number norm none"},
     .state_size = sizeof(cluster_state),
     .create = create,
     .per_atom = per_atom,

@@ -92,16 +92,14 @@ static hs_status per_atom(hs_compute *compute, hs_error *err)
 }
 
 const hs_compute_style hs_compute_style_coord_atom = {
-    .about =
-        {.name = "coord/atom",
-         .syntax = {.usage = "cutoff <distance> [group <group-ID>] [<types> ...]", .n_min = 2, .n_max = -1},
-         .summary = "number of neighbors of each atom",
-         .details =
-             "The value per atom is the number of atoms closer than the distance; of those of a group only with "
-             "`group`. Types are single ones or ranges as in pair_coeff (`2*4`); with several, `c_ID[1]` and so on "
-             "count the neighbors of each. Any distance will do: pairs are found anew for each evaluation. Atoms "
-             "outside the compute's group have 0.",
-         .example = "compute n all coord/atom cutoff 1.5\ncompute nn all coord/atom cutoff 1.5 1 2"},
+    .about = {.name = "coord/atom",
+              .syntax = {.usage = "cutoff <distance> [group <group-ID>] [<types> ...]", .n_min = 2, .n_max = -1},
+              .summary = "number of neighbors of each atom",
+              .details = "The value per atom is the number of atoms closer than the distance; of those of a group only "
+                         "with `group`. Types are single ones or ranges as in pair_coeff (`2*4`); with several, "
+                         "`c_ID[1]` and so on count the neighbors of each. Any distance will do: pairs are found anew "
+                         "for each evaluation. Atoms outside the compute's group have 0.",
+              .example = "compute n all coord/atom cutoff 1.5\ncompute nn all coord/atom cutoff 1.5 1 2"},
     .state_size = sizeof(coord_state),
     .create = create,
     .destroy = destroy,

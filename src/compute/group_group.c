@@ -116,19 +116,17 @@ static hs_status vector(hs_compute *compute, hs_error *err)
 }
 
 const hs_compute_style hs_compute_style_group_group = {
-    .about =
-        {.name = "group/group",
-         .syntax =
-             {.usage = "<other group-ID> [pair yes|no] [kspace no]", .n_min = 1, .n_max = 1, .keywords = keywords},
-         .summary = "energy and force between two groups",
-         .details =
-             "The scalar `c_ID` is the energy of all pairs with one atom in the compute's group and one in the other "
-             "group (energy), the vector `c_ID[1]` ... `c_ID[3]` the sum of the forces that atoms of the other group "
-             "exert on atoms of the compute's group. A pair whose atoms are both in both groups counts once in the "
-             "energy, and its forces cancel; so a group with itself has its inner energy. Long-range corrections "
-             "(pair_modify tail) are left out. The pairs are found anew for each evaluation, which takes some "
-             "timesteps' time.",
-         .example = "compute pull solute group/group solvent\nthermo_style custom step temp c_pull c_pull[1]"},
+    .about = {.name = "group/group",
+              .syntax =
+                  {.usage = "<other group-ID> [pair yes|no] [kspace no]", .n_min = 1, .n_max = 1, .keywords = keywords},
+              .summary = "energy and force between two groups",
+              .details = "The scalar `c_ID` is the energy of all pairs with one atom in the compute's group and one in "
+                         "the other group (energy), the vector `c_ID[1]` ... `c_ID[3]` the sum of the forces that "
+                         "atoms of the other group exert on atoms of the compute's group. A pair whose atoms are both "
+                         "in both groups counts once in the energy, and its forces cancel; so a group with itself has "
+                         "its inner energy. Long-range corrections (pair_modify tail) are left out. The pairs are "
+                         "found anew for each evaluation, which takes some timesteps' time.",
+              .example = "compute pull solute group/group solvent\nthermo_style custom step temp c_pull c_pull[1]"},
     .state_size = sizeof(group_state),
     .create = create,
     .destroy = destroy,

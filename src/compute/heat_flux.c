@@ -85,19 +85,17 @@ static hs_status vector(hs_compute *compute, hs_error *err)
 static hs_status init(hs_compute *compute, hs_error *err) { return find_inputs(compute, err); }
 
 const hs_compute_style hs_compute_style_heat_flux = {
-    .about =
-        {.name = "heat/flux",
-         .syntax = {.usage = "<ke-ID> <pe-ID> <stress-ID>", .n_min = 3, .n_max = 3},
-         .summary = "heat current, for thermal conductivity by the Green-Kubo formula",
-         .details =
-             "From a compute ke/atom, a compute pe/atom and a compute stress/atom (which should be without its kinetic "
-             "part: `stress/atom NULL virial`) of the group the vector `c_ID` has the heat current times volume, "
-             "energy velocity: `c_ID[1]` to `c_ID[3]` all of it, `c_ID[4]` to `c_ID[6]` the part that moving atoms "
-             "carry. The current is that divided by the volume; the conductivity is V/(k T^2) times the integral of "
-             "its correlation (fix ave/correlate).",
-         .reference = "J. H. Irving, J. G. Kirkwood, J. Chem. Phys. 18, 817 (1950), doi:10.1063/1.1747782",
-         .example = "compute ke all ke/atom\ncompute pe all pe/atom\ncompute s all stress/atom NULL virial\n"
-                    "compute j all heat/flux ke pe s\nvariable jx equal c_j[1]/vol"},
+    .about = {.name = "heat/flux",
+              .syntax = {.usage = "<ke-ID> <pe-ID> <stress-ID>", .n_min = 3, .n_max = 3},
+              .summary = "heat current, for thermal conductivity by the Green-Kubo formula",
+              .details = "From a compute ke/atom, a compute pe/atom and a compute stress/atom (which should be without "
+                         "its kinetic part: `stress/atom NULL virial`) of the group the vector `c_ID` has the heat "
+                         "current times volume, energy velocity: `c_ID[1]` to `c_ID[3]` all of it, `c_ID[4]` to "
+                         "`c_ID[6]` the part that moving atoms carry. The current is that divided by the volume; the "
+                         "conductivity is V/(k T^2) times the integral of its correlation (fix ave/correlate).",
+              .reference = "J. H. Irving, J. G. Kirkwood, J. Chem. Phys. 18, 817 (1950), doi:10.1063/1.1747782",
+              .example = "compute ke all ke/atom\ncompute pe all pe/atom\ncompute s all stress/atom NULL virial\n"
+                         "compute j all heat/flux ke pe s\nvariable jx equal c_j[1]/vol"},
     .state_size = sizeof(flux_state),
     .create = create,
     .destroy = destroy,

@@ -58,17 +58,15 @@ static hs_status array(hs_compute *compute, hs_error *err)
 }
 
 const hs_compute_style hs_compute_style_omega_chunk = {
-    .about =
-        {.name = "omega/chunk",
-         .syntax = {.usage = "<chunk-ID>", .n_min = 1, .n_max = 1},
-         .summary = "angular velocity of each chunk",
-         .details =
-             "The array `c_ID` has a row for each chunk of the compute chunk/atom: the angular velocity along x, y and "
-             "z (1/time) with which those of its atoms that are in the group would turn as a rigid body of their "
-             "angular momentum, about the chunk's center of mass and from unwrapped places. Atoms on one line have "
-             "none along it; a chunk without atoms has 0.",
-         .example = "compute c all cluster/atom 1.5\ncompute drops all chunk/atom c_c compress yes\n"
-                    "compute spin all omega/chunk drops"},
+    .about = {.name = "omega/chunk",
+              .syntax = {.usage = "<chunk-ID>", .n_min = 1, .n_max = 1},
+              .summary = "angular velocity of each chunk",
+              .details = "The array `c_ID` has a row for each chunk of the compute chunk/atom: the angular velocity "
+                         "along x, y and z (1/time) with which those of its atoms that are in the group would turn as "
+                         "a rigid body of their angular momentum, about the chunk's center of mass and from unwrapped "
+                         "places. Atoms on one line have none along it; a chunk without atoms has 0.",
+              .example = "compute c all cluster/atom 1.5\ncompute drops all chunk/atom c_c compress yes\n"
+                         "compute spin all omega/chunk drops"},
     .state_size = sizeof(omega_state),
     .create = create,
     .destroy = destroy,

@@ -325,17 +325,16 @@ const hs_compute_style hs_compute_style_orientorder_atom = {
         {.name = "orientorder/atom",
          .syntax = {.usage = "[keyword value ...]", .n_min = 0, .n_max = 0, .keywords = keywords},
          .summary = "Steinhardt's bond-orientational order parameters of each atom, in three dimensions",
-         .details =
-             "From the directions to the N nearest neighbors: the mean of the spherical harmonics Y_lm over the "
-             "neighbors, and its invariants Q_l = sqrt(4 pi/(2 l + 1) sum |Y_lm|^2), from 0 to 1. `c_ID[1]`, ... are "
-             "the Q_l in the order of the degrees. With `wl yes` the third-order invariants W_l follow, with "
-             "`wl/hat yes` W_l / (sum |Y_lm|^2)^(3/2) (both up to degree 30), with `components l` the real and "
-             "imaginary parts of Y_lm / sqrt(sum |Y_lm|^2) from m = -l to l.\n\n"
-             "Neighbors are all atoms, of any group. An atom with fewer than N neighbors within the cutoff, or outside "
-             "of the compute's group, has 0. With 12 neighbors Q_6 is 0.575 in an fcc crystal, 0.485 in hcp, 0.663 "
-             "around an atom of an icosahedron; with 14, Q_6 is 0.511 in bcc.",
-         .reference = "P. J. Steinhardt, D. R. Nelson, M. Ronchetti, Phys. Rev. B 28, 784 (1983), "
-                      "doi:10.1103/PhysRevB.28.784",
+         .details = "From the directions to the N nearest neighbors: the mean of the spherical harmonics Y_lm over the "
+                    "neighbors, and its invariants Q_l = sqrt(4 pi/(2 l + 1) sum |Y_lm|^2), from 0 to 1. `c_ID[1]`, "
+                    "... are the Q_l in the order of the degrees. With `wl yes` the third-order invariants W_l follow, "
+                    "with `wl/hat yes` W_l / (sum |Y_lm|^2)^(3/2) (both up to degree 30), with `components l` the real "
+                    "and imaginary parts of Y_lm / sqrt(sum |Y_lm|^2) from m = -l to l.\n\n"
+                    "Neighbors are all atoms, of any group. An atom with fewer than N neighbors within the cutoff, or "
+                    "outside of the compute's group, has 0. With 12 neighbors Q_6 is 0.575 in an fcc crystal, 0.485 in "
+                    "hcp, 0.663 around an atom of an icosahedron; with 14, Q_6 is 0.511 in bcc.",
+         .reference =
+             "P. J. Steinhardt, D. R. Nelson, M. Ronchetti, Phys. Rev. B 28, 784 (1983), doi:10.1103/PhysRevB.28.784",
          .example = "compute q all orientorder/atom degrees 2 4 6 nnn 12 cutoff 2.0\n"
                     "compute w all orientorder/atom wl/hat yes components 6"},
     .state_size = sizeof(orient_state),

@@ -59,8 +59,8 @@ static hs_status create(hs_compute *compute, const hs_args *args, hs_error *err)
     if (!state->has_ke) return HS_OK;
     if (state->temperature_id == NULL)
         return hs_fail(err, HS_ERROR_INPUT,
-                       "%s: NULL leaves out the kinetic part, so a keyword such as 'virial' must say which "
-                       "parts are wanted; otherwise name a temperature compute, for example thermo_temp",
+                       "%s: NULL leaves out the kinetic part, so a keyword such as 'virial' must say which parts are "
+                       "wanted; otherwise name a temperature compute, for example thermo_temp",
                        args->command);
     hs_compute *temperature;
     return find_temperature(compute, &temperature, err);
@@ -135,22 +135,21 @@ static hs_status vector(hs_compute *compute, hs_error *err)
 }
 
 const hs_compute_style hs_compute_style_pressure = {
-    .about = {.name = "pressure",
-              .syntax = {.usage =
-                             "<temperature-compute | NULL> [ke pair virial bond angle dihedral improper kspace fix]",
-                         .n_min = 1,
-                         .n_max = 1,
-                         .keywords = keywords},
-              .summary = "pressure and pressure tensor",
-              .details =
-                  "The scalar `c_ID` is (n_dof k T + virial) / (dim V), the vector `c_ID[1]` ... `c_ID[6]` the tensor "
-                  "in the order xx, yy, zz, xy, xz, yz (pressure units; in two dimensions V is the area and zz, xz, yz "
-                  "are 0). The first word names the compute that gives the temperature; NULL leaves the kinetic part "
-                  "out and needs a keyword. Without keywords every part counts; with keywords only the parts they "
-                  "name. The group must be all. Every simulation has one of these, `thermo_press`.",
-              .reference = "A. P. Thompson, S. J. Plimpton, W. Mattson, J. Chem. Phys. 131, 154107 (2009), "
-                           "doi:10.1063/1.3245303",
-              .example = "compute w all pressure NULL virial\ncompute p all pressure thermo_temp"},
+    .about =
+        {.name = "pressure",
+         .syntax = {.usage = "<temperature-compute | NULL> [ke pair virial bond angle dihedral improper kspace fix]",
+                    .n_min = 1,
+                    .n_max = 1,
+                    .keywords = keywords},
+         .summary = "pressure and pressure tensor",
+         .details = "The scalar `c_ID` is (n_dof k T + virial) / (dim V), the vector `c_ID[1]` ... `c_ID[6]` the "
+                    "tensor in the order xx, yy, zz, xy, xz, yz (pressure units; in two dimensions V is the area and "
+                    "zz, xz, yz are 0). The first word names the compute that gives the temperature; NULL leaves the "
+                    "kinetic part out and needs a keyword. Without keywords every part counts; with keywords only the "
+                    "parts they name. The group must be all. Every simulation has one of these, `thermo_press`.",
+         .reference =
+             "A. P. Thompson, S. J. Plimpton, W. Mattson, J. Chem. Phys. 131, 154107 (2009), doi:10.1063/1.3245303",
+         .example = "compute w all pressure NULL virial\ncompute p all pressure thermo_temp"},
     .state_size = sizeof(pressure_state),
     .create = create,
     .destroy = destroy,

@@ -67,10 +67,9 @@ const hs_compute_style hs_compute_style_property_chunk = {
                   "its number before chunks were compressed; `coord1` to `coord3`, the coordinates of its middle "
                   "(distance, or fractions of the box with `units reduced`; shells: the radius first). One property "
                   "makes the vector `c_ID`, several the columns of the array `c_ID[*]`; rows are chunks.",
-              .example =
-                  "compute c all cluster/atom 1.5\ncompute drops all chunk/atom c_c compress yes\ncompute size all "
-                  "property/chunk drops count\nfix 1 all ave/histo 100 1 100 0 200 200 c_size mode vector ave "
-                  "running file sizes.txt"},
+              .example = "compute c all cluster/atom 1.5\ncompute drops all chunk/atom c_c compress yes\ncompute size "
+                         "all property/chunk drops count\nfix 1 all ave/histo 100 1 100 0 200 200 c_size mode vector "
+                         "ave running file sizes.txt"},
     .state_size = sizeof(property_state),
     .create = create,
     .destroy = destroy,

@@ -81,8 +81,7 @@ static hs_status init(hs_compute *compute, hs_error *err)
     if (state->r_max > 0.0) return HS_OK;
     return hs_fail(
         err, HS_ERROR_INPUT,
-        "compute '%s' (rdf): the pair style has no cutoff to count up to; the keyword 'cutoff <distance>' gives "
-        "one",
+        "compute '%s' (rdf): the pair style has no cutoff to count up to; the keyword 'cutoff <distance>' gives one",
         compute->id);
 }
 

@@ -85,17 +85,16 @@ static hs_status evaluate(hs_compute *compute, hs_error *err)
 }
 
 const hs_compute_style hs_compute_style_reduce_chunk = {
-    .about =
-        {.name = "reduce/chunk",
-         .syntax = {.usage = "<chunk-ID> <sum | min | max> <value> ...", .n_min = 3, .n_max = -1},
-         .summary = "sum or extreme of values over the atoms of each chunk",
-         .details =
-             "A value is one per atom of a compute or fix (`c_ID`, `c_ID[i]`, `f_ID`, `f_ID[i]`, ranges as in "
-             "`c_ID[*]`) or an atom-style variable (`v_name`); it is reduced over those atoms of each chunk of the "
-             "compute chunk/atom that are in the group. One value makes the vector `c_ID`, several the columns of "
-             "the array `c_ID[*]`; rows are chunks. Without atoms in a chunk the result is 0.",
-         .example = "compute k all ke/atom\ncompute layers all chunk/atom bin/1d z lower 0.5\n"
-                    "compute hot all reduce/chunk layers max c_k"},
+    .about = {.name = "reduce/chunk",
+              .syntax = {.usage = "<chunk-ID> <sum | min | max> <value> ...", .n_min = 3, .n_max = -1},
+              .summary = "sum or extreme of values over the atoms of each chunk",
+              .details =
+                  "A value is one per atom of a compute or fix (`c_ID`, `c_ID[i]`, `f_ID`, `f_ID[i]`, ranges as in "
+                  "`c_ID[*]`) or an atom-style variable (`v_name`); it is reduced over those atoms of each chunk of "
+                  "the compute chunk/atom that are in the group. One value makes the vector `c_ID`, several the "
+                  "columns of the array `c_ID[*]`; rows are chunks. Without atoms in a chunk the result is 0.",
+              .example = "compute k all ke/atom\ncompute layers all chunk/atom bin/1d z lower 0.5\n"
+                         "compute hot all reduce/chunk layers max c_k"},
     .state_size = sizeof(reduce_state),
     .create = create,
     .destroy = destroy,

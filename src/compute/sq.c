@@ -101,11 +101,10 @@ static hs_status array(hs_compute *compute, hs_error *err)
     if (state->n_shells == 0) {
         const int n_vectors = hs_density_each(&state->density, env, fill_row, compute);
         if (n_vectors == compute->n_rows) return HS_OK;
-        return hs_fail(
-            err, HS_ERROR_RUN,
-            "compute '%s' (sq): the box has changed and has %d wave vectors now, not %d; shells ('vectors no') follow "
-            "a box that changes",
-            compute->id, n_vectors, compute->n_rows);
+        return hs_fail(err, HS_ERROR_RUN,
+                       "compute '%s' (sq): the box has changed and has %d wave vectors now, not %d; shells ('vectors "
+                       "no') follow a box that changes",
+                       compute->id, n_vectors, compute->n_rows);
     }
     memset(state->sum, 0, 3 * (size_t)state->n_shells * sizeof *state->sum);
     hs_density_each(&state->density, env, add_to_shell, compute);
@@ -120,25 +119,23 @@ static hs_status array(hs_compute *compute, hs_error *err)
 }
 
 const hs_compute_style hs_compute_style_sq = {
-    .about =
-        {.name = "sq",
-         .syntax = {.usage = "<q_max> [<Nbin>] [vectors yes|no]", .n_min = 1, .n_max = 2, .keywords = keywords},
-         .summary = "static structure factor",
-         .details =
-             "S(q) = |sum over atoms of exp(-i q r)|^2 / N for the wave vectors q = 2 pi (n_x/L_x, n_y/L_y, n_z/L_z) "
-             "of the periodic box with 0 < |q| <= q_max (1/distance), of the group's atoms; a tilted box has those "
-             "whose products with its edges are multiples of 2 pi. The array has one row for each of Nbin shells of "
-             "equal width (default: 100): the mean |q| of its vectors, the mean S, and the number of vectors, 0 for a "
-             "shell without any.\n\n"
-             "With `vectors yes` there is one row for each wave vector, of q and -q one: q_x, q_y, q_z, S(q), and the "
-             "real and imaginary part of the sum; correlations of these in time (`fix ave/correlate`) give the "
-             "intermediate scattering function F(q,t) N.\n\n"
-             "A non-uniform fast Fourier transform computes all of them at once, exact to 1e-10, at a cost of a few "
-             "microseconds an atom. All directions (in two dimensions x and y) must be periodic.",
-         .reference =
-             "J.-P. Hansen, I. R. McDonald, Theory of Simple Liquids, 4th ed. (2013), section 4.1; A. H. Barnett, J. "
-             "Magland, L. af Klinteberg, SIAM J. Sci. Comput. 41, C479 (2019), doi:10.1137/18M120885X",
-         .example = "compute S all sq 25.0 200\nfix s all ave/time 100 10 1000 c_S[*] file tmp.sq mode vector"},
+    .about = {.name = "sq",
+              .syntax = {.usage = "<q_max> [<Nbin>] [vectors yes|no]", .n_min = 1, .n_max = 2, .keywords = keywords},
+              .summary = "static structure factor",
+              .details = "S(q) = |sum over atoms of exp(-i q r)|^2 / N for the wave vectors q = 2 pi (n_x/L_x, "
+                         "n_y/L_y, n_z/L_z) of the periodic box with 0 < |q| <= q_max (1/distance), of the group's "
+                         "atoms; a tilted box has those whose products with its edges are multiples of 2 pi. The array "
+                         "has one row for each of Nbin shells of equal width (default: 100): the mean |q| of its "
+                         "vectors, the mean S, and the number of vectors, 0 for a shell without any.\n\n"
+                         "With `vectors yes` there is one row for each wave vector, of q and -q one: q_x, q_y, q_z, "
+                         "S(q), and the real and imaginary part of the sum; correlations of these in time (`fix "
+                         "ave/correlate`) give the intermediate scattering function F(q,t) N.\n\n"
+                         "A non-uniform fast Fourier transform computes all of them at once, exact to 1e-10, at a cost "
+                         "of a few microseconds an atom. All directions (in two dimensions x and y) must be periodic.",
+              .reference =
+                  "J.-P. Hansen, I. R. McDonald, Theory of Simple Liquids, 4th ed. (2013), section 4.1; A. H. Barnett, "
+                  "J. Magland, L. af Klinteberg, SIAM J. Sci. Comput. 41, C479 (2019), doi:10.1137/18M120885X",
+              .example = "compute S all sq 25.0 200\nfix s all ave/time 100 10 1000 c_S[*] file tmp.sq mode vector"},
     .state_size = sizeof(sq_state),
     .create = create,
     .destroy = destroy,

@@ -32,10 +32,10 @@ static hs_status find_temperature(const hs_compute *compute, hs_compute **temper
     if (state->temperature_id == NULL) return HS_OK;
     *temperature = compute->env->find_compute(compute->env, state->temperature_id);
     if (*temperature != NULL && (*temperature)->style->is_temperature) return HS_OK;
-    return hs_fail(err, HS_ERROR_INPUT,
-                   "compute '%s' (stress/atom): '%s' is not a compute of a temperature; NULL takes the "
-                   "velocities as they are",
-                   compute->id, state->temperature_id);
+    return hs_fail(
+        err, HS_ERROR_INPUT,
+        "compute '%s' (stress/atom): '%s' is not a compute of a temperature; NULL takes the velocities as they are",
+        compute->id, state->temperature_id);
 }
 
 static hs_status create(hs_compute *compute, const hs_args *args, hs_error *err)
@@ -138,8 +138,8 @@ const hs_compute_style hs_compute_style_stress_atom = {
              "word names a temperature compute, whose bias (as the motion of the center of mass in temp/com) is taken "
              "off the velocities; NULL takes them as they are. Without keywords every part counts; with keywords only "
              "the parts they name. The pairs are found anew for each evaluation, which takes some timesteps' time.",
-         .reference = "A. P. Thompson, S. J. Plimpton, W. Mattson, J. Chem. Phys. 131, 154107 (2009), "
-                      "doi:10.1063/1.3245303",
+         .reference =
+             "A. P. Thompson, S. J. Plimpton, W. Mattson, J. Chem. Phys. 131, 154107 (2009), doi:10.1063/1.3245303",
          .example = "compute s all stress/atom NULL\ncompute p all reduce sum c_s[1] c_s[2] c_s[3]"},
     .state_size = sizeof(stress_state),
     .create = create,

@@ -251,25 +251,25 @@ static void bias(const hs_compute *compute, int i, double b[3])
 }
 
 const hs_compute_style hs_compute_style_temp_chunk = {
-    .about = {.name = "temp/chunk",
-              .syntax = {.usage = "<chunk-ID> [temp] [kecom] [internal]", .n_min = 1, .n_max = 4, .keywords = keywords},
-              .summary = "temperature of the atoms in chunks, and of each chunk",
-              .details = "The scalar `c_ID` is the temperature of those atoms of the group that are in a chunk of the "
-                         "compute chunk/atom, with adof N + cdof (chunks) degrees of freedom: by default dim for each "
-                         "atom, from which nothing is taken off. The vector `c_ID[1]` ... `c_ID[6]` is their "
-                         "kinetic-energy tensor xx, yy, zz, xy, xz, yz: sum m v_a v_b (energy).\n\n"
-                         "The array has a row for each chunk, and a column for each word, in their order: `temp` (the "
-                         "default) its temperature, with adof n + cdof degrees of freedom; `kecom` the kinetic energy "
-                         "of the motion of its center of mass; `internal` the kinetic energy relative to that motion. "
-                         "A chunk without atoms has 0.\n\n"
-                         "With `com yes` temperatures and the tensor are of velocities relative to the chunk's center "
-                         "of mass; `cdof -3` then takes its degrees of freedom off. `bias` takes off first what "
-                         "another temperature compute (temp/ramp, say) takes off. As the temperature of a thermostat "
-                         "(`fix_modify ... temp ID`) only what is left is changed; in LAMMPS of 29 Sep 2021 such a "
-                         "thermostat does nothing.",
-              .example = "compute slabs all chunk/atom bin/1d z lower 0.05 units reduced\n"
-                         "compute t all temp/chunk slabs temp com yes cdof -3\n"
-                         "fix t all ave/time 10 100 1000 c_t[1] mode vector file slabs.txt"},
+    .about =
+        {.name = "temp/chunk",
+         .syntax = {.usage = "<chunk-ID> [temp] [kecom] [internal]", .n_min = 1, .n_max = 4, .keywords = keywords},
+         .summary = "temperature of the atoms in chunks, and of each chunk",
+         .details =
+             "The scalar `c_ID` is the temperature of those atoms of the group that are in a chunk of the compute "
+             "chunk/atom, with adof N + cdof (chunks) degrees of freedom: by default dim for each atom, from which "
+             "nothing is taken off. The vector `c_ID[1]` ... `c_ID[6]` is their kinetic-energy tensor xx, yy, zz, xy, "
+             "xz, yz: sum m v_a v_b (energy).\n\n"
+             "The array has a row for each chunk, and a column for each word, in their order: `temp` (the default) its "
+             "temperature, with adof n + cdof degrees of freedom; `kecom` the kinetic energy of the motion of its "
+             "center of mass; `internal` the kinetic energy relative to that motion. A chunk without atoms has 0.\n\n"
+             "With `com yes` temperatures and the tensor are of velocities relative to the chunk's center of mass; "
+             "`cdof -3` then takes its degrees of freedom off. `bias` takes off first what another temperature compute "
+             "(temp/ramp, say) takes off. As the temperature of a thermostat (`fix_modify ... temp ID`) only what is "
+             "left is changed; in LAMMPS of 29 Sep 2021 such a thermostat does nothing.",
+         .example = "compute slabs all chunk/atom bin/1d z lower 0.05 units reduced\n"
+                    "compute t all temp/chunk slabs temp com yes cdof -3\n"
+                    "fix t all ave/time 10 100 1000 c_t[1] mode vector file slabs.txt"},
     .state_size = sizeof(temp_chunk_state),
     .create = create,
     .destroy = destroy,

@@ -63,21 +63,19 @@ static void bias(const hs_compute *compute, int i, double v[3])
 }
 
 const hs_compute_style hs_compute_style_temp_deform = {
-    .about =
-        {.name = "temp/deform",
-         .syntax = {.usage = "", .n_min = 0, .n_max = 0, .keywords = NULL},
-         .summary = "temperature without the velocity of a box that changes",
-         .details =
-             "In a box that fix deform shears or stretches, each place moves with the box: at the lower face of y with "
-             "the velocity of that face, at the upper one with that of the other, between them linearly. This velocity "
-             "is taken off that of the atom there. The scalar `c_ID` is the temperature of what is left, with dim N - "
-             "dim degrees of freedom; the vector is its kinetic-energy tensor as in compute temp. Thermostats that use "
-             "this temperature (`fix_modify ... temp ID`) leave the flow as it is; `fix nvt/sllod` makes one of its "
-             "own.\n\n"
-             "It is right when the atoms do flow with the box. compute temp/profile, which measures the profile, tells "
-             "whether they do.",
-         .reference = "D. J. Evans, G. P. Morriss, Phys. Rev. A 30, 1528 (1984), doi:10.1103/PhysRevA.30.1528",
-         .example = "fix 2 all deform 1 xy erate 0.1 remap v\ncompute t all temp/deform\nthermo_modify temp t"},
+    .about = {.name = "temp/deform",
+              .syntax = {.usage = "", .n_min = 0, .n_max = 0, .keywords = NULL},
+              .summary = "temperature without the velocity of a box that changes",
+              .details = "In a box that fix deform shears or stretches, each place moves with the box: at the lower "
+                         "face of y with the velocity of that face, at the upper one with that of the other, between "
+                         "them linearly. This velocity is taken off that of the atom there. The scalar `c_ID` is the "
+                         "temperature of what is left, with dim N - dim degrees of freedom; the vector is its "
+                         "kinetic-energy tensor as in compute temp. Thermostats that use this temperature (`fix_modify "
+                         "... temp ID`) leave the flow as it is; `fix nvt/sllod` makes one of its own.\n\n"
+                         "It is right when the atoms do flow with the box. compute temp/profile, which measures the "
+                         "profile, tells whether they do.",
+              .reference = "D. J. Evans, G. P. Morriss, Phys. Rev. A 30, 1528 (1984), doi:10.1103/PhysRevA.30.1528",
+              .example = "fix 2 all deform 1 xy erate 0.1 remap v\ncompute t all temp/deform\nthermo_modify temp t"},
     .state_size = sizeof(deform_temperature),
     .create = create,
     .destroy = hs_temperature_destroy,

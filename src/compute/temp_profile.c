@@ -222,12 +222,12 @@ const hs_compute_style hs_compute_style_temp_profile = {
              "The box is cut into bins along the axes named, as many along each as the numbers say. From the velocity "
              "of each atom of the group the mean velocity of the group's atoms in its bin (that of their center of "
              "mass) is taken off, in the components whose flag is 1. The scalar `c_ID` is the temperature of what is "
-             "left, with dim N - dim (bins) - dim degrees of freedom (`compute_modify extra` changes the last "
-             "number; the number of bins counts whatever the flags are, as in LAMMPS of 29 Sep 2021). Thermostats that "
-             "use this temperature leave the flow as it is: `fix_modify ... temp ID`.\n\n"
+             "left, with dim N - dim (bins) - dim degrees of freedom (`compute_modify extra` changes the last number; "
+             "the number of bins counts whatever the flags are, as in LAMMPS of 29 Sep 2021). Thermostats that use "
+             "this temperature leave the flow as it is: `fix_modify ... temp ID`.\n\n"
              "With `out tensor` the vector is the kinetic-energy tensor as in compute temp. With `out bin` the array "
-             "has a row for each bin, x changing fastest: the number of its atoms n, and their temperature with "
-             "dim (n - 1) degrees of freedom.",
+             "has a row for each bin, x changing fastest: the number of its atoms n, and their temperature with dim (n "
+             "- 1) degrees of freedom.",
          .reference = "D. J. Evans, G. P. Morriss, Phys. Rev. Lett. 56, 2172 (1986), doi:10.1103/PhysRevLett.56.2172",
          .example = "compute t all temp/profile 1 0 0 y 20\nfix 1 all nvt temp 1.0 1.0 0.5\nfix_modify 1 temp t"},
     .state_size = sizeof(profile_state),

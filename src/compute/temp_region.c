@@ -62,11 +62,10 @@ const hs_compute_style hs_compute_style_temp_region = {
     .about = {.name = "temp/region",
               .syntax = {.usage = "<region-ID>", .n_min = 1, .n_max = 1},
               .summary = "temperature of the atoms in a region",
-              .details =
-                  "The scalar `c_ID` is the temperature of the group's atoms that are in the region at the step, with "
-                  "dim N - dim degrees of freedom (`compute_modify extra/dof` changes the second number). The "
-                  "vector is their kinetic-energy tensor as in compute temp. Thermostats that use this temperature "
-                  "change the atoms in the region only.",
+              .details = "The scalar `c_ID` is the temperature of the group's atoms that are in the region at the "
+                         "step, with dim N - dim degrees of freedom (`compute_modify extra/dof` changes the second "
+                         "number). The vector is their kinetic-energy tensor as in compute temp. Thermostats that use "
+                         "this temperature change the atoms in the region only.",
               .example = "region hot block INF INF INF INF 0 1\ncompute Thot all temp/region hot"},
     .state_size = sizeof(region_state),
     .create = create,

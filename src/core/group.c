@@ -52,10 +52,9 @@ hs_status hs_groups_add(hs_groups *groups, const char *name, int *bit, hs_error 
     if (*bit >= 0) return HS_OK;
     /* LAMMPS lets names have any characters; those that could not be told apart within formulas are refused */
     if (name[0] == '\0' || strpbrk(name, "()[],$&#'\"*") != NULL || has_blank(name))
-        return hs_fail(err, HS_ERROR_INPUT,
-                       "the group name '%s' may not be empty or have blanks, quotes, brackets, commas or any of $ & # "
-                       "*",
-                       name);
+        return hs_fail(
+            err, HS_ERROR_INPUT,
+            "the group name '%s' may not be empty or have blanks, quotes, brackets, commas or any of $ & # *", name);
     for (int i = 0; i < HS_GROUPS_MAX; ++i) {
         if (groups->name[i] != NULL) continue;
         *bit = i;

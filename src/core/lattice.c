@@ -175,10 +175,10 @@ static hs_status check_cell(const hs_lattice *lattice, const hs_lattice_size *si
     if (size->dimension == 2) HS_TRY(check_2d(lattice, err));
     const double volume = cell_volume(lattice);
     if (!(volume > 0.0) || !isfinite(volume))
-        return hs_fail(err, HS_ERROR_INPUT,
-                       "lattice: a1, a2, a3 span the volume %g; it must be greater than 0 (a right-handed set, not in "
-                       "one plane)",
-                       volume);
+        return hs_fail(
+            err, HS_ERROR_INPUT,
+            "lattice: a1, a2, a3 span the volume %g; it must be greater than 0 (a right-handed set, not in one plane)",
+            volume);
     return HS_OK;
 }
 

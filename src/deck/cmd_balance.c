@@ -64,9 +64,9 @@ static hs_status read_request(const hs_args *args, int dimension, request *r, hs
     for (int i = 1; i < args->n; ++i) {
         int which;
         if (strcmp(args->word[i], "out") == 0)
-            return hs_fail(err, HS_ERROR_INPUT,
-                           "balance: 'out' is not supported; dump custom with the attribute proc shows who owns which "
-                           "atoms");
+            return hs_fail(
+                err, HS_ERROR_INPUT,
+                "balance: 'out' is not supported; dump custom with the attribute proc shows who owns which atoms");
         HS_TRY(hs_arg_choice(args, i, words, &which, err));
         if (which < 3) HS_TRY(read_planes(args, &i, r, err));
         if (which == 3) HS_TRY(read_shift(args, &i, dimension, r, err));
@@ -169,24 +169,23 @@ static hs_status run_balance(hs_deck *deck, const hs_args *args, hs_error *err)
 }
 
 const hs_command hs_commands_balance[] = {
-    {.about =
-         {.name = "balance",
-          .syntax = {.usage = "<threshold> x|y|z uniform|<fractions> ... | shift <axes> <iterations> <stop factor> | "
-                              "rcb " HS_BALANCE_WEIGHTS,
-                     .n_min = 1,
-                     .n_max = -1},
-          .summary = "place the planes between the ranks' parts of the box",
-          .details =
-              "`x`, `y`, `z` put the planes that cut the box at equal distances (`uniform`) or at the fractions given, "
-              "one fewer than there are bricks along the axis. `shift` moves them along the axes named (`x`, `xy`, "
-              "`zyx`, ...) until the slabs between them hold equal loads, if the largest load of a rank exceeds the "
-              "mean by more than the threshold (1.1: ten per cent); each iteration finds the places 16 times more "
-              "exactly, and an axis is done when its slabs are within the stop factor. `rcb`, which in LAMMPS cuts the "
-              "box into parts that are not in rows, moves the planes along all axes here. The load of a rank is the "
-              "sum of its atoms' costs.\n\n" HS_BALANCE_WEIGHT_DETAILS
-              " (In the last run.)\n\n`fix balance` does the same during a run. Results do not depend on where the "
-              "planes are. `out` is refused.",
-          .example = "balance 1.1 shift xy 10 1.02\nbalance 1.0 x uniform z 0.4 0.5 0.6"},
+    {.about = {.name = "balance",
+               .syntax = {.usage = "<threshold> x|y|z uniform|<fractions> ... | shift <axes> <iterations> <stop "
+                                   "factor> | rcb " HS_BALANCE_WEIGHTS,
+                          .n_min = 1,
+                          .n_max = -1},
+               .summary = "place the planes between the ranks' parts of the box",
+               .details =
+                   "`x`, `y`, `z` put the planes that cut the box at equal distances (`uniform`) or at the fractions "
+                   "given, one fewer than there are bricks along the axis. `shift` moves them along the axes named "
+                   "(`x`, `xy`, `zyx`, ...) until the slabs between them hold equal loads, if the largest load of a "
+                   "rank exceeds the mean by more than the threshold (1.1: ten per cent); each iteration finds the "
+                   "places 16 times more exactly, and an axis is done when its slabs are within the stop factor. "
+                   "`rcb`, which in LAMMPS cuts the box into parts that are not in rows, moves the planes along all "
+                   "axes here. The load of a rank is the sum of its atoms' costs.\n\n" HS_BALANCE_WEIGHT_DETAILS
+                   " (In the last run.)\n\n`fix balance` does the same during a run. Results do not depend on where "
+                   "the planes are. `out` is refused.",
+               .example = "balance 1.1 shift xy 10 1.02\nbalance 1.0 x uniform z 0.4 0.5 0.6"},
      .run = run_balance,
      .check = check_balance},
     {.run = NULL},

@@ -241,21 +241,20 @@ const hs_command hs_commands_box[] = {
                 .name = "lattice",
                 .syntax = {"<style> <scale> [keyword value ...]", 2, 2, lattice_keywords},
                 .summary = "Lattice on which atoms are created, and the unit of lengths in regions",
-                .details =
-                    "`style` is one of `none`; in three dimensions `sc`, `bcc`, `fcc`, `hcp`, `diamond`; in two `sq`, "
-                    "`sq2`, `hex`;\n"
-                    "and `custom`, which needs at least one `basis`. `scale` is, in units lj, the reduced density N "
-                    "sigma^d / V, from\n"
-                    "which the length of the cell follows; in other units the length of one lattice unit. The "
-                    "hexagonal cells are\n"
-                    "rectangular: `hex` 1 by sqrt(3), `hcp` 1 by sqrt(3) by sqrt(8/3).\n\n"
-                    "The spacings in x, y and z, which are printed, are the extent of the rotated cell; other commands "
-                    "count lengths in\n"
-                    "them unless told `units box`. Without a lattice, or after `none 1`, the spacings are 1.\n\n"
-                    "The three `orient` vectors must be orthogonal and right-handed. In two dimensions the lattice "
-                    "must lie in the\n"
-                    "plane. The place of a site is: cell times edges, times scale, rotated, plus spacing times "
-                    "origin.\n",
+                .details = "`style` is one of `none`; in three dimensions `sc`, `bcc`, `fcc`, `hcp`, `diamond`; in two "
+                           "`sq`, `sq2`, `hex`;\n"
+                           "and `custom`, which needs at least one `basis`. `scale` is, in units lj, the reduced "
+                           "density N sigma^d / V, from\n"
+                           "which the length of the cell follows; in other units the length of one lattice unit. The "
+                           "hexagonal cells are\n"
+                           "rectangular: `hex` 1 by sqrt(3), `hcp` 1 by sqrt(3) by sqrt(8/3).\n\n"
+                           "The spacings in x, y and z, which are printed, are the extent of the rotated cell; other "
+                           "commands count lengths in\n"
+                           "them unless told `units box`. Without a lattice, or after `none 1`, the spacings are 1.\n\n"
+                           "The three `orient` vectors must be orthogonal and right-handed. In two dimensions the "
+                           "lattice must lie in the\n"
+                           "plane. The place of a site is: cell times edges, times scale, rotated, plus spacing times "
+                           "origin.\n",
                 .example = "lattice fcc 0.8442\nlattice custom 3.52 a1 1 0 0 a2 0.5 0.866 0 a3 0 0 1 basis 0 0 0 basis "
                            "0.5 0.5 0.5",
             },
@@ -276,8 +275,8 @@ const hs_command hs_commands_box[] = {
                     "default) or in distance units (`units box`). Periodic images do not count: a region holds what "
                     "lies in it by\n"
                     "coordinates. `delete` removes a region. LAMMPS's `move`, `rotate` and `open` are refused.\n",
-                .example = "region box block 0 10 0 10 0 10\nregion gap cylinder z 5 5 2 INF INF side out\nregion gap "
-                           "delete",
+                .example =
+                    "region box block 0 10 0 10 0 10\nregion gap cylinder z 5 5 2 INF INF side out\nregion gap delete",
             },
         .run = region_run,
         .check = region_check,

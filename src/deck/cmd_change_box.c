@@ -131,11 +131,10 @@ static hs_status set_tilt(change *c, const hs_args *args, int i, int tilt, hs_er
     hs_box *box = &c->sim->box;
     double number;
     if (!box->is_tilted)
-        return hs_fail(
-            err, HS_ERROR_INPUT,
-            "%s: an orthogonal box has no tilt %s; the operation 'triclinic' before it makes the box one that "
-            "can be tilted",
-            args->command, args->word[i]);
+        return hs_fail(err, HS_ERROR_INPUT,
+                       "%s: an orthogonal box has no tilt %s; the operation 'triclinic' before it makes the box one "
+                       "that can be tilted",
+                       args->command, args->word[i]);
     HS_TRY(hs_arg_double(args, i + 2, &number, err));
     const double before = args->word[i + 1][0] == 'd' ? box->tilt[tilt] : 0.0;
     box->tilt[tilt] = before + c->scale[hs_tilt_first(tilt)] * number;

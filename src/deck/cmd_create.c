@@ -36,9 +36,9 @@ static hs_status create_check(const hs_args *args, bool has_variables, hs_error 
             return hs_fail(err, HS_ERROR_INPUT,
                            "create_atoms: the keyword '%s' is for molecules, which are not supported", word);
     }
-    const hs_syntax syntax = {"<type> box | region <ID> | single <x> <y> <z> | random <N> <seed> <region-ID>|NULL "
-                              "[keyword value ...]",
-                              2 + create_words[style], 2 + create_words[style], create_keywords};
+    const hs_syntax syntax = {
+        "<type> box | region <ID> | single <x> <y> <z> | random <N> <seed> <region-ID>|NULL [keyword value ...]",
+        2 + create_words[style], 2 + create_words[style], create_keywords};
     return hs_syntax_check(&syntax, args, has_variables, err);
 }
 
@@ -183,10 +183,9 @@ const hs_command hs_commands_create[] = {
         .about =
             {
                 .name = "create_atoms",
-                .syntax =
-                    {"<type> box | region <ID> | single <x> <y> <z> | random <N> <seed> <region-ID>|NULL [keyword "
-                     "value ...]",
-                     2, -1, create_keywords},
+                .syntax = {"<type> box | region <ID> | single <x> <y> <z> | random <N> <seed> <region-ID>|NULL "
+                           "[keyword value ...]",
+                           2, -1, create_keywords},
                 .summary = "Create atoms on the lattice, at one place, or at random places",
                 .details =
                     "`box` fills the box with atoms on the sites of the lattice, `region` only a region of it. Sites "
@@ -213,12 +212,11 @@ const hs_command hs_commands_create[] = {
                 .name = "mass",
                 .syntax = {"<type> <mass>", 2, 2, NULL},
                 .summary = "Mass of all atoms of a type",
-                .details =
-                    "`type` is a number or a range (`*`, `2*`, `*3`, `2*3`); `mass` is greater than 0, in mass units. "
-                    "Every type needs\n"
-                    "one before the first run or the first `velocity`. The box must exist. Atoms of style sphere have "
-                    "masses of their own: there the command is refused, or, with `hybrid dipole sphere`, its values "
-                    "are not used (as in LAMMPS).\n",
+                .details = "`type` is a number or a range (`*`, `2*`, `*3`, `2*3`); `mass` is greater than 0, in mass "
+                           "units. Every type needs\n"
+                           "one before the first run or the first `velocity`. The box must exist. Atoms of style "
+                           "sphere have masses of their own: there the command is refused, or, with `hybrid dipole "
+                           "sphere`, its values are not used (as in LAMMPS).\n",
                 .example = "mass 1 1.0\nmass * 39.95",
             },
         .run = mass_run,

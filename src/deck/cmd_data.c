@@ -192,29 +192,28 @@ static hs_status run_write_data(hs_deck *deck, const hs_args *args, hs_error *er
 }
 
 const hs_command hs_commands_data[] = {
-    {.about = {.name = "read_data",
-               .syntax = {.usage = "<file> [<keyword> <value> ...]", .n_min = 1, .n_max = 1, .keywords = read_keywords},
-               .summary = "Read box, atoms and coefficients from a LAMMPS data file",
-               .details =
-                   "The file has the columns of the present atom_style (as in LAMMPS; charges must be 0) and may be "
-                   "compressed (`.gz`). The header gives `atoms`, `atom types`, `xlo xhi`, `ylo yhi`, `zlo zhi`; and, "
-                   "in a tilted box, `xy xz yz`; counts for bonds and the like must be 0. Sections: Masses, Atoms (`id "
-                   "type x y z` for style atomic, and three image flags or none), Velocities, Pair Coeffs, PairIJ "
-                   "Coeffs (these need a pair style before), and those that `fix` names: lines of an atom id and the "
-                   "values of a fix property/atom, which must be there before. Every number is checked; a bad one "
-                   "stops the run with file and line. Positions outside of a periodic box are wrapped, outside of "
-                   "another they are an error.",
-               .example = "read_data start.data\nfix p all property/atom i_origin d_dose\nread_data doses.data fix p "
-                          "NULL p\nread_data more.data.gz add append shift 20 0 0 group new"},
+    {.about =
+         {.name = "read_data",
+          .syntax = {.usage = "<file> [<keyword> <value> ...]", .n_min = 1, .n_max = 1, .keywords = read_keywords},
+          .summary = "Read box, atoms and coefficients from a LAMMPS data file",
+          .details =
+              "The file has the columns of the present atom_style (as in LAMMPS; charges must be 0) and may be "
+              "compressed (`.gz`). The header gives `atoms`, `atom types`, `xlo xhi`, `ylo yhi`, `zlo zhi`; and, in a "
+              "tilted box, `xy xz yz`; counts for bonds and the like must be 0. Sections: Masses, Atoms (`id type x y "
+              "z` for style atomic, and three image flags or none), Velocities, Pair Coeffs, PairIJ Coeffs (these need "
+              "a pair style before), and those that `fix` names: lines of an atom id and the values of a fix "
+              "property/atom, which must be there before. Every number is checked; a bad one stops the run with file "
+              "and line. Positions outside of a periodic box are wrapped, outside of another they are an error.",
+          .example = "read_data start.data\nfix p all property/atom i_origin d_dose\nread_data doses.data fix p NULL "
+                     "p\nread_data more.data.gz add append shift 20 0 0 group new"},
      .run = run_read_data},
     {.about =
          {.name = "write_data",
           .syntax = {.usage = "<file> [<keyword> <value> ...]", .n_min = 1, .n_max = 1, .keywords = write_keywords},
           .summary = "Write box, atoms and coefficients to a LAMMPS data file",
-          .details =
-              "A `*` in the name becomes the step; a name ending in `.gz` is compressed. Numbers have the digits that "
-              "give the same bits when read. Atoms are in the order of their ids. Values of fix property/atom are in a "
-              "section with the fix's ID. The file appears whole or not at all.",
+          .details = "A `*` in the name becomes the step; a name ending in `.gz` is compressed. Numbers have the "
+                     "digits that give the same bits when read. Atoms are in the order of their ids. Values of fix "
+                     "property/atom are in a section with the fix's ID. The file appears whole or not at all.",
           .example = "write_data end.data\nwrite_data end.*.data pair ij"},
      .run = run_write_data},
     {.run = NULL},

@@ -304,15 +304,14 @@ const hs_command hs_commands_delete[] = {
                 .name = "delete_atoms",
                 .syntax = {"<style> <words> ... [keyword value ...]", 2, -1, NULL},
                 .summary = "Remove atoms",
-                .details =
-                    "`group <group-ID>` removes the atoms of a group, `region <ID>` those in a region.\n\n"
-                    "`overlap <cutoff> <group-1> <group-2>` removes atoms of the first group that are nearer than the "
-                    "cutoff (distance units) to one of the second; of two atoms that are in both groups the one with "
-                    "the lower id goes. No pair style is needed.\n\n"
-                    "`porosity <region-ID> <fraction> <seed>` removes a fraction of the atoms in a region, chosen at "
-                    "random.\n\n"
-                    "With `compress yes`, the default, the ids of the atoms that are left become 1 to N: those beyond "
-                    "N get the ids that have become free, the highest the lowest, as in LAMMPS.\n",
+                .details = "`group <group-ID>` removes the atoms of a group, `region <ID>` those in a region.\n\n"
+                           "`overlap <cutoff> <group-1> <group-2>` removes atoms of the first group that are nearer "
+                           "than the cutoff (distance units) to one of the second; of two atoms that are in both "
+                           "groups the one with the lower id goes. No pair style is needed.\n\n"
+                           "`porosity <region-ID> <fraction> <seed>` removes a fraction of the atoms in a region, "
+                           "chosen at random.\n\n"
+                           "With `compress yes`, the default, the ids of the atoms that are left become 1 to N: those "
+                           "beyond N get the ids that have become free, the highest the lowest, as in LAMMPS.\n",
                 .example = "delete_atoms group gas\ndelete_atoms overlap 0.8 all all\n"
                            "delete_atoms porosity slab 0.1 482793 compress no",
             },

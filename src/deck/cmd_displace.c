@@ -178,18 +178,17 @@ const hs_command hs_commands_displace[] = {
                 .name = "displace_atoms",
                 .syntax = {"<group-ID> <style> <words> ... [keyword value ...]", 5, -1, NULL},
                 .summary = "Move atoms between runs",
-                .details =
-                    "`move <dx> <dy> <dz>` moves the atoms of a group; a number may be an equal- or atom-style "
-                    "variable `v_name`, whose values are in the same unit.\n\n"
-                    "`ramp <x|y|z> <d1> <d2> <x|y|z> <c1> <c2>` moves them along the first axis by d1 where their "
-                    "coordinate along the second is c1 or below, by d2 where it is c2 or above, and by what lies "
-                    "between in between.\n\n"
-                    "`random <dx> <dy> <dz> <seed>` moves each by random amounts between -dx and dx and so on, which "
-                    "are those of LAMMPS, on any number of ranks.\n\n"
-                    "`rotate <Px> <Py> <Pz> <Rx> <Ry> <Rz> <theta>` turns them by theta degrees about the axis R "
-                    "through the point P.\n\n"
-                    "Lengths are in lattice spacings unless `units box` is said. Atoms that leave a periodic box come "
-                    "back on the other side; nothing keeps atoms from being moved onto one another.\n",
+                .details = "`move <dx> <dy> <dz>` moves the atoms of a group; a number may be an equal- or atom-style "
+                           "variable `v_name`, whose values are in the same unit.\n\n"
+                           "`ramp <x|y|z> <d1> <d2> <x|y|z> <c1> <c2>` moves them along the first axis by d1 where "
+                           "their coordinate along the second is c1 or below, by d2 where it is c2 or above, and by "
+                           "what lies between in between.\n\n"
+                           "`random <dx> <dy> <dz> <seed>` moves each by random amounts between -dx and dx and so on, "
+                           "which are those of LAMMPS, on any number of ranks.\n\n"
+                           "`rotate <Px> <Py> <Pz> <Rx> <Ry> <Rz> <theta>` turns them by theta degrees about the axis "
+                           "R through the point P.\n\n"
+                           "Lengths are in lattice spacings unless `units box` is said. Atoms that leave a periodic "
+                           "box come back on the other side; nothing keeps atoms from being moved onto one another.\n",
                 .example = "displace_atoms top move 0 -5 0 units box\ndisplace_atoms all random 0.1 0.1 0.1 4711\n"
                            "displace_atoms grain rotate 5 5 0 0 0 1 30",
             },

@@ -100,14 +100,12 @@ CHECK_STYLE(check_fix, "fix", hs_fix_styles)
 CHECK_STYLE(check_compute, "compute", hs_compute_styles)
 
 const hs_command hs_commands_fix[] = {
-    {.about =
-         {.name = "fix",
-          .syntax = {.usage = "<ID> <group-ID> <style> [words of the style]", .n_min = 3, .n_max = -1},
-          .summary = "make something act on a group of atoms at every step",
-          .details =
-              "The styles and their words are listed under fixes. A fix of the same ID and style is replaced and keeps "
-              "its place in the order.",
-          .example = "fix 1 all nve"},
+    {.about = {.name = "fix",
+               .syntax = {.usage = "<ID> <group-ID> <style> [words of the style]", .n_min = 3, .n_max = -1},
+               .summary = "make something act on a group of atoms at every step",
+               .details = "The styles and their words are listed under fixes. A fix of the same ID and style is "
+                          "replaced and keeps its place in the order.",
+               .example = "fix 1 all nve"},
      .run = run_fix,
      .check = check_fix},
     {.about = {.name = "unfix",
@@ -119,30 +117,26 @@ const hs_command hs_commands_fix[] = {
     {.about = {.name = "fix_modify",
                .syntax = {.usage = "<ID> <keyword> <value> ...", .n_min = 1, .n_max = 1, .keywords = modify_keywords},
                .summary = "change how a fix counts",
-               .details =
-                   "`energy yes` adds the fix's energy to the potential energy (compute pe, thermo output); `virial "
-                   "yes` adds its virial to the pressure. Both are off until asked for. A fix that has no energy or no "
-                   "virial refuses the word.",
+               .details = "`energy yes` adds the fix's energy to the potential energy (compute pe, thermo output); "
+                          "`virial yes` adds its virial to the pressure. Both are off until asked for. A fix that has "
+                          "no energy or no virial refuses the word.",
                .example = "fix walls all wall/lj126 zlo 0.0 1.0 1.0 1.12\nfix_modify walls energy yes virial yes"},
      .run = run_fix_modify},
-    {.about =
-         {.name = "compute",
-          .syntax = {.usage = "<ID> <group-ID> <style> [words of the style]", .n_min = 3, .n_max = -1},
-          .summary = "define a quantity to be measured",
-          .details =
-              "The styles are listed under computes. Values are used as `c_ID` or `c_ID[i]` in formulas and thermo "
-              "output. `thermo_temp`, `thermo_press` and `thermo_pe` always exist.",
-          .example = "compute hot mobile temp"},
+    {.about = {.name = "compute",
+               .syntax = {.usage = "<ID> <group-ID> <style> [words of the style]", .n_min = 3, .n_max = -1},
+               .summary = "define a quantity to be measured",
+               .details = "The styles are listed under computes. Values are used as `c_ID` or `c_ID[i]` in formulas "
+                          "and thermo output. `thermo_temp`, `thermo_press` and `thermo_pe` always exist.",
+               .example = "compute hot mobile temp"},
      .run = run_compute,
      .check = check_compute},
     {.about = {.name = "compute_modify",
                .syntax =
                    {.usage = "<ID> <keyword> <value> ...", .n_min = 1, .n_max = 1, .keywords = compute_modify_keywords},
                .summary = "change settings of a temperature compute",
-               .details =
-                   "A temperature has n_dof = dim N - dim degrees of freedom; `extra/dof` says how many are taken off "
-                   "instead of dim. They are counted at the start of each run, with `dynamic/dof yes` at each "
-                   "evaluation, as is needed where atoms come, go or change groups.",
+               .details = "A temperature has n_dof = dim N - dim degrees of freedom; `extra/dof` says how many are "
+                          "taken off instead of dim. They are counted at the start of each run, with `dynamic/dof yes` "
+                          "at each evaluation, as is needed where atoms come, go or change groups.",
                .example = "compute_modify thermo_temp extra/dof 0\ncompute_modify hot dynamic/dof yes"},
      .run = run_compute_modify},
     {.about = {.name = "uncompute",

@@ -308,8 +308,7 @@ const hs_command hs_commands_group[] = {
                     "Atoms stay in their groups wherever they move. The styles `molecule`, `include`, `dynamic` and "
                     "`static` are refused.\n",
                 .example =
-                    "group wall type 2 3\ngroup odd id 1:999:2\ngroup upper region top\ngroup mobile subtract all "
-                    "wall",
+                    "group wall type 2 3\ngroup odd id 1:999:2\ngroup upper region top\ngroup mobile subtract all wall",
             },
         .run = group_run,
         .check = group_check,

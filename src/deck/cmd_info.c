@@ -206,9 +206,9 @@ const hs_command hs_commands_info[] = {
                            "[variables] [time] [styles] [out screen|log]",
                            0, -1, NULL},
                 .summary = "Tell what there is at this point of the deck",
-                .details = "Without words, and with `all`, everything but `styles`, the lists of what Halfshell "
-                           "supports. `out` chooses where it is\nwritten (default: screen). Variables are shown by "
-                           "their definitions.\n",
+                .details =
+                    "Without words, and with `all`, everything but `styles`, the lists of what Halfshell supports. "
+                    "`out` chooses where it is\nwritten (default: screen). Variables are shown by their definitions.\n",
                 .example = "info system groups variables out log",
             },
         .run = info_run,

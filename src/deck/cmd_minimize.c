@@ -207,22 +207,21 @@ const hs_command hs_commands_minimize[] = {
                 .name = "minimize",
                 .syntax = {"<energy tolerance> <force tolerance> <iterations> <evaluations>", 4, 4, NULL},
                 .summary = "Move atoms to a minimum of the energy",
-                .details =
-                    "Ends as soon as the energy changes in one iteration by less than the energy tolerance times its "
-                    "size, the length of the force vector (`min_modify norm`; force units) is below the force "
-                    "tolerance, or so many iterations or evaluations of the forces were made. A tolerance of 0 never "
-                    "ends it. The log tells which it was, with energies and forces. Iterations count as steps, for "
-                    "thermo output and dumps too.\n\n"
-                    "Lists of neighbors are made as `neigh_modify every 1 delay 0 check yes` says. Of the fixes, those "
-                    "act that give or constrain forces: walls, spring/self, addforce, setforce, aveforce, enforce2d; "
-                    "their energy counts where `fix_modify energy yes` was said, and should where they have one. With "
-                    "fix box/relax the box changes, too. Nothing is integrated in time, and there is no noise, "
-                    "friction or propulsion. A potential that jumps at its cutoff ends line searches early: "
-                    "`pair_modify shift yes` helps.\n\n"
-                    "The styles are chosen by `min_style`. Sums over atoms are exact: reproducible runs reach the same "
-                    "bits on any number of threads and ranks. Velocities stay as they are, except with style fire, "
-                    "which begins with all atoms at rest and leaves its own. A minimisation that a checkpoint "
-                    "interrupts goes on with new search directions, as does the one that wrote it.\n",
+                .details = "Ends as soon as the energy changes in one iteration by less than the energy tolerance "
+                           "times its size, the length of the force vector (`min_modify norm`; force units) is below "
+                           "the force tolerance, or so many iterations or evaluations of the forces were made. A "
+                           "tolerance of 0 never ends it. The log tells which it was, with energies and forces. "
+                           "Iterations count as steps, for thermo output and dumps too.\n\n"
+                           "Lists of neighbors are made as `neigh_modify every 1 delay 0 check yes` says. Of the "
+                           "fixes, those act that give or constrain forces: walls, spring/self, addforce, setforce, "
+                           "aveforce, enforce2d; their energy counts where `fix_modify energy yes` was said, and "
+                           "should where they have one. With fix box/relax the box changes, too. Nothing is integrated "
+                           "in time, and there is no noise, friction or propulsion. A potential that jumps at its "
+                           "cutoff ends line searches early: `pair_modify shift yes` helps.\n\n"
+                           "The styles are chosen by `min_style`. Sums over atoms are exact: reproducible runs reach "
+                           "the same bits on any number of threads and ranks. Velocities stay as they are, except with "
+                           "style fire, which begins with all atoms at rest and leaves its own. A minimisation that a "
+                           "checkpoint interrupts goes on with new search directions, as does the one that wrote it.\n",
                 .example = "minimize 1.0e-6 1.0e-4 1000 10000",
             },
         .run = run_minimize,
@@ -234,13 +233,12 @@ const hs_command hs_commands_minimize[] = {
                 .name = "min_style",
                 .syntax = {"cg|sd|fire|fire/old|quickmin", 1, 1, NULL},
                 .summary = "How minimize finds its way",
-                .details =
-                    "`cg` (default): conjugate gradients in the form of Polak and Ribiere, with line searches. `sd`: "
-                    "steepest descent, each line along the forces. `fire`: damped dynamics (FIRE 2.0), with the masses "
-                    "and, at first, the timestep of the deck. Settings are those of `min_modify`. `fire/old`: FIRE as "
-                    "first published, whose settings are fixed but for dmax: explicit Euler steps, delaystep 5, tmax "
-                    "10, tmin 0, no half step back. `quickmin`: steps of the deck's timestep along the forces, from "
-                    "rest wherever the last one went too far.\n",
+                .details = "`cg` (default): conjugate gradients in the form of Polak and Ribiere, with line searches. "
+                           "`sd`: steepest descent, each line along the forces. `fire`: damped dynamics (FIRE 2.0), "
+                           "with the masses and, at first, the timestep of the deck. Settings are those of "
+                           "`min_modify`. `fire/old`: FIRE as first published, whose settings are fixed but for dmax: "
+                           "explicit Euler steps, delaystep 5, tmax 10, tmin 0, no half step back. `quickmin`: steps "
+                           "of the deck's timestep along the forces, from rest wherever the last one went too far.\n",
                 .reference =
                     "J. Guenole et al., Comput. Mater. Sci. 175, 109584 (2020), doi:10.1016/j.commatsci.2020.109584",
                 .example = "min_style fire",

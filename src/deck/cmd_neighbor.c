@@ -246,40 +246,36 @@ static hs_status run_comm_style(hs_deck *deck, const hs_args *args, hs_error *er
 }
 
 const hs_command hs_commands_neighbor[] = {
-    {.about =
-         {.name = "neighbor",
-          .syntax = {.usage = "<skin> bin|nsq|multi", .n_min = 2, .n_max = 2},
-          .summary = "the skin: how far beyond the cutoff pairs are listed",
-          .details =
-              "Skin in distance units; default 0.3 in lj, 2.0 in real and metal units. The second word is accepted as "
-              "in LAMMPS; how Halfshell searches is chosen by `neighbor_method`.",
-          .example = "neighbor 0.3 bin"},
+    {.about = {.name = "neighbor",
+               .syntax = {.usage = "<skin> bin|nsq|multi", .n_min = 2, .n_max = 2},
+               .summary = "the skin: how far beyond the cutoff pairs are listed",
+               .details = "Skin in distance units; default 0.3 in lj, 2.0 in real and metal units. The second word is "
+                          "accepted as in LAMMPS; how Halfshell searches is chosen by `neighbor_method`.",
+               .example = "neighbor 0.3 bin"},
      .run = run_neighbor},
-    {.about =
-         {.name = "neigh_modify",
-          .syntax = {.usage = "<keyword> <value> ...", .n_min = 0, .n_max = 0, .keywords = modify_keywords},
-          .summary = "when neighbor lists are built, and which pairs are left out",
-          .details =
-              "Repeated commands add up. Halfshell keeps LAMMPS's schedule: with `check no` or a long `delay`, pairs "
-              "that come within the cutoff between two builds without having been listed are not counted, exactly as "
-              "in LAMMPS, so that thermo tables agree digit by digit; a warning at the end of the run tells when that "
-              "happened. `neighbor_method ... pairs exact` counts every pair at every step.",
-          .example = "neigh_modify delay 0 every 1 check yes\nneigh_modify exclude type 2 2"},
+    {.about = {.name = "neigh_modify",
+               .syntax = {.usage = "<keyword> <value> ...", .n_min = 0, .n_max = 0, .keywords = modify_keywords},
+               .summary = "when neighbor lists are built, and which pairs are left out",
+               .details =
+                   "Repeated commands add up. Halfshell keeps LAMMPS's schedule: with `check no` or a long `delay`, "
+                   "pairs that come within the cutoff between two builds without having been listed are not counted, "
+                   "exactly as in LAMMPS, so that thermo tables agree digit by digit; a warning at the end of the run "
+                   "tells when that happened. `neighbor_method ... pairs exact` counts every pair at every step.",
+               .example = "neigh_modify delay 0 every 1 check yes\nneigh_modify exclude type 2 2"},
      .run = run_neigh_modify},
     {.about =
          {.name = "neighbor_method",
           .syntax = {.usage = "<method> [keyword value ...]", .n_min = 1, .n_max = 1, .keywords = method_keywords},
           .summary = "how pairs are found (Halfshell's own command)",
-          .details =
-              "Methods give the same forces to rounding. `nsq` is the double loop. `linked`, `incremental` and `hash` "
-              "are the cell methods of the textbooks, for teaching and for comparison: chains of the atoms in each "
-              "cell, built anew at every step, or brought up to date where atoms have changed cell, or for the "
-              "occupied cells only. `cell` sorts atoms into Morton-ordered cells at every step, `verlet` keeps a list "
-              "of the neighbors of each atom, `cluster` lists of pairs of four-atom clusters; `auto` (default) begins "
-              "with `cluster`, and runs of 1,000 steps and more try `verlet` too, and keep the faster one. "
-              "docs/neighbor-methods.md measures them. Keywords that a command does not name go back to their defaults "
-              "(except `pairs`). The command line's `-neigh` wins over the deck's method, whose keywords are then not "
-              "used.",
+          .details = "Methods give the same forces to rounding. `nsq` is the double loop. `linked`, `incremental` and "
+                     "`hash` are the cell methods of the textbooks, for teaching and for comparison: chains of the "
+                     "atoms in each cell, built anew at every step, or brought up to date where atoms have changed "
+                     "cell, or for the occupied cells only. `cell` sorts atoms into Morton-ordered cells at every "
+                     "step, `verlet` keeps a list of the neighbors of each atom, `cluster` lists of pairs of four-atom "
+                     "clusters; `auto` (default) begins with `cluster`, and runs of 1,000 steps and more try `verlet` "
+                     "too, and keep the faster one. docs/neighbor-methods.md measures them. Keywords that a command "
+                     "does not name go back to their defaults (except `pairs`). The command line's `-neigh` wins over "
+                     "the deck's method, whose keywords are then not used.",
           .example =
               "neighbor_method cell\nneighbor_method cluster pairs exact\nneighbor_method linked cell 0.5 order row"},
      .run = run_neighbor_method,
@@ -295,21 +291,20 @@ const hs_command hs_commands_neighbor[] = {
                .example = "precision mixed"},
      .run = run_precision,
      .check = check_precision},
-    {.about =
-         {.name = "reproducible",
-          .syntax = {.usage = "on|off", .n_min = 1, .n_max = 1},
-          .summary = "the same bits on any number of threads and ranks (Halfshell's own command)",
-          .details =
-              "`on` (default in double precision) gives the same bits of positions, velocities and thermo output on "
-              "any number of threads and ranks, with any neighbor method, with AVX2 and AVX-512 kernels, and after any "
-              "restart. Positions and the box are kept on a grid of a power of two (some 1e-14 of the box, so a "
-              "lattice site on the very face of a region may come to lie beyond it when a run starts), forces and "
-              "energies of pairs are added as 64-bit integers, sums over atoms are exact. The SSE2 and portable "
-              "kernels, which have no fused multiply-add, are reproducible among themselves. `off` adds in floating "
-              "point, a tenth faster; on several threads, which take work from each other, the last bits then differ "
-              "from run to run. It is off in mixed precision, where `on` is refused. The command line's "
-              "`-reproducible` wins over the deck.",
-          .example = "reproducible off"},
+    {.about = {.name = "reproducible",
+               .syntax = {.usage = "on|off", .n_min = 1, .n_max = 1},
+               .summary = "the same bits on any number of threads and ranks (Halfshell's own command)",
+               .details =
+                   "`on` (default in double precision) gives the same bits of positions, velocities and thermo output "
+                   "on any number of threads and ranks, with any neighbor method, with AVX2 and AVX-512 kernels, and "
+                   "after any restart. Positions and the box are kept on a grid of a power of two (some 1e-14 of the "
+                   "box, so a lattice site on the very face of a region may come to lie beyond it when a run starts), "
+                   "forces and energies of pairs are added as 64-bit integers, sums over atoms are exact. The SSE2 and "
+                   "portable kernels, which have no fused multiply-add, are reproducible among themselves. `off` adds "
+                   "in floating point, a tenth faster; on several threads, which take work from each other, the last "
+                   "bits then differ from run to run. It is off in mixed precision, where `on` is refused. The command "
+                   "line's `-reproducible` wins over the deck.",
+               .example = "reproducible off"},
      .run = run_reproducible,
      .check = check_reproducible},
     {.about = {.name = "comm_modify",

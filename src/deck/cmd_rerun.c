@@ -338,40 +338,35 @@ static hs_status rerun_run(hs_deck *deck, const hs_args *args, hs_error *err)
 }
 
 const hs_command hs_commands_rerun[] = {
-    {.about =
-         {.name = "read_dump",
-          .syntax = {"<file> <Nstep> <field> ... [keyword value ...]", 3, -1, read_keywords},
-          .summary = "Take atoms over from a snapshot of a trajectory",
-          .details =
-              "Reads the snapshot of step Nstep: the fields x y z, vx vy vz, ix iy iz (image flags) of atoms that are "
-              "known by their ids, the box and the step. The file is a text dump of LAMMPS or of this program (styles "
-              "atom and custom, also `.gz`), an XYZ file (steps are numbers of snapshots from 0 on, atoms are numbered "
-              "in their order, and `box no` is needed), or an H5MD file (of /particles the only group, `all`, or the "
-              "one named).\n\n"
-              "x may be a column x, xs, xu or xsu, that is scaled to the box or not, wrapped or not; image flags of "
-              "unwrapped places begin at 0. Places are brought into the box. Atoms that are added have the defaults of "
-              "`create_atoms` where there is no field; their types are read.\n\n"
-              "A snapshot that is not whole is an error that names the line, so are ids that come twice and numbers "
-              "that are not finite.",
-          .example = "read_dump run.dump 5000 x y z vx vy vz\nread_dump run.h5 5000 x y z\n"
-                     "read_dump start.xyz 0 x y z box no purge yes replace no add keep format xyz"},
+    {.about = {.name = "read_dump",
+               .syntax = {"<file> <Nstep> <field> ... [keyword value ...]", 3, -1, read_keywords},
+               .summary = "Take atoms over from a snapshot of a trajectory",
+               .details = "Reads the snapshot of step Nstep: the fields x y z, vx vy vz, ix iy iz (image flags) of "
+                          "atoms that are known by their ids, the box and the step. The file is a text dump of LAMMPS "
+                          "or of this program (styles atom and custom, also `.gz`), an XYZ file (steps are numbers of "
+                          "snapshots from 0 on, atoms are numbered in their order, and `box no` is needed), or an H5MD "
+                          "file (of /particles the only group, `all`, or the one named).\n\n"
+                          "x may be a column x, xs, xu or xsu, that is scaled to the box or not, wrapped or not; image "
+                          "flags of unwrapped places begin at 0. Places are brought into the box. Atoms that are added "
+                          "have the defaults of `create_atoms` where there is no field; their types are read.\n\n"
+                          "A snapshot that is not whole is an error that names the line, so are ids that come twice "
+                          "and numbers that are not finite.",
+               .example = "read_dump run.dump 5000 x y z vx vy vz\nread_dump run.h5 5000 x y z\n"
+                          "read_dump start.xyz 0 x y z box no purge yes replace no add keep format xyz"},
      .run = read_dump_run,
      .check = read_dump_check},
-    {.about =
-         {.name = "rerun",
-          .syntax = {"<file> ... [keyword value ...] dump <field> ... [keyword value ...]", 1, -1, rerun_keywords},
-          .summary = "Energies, forces and output of the snapshots of trajectories",
-          .details =
-              "Each snapshot is read as `read_dump` does it, and forces, computes, averages, thermo output and dumps "
-              "are made as if a run were at its step, perhaps with another potential or with other measures than the "
-              "run that wrote the file. Files follow one another; a snapshot that is not after the one before is "
-              "passed over. Fixes are asked for forces and samples; none moves atoms. The samples of averaging fixes "
-              "must fit the steps of the snapshots. The first and the last snapshot have rows in the table, those "
-              "between "
-              "where `thermo` says so.\n\n"
-              "No checkpoints are written: a rerun can be begun anew at any step.",
-          .example = "rerun run.dump dump x y z vx vy vz\n"
-                     "rerun run.1.dump.gz run.2.dump.gz first 1000 every 500 dump x y z\nrerun run.h5 dump x y z"},
+    {.about = {.name = "rerun",
+               .syntax = {"<file> ... [keyword value ...] dump <field> ... [keyword value ...]", 1, -1, rerun_keywords},
+               .summary = "Energies, forces and output of the snapshots of trajectories",
+               .details = "Each snapshot is read as `read_dump` does it, and forces, computes, averages, thermo output "
+                          "and dumps are made as if a run were at its step, perhaps with another potential or with "
+                          "other measures than the run that wrote the file. Files follow one another; a snapshot that "
+                          "is not after the one before is passed over. Fixes are asked for forces and samples; none "
+                          "moves atoms. The samples of averaging fixes must fit the steps of the snapshots. The first "
+                          "and the last snapshot have rows in the table, those between where `thermo` says so.\n\n"
+                          "No checkpoints are written: a rerun can be begun anew at any step.",
+               .example = "rerun run.dump dump x y z vx vy vz\n"
+                          "rerun run.1.dump.gz run.2.dump.gz first 1000 every 500 dump x y z\nrerun run.h5 dump x y z"},
      .run = rerun_run,
      .check = rerun_check},
     {.about = {.name = NULL}},

@@ -134,56 +134,52 @@ static const hs_keyword checkpoint_keywords[] = {
 };
 
 const hs_command hs_commands_restart[] = {
-    {.about =
-         {.name = "checkpoint",
-          .syntax = {"every <N> steps|minutes [keyword value ...] | off", 1, 3, checkpoint_keywords},
-          .summary = "Write checkpoints, from which an interrupted run goes on",
-          .details =
-              "After every N steps, or N minutes of wall time, all that decides the future goes into a file: atoms, "
-              "box, fixes with their state, variables, random numbers, the schedule of neighbor lists, and the place "
-              "in the deck. `halfshell resume FILE` goes on from there to the end of the deck. Files that dumps have "
-              "added to since are cut back.\n\n"
-              "A checkpoint appears whole or not at all: it is written beside its place, flushed to the disk and "
-              "renamed. It is an HDF5 file with a checksum, which is tested before anything of it is used. SIGINT, "
-              "SIGTERM and the end of `-walltime` also write one, without this command too; so does a file that cannot "
-              "be written, if there is a place for it.\n\n"
-              "A deck with neither `checkpoint` nor `restart` has an automatic one, `autosave.STEP.h5`, every 15 "
-              "minutes of wall time, each in place of the one before; it is removed at the end of the deck, also of "
-              "one that `resume` has brought to its end. The environment variable HALFSHELL_AUTOSAVE is another number "
-              "of minutes, 0 for none; `checkpoint off` also means none.",
-          .example = "checkpoint every 10 minutes\ncheckpoint every 50000 steps keep 3 file run.*.chk\ncheckpoint off"},
+    {.about = {.name = "checkpoint",
+               .syntax = {"every <N> steps|minutes [keyword value ...] | off", 1, 3, checkpoint_keywords},
+               .summary = "Write checkpoints, from which an interrupted run goes on",
+               .details =
+                   "After every N steps, or N minutes of wall time, all that decides the future goes into a file: "
+                   "atoms, box, fixes with their state, variables, random numbers, the schedule of neighbor lists, and "
+                   "the place in the deck. `halfshell resume FILE` goes on from there to the end of the deck. Files "
+                   "that dumps have added to since are cut back.\n\n"
+                   "A checkpoint appears whole or not at all: it is written beside its place, flushed to the disk and "
+                   "renamed. It is an HDF5 file with a checksum, which is tested before anything of it is used. "
+                   "SIGINT, SIGTERM and the end of `-walltime` also write one, without this command too; so does a "
+                   "file that cannot be written, if there is a place for it.\n\n"
+                   "A deck with neither `checkpoint` nor `restart` has an automatic one, `autosave.STEP.h5`, every 15 "
+                   "minutes of wall time, each in place of the one before; it is removed at the end of the deck, also "
+                   "of one that `resume` has brought to its end. The environment variable HALFSHELL_AUTOSAVE is "
+                   "another number of minutes, 0 for none; `checkpoint off` also means none.",
+               .example =
+                   "checkpoint every 10 minutes\ncheckpoint every 50000 steps keep 3 file run.*.chk\ncheckpoint off"},
      .run = checkpoint_run,
      .check = checkpoint_check},
     {.about = {.name = "restart",
                .syntax = {"0 | <N> <file> [file2]", 1, 3, NULL},
                .summary = "Write checkpoints every N steps, by LAMMPS's word",
-               .details =
-                   "A `*` in the name becomes the step; without one, `.*` is added. With two names the files take "
-                   "turns. The files are those of `checkpoint`; LAMMPS cannot read them. 0 ends it.",
+               .details = "A `*` in the name becomes the step; without one, `.*` is added. With two names the files "
+                          "take turns. The files are those of `checkpoint`; LAMMPS cannot read them. 0 ends it.",
                .example = "restart 1000 run.restart\nrestart 500 a.restart b.restart\nrestart 0"},
      .run = restart_run,
      .check = restart_check},
     {.about = {.name = "write_restart",
                .syntax = {"<file>", 1, 1, NULL},
                .summary = "Write a checkpoint now",
-               .details =
-                   "A `*` in the name becomes the step. `read_restart` reads it, and `halfshell resume` goes on with "
-                   "the deck's next command.",
+               .details = "A `*` in the name becomes the step. `read_restart` reads it, and `halfshell resume` goes on "
+                          "with the deck's next command.",
                .example = "write_restart equilibrated.h5"},
      .run = write_restart_run,
      .check = write_restart_check},
-    {.about =
-         {.name = "read_restart",
-          .syntax = {"<file>", 1, 1, NULL},
-          .summary = "Start from a checkpoint in another deck",
-          .details =
-              "Takes over units, dimension, boundary, atom style, box, atoms, masses, groups, pair style and its "
-              "coefficients, step, timestep and simulated time. Fixes, computes, regions, neighbor and output settings "
-              "are the new deck's; a fix or compute of the same ID and style as one of the old deck's goes on from its "
-              "state (averages, thermostats, starting places of `msd`), as far as its words allow, and this is told "
-              "when the run begins. To go on with the same deck, use `halfshell resume FILE` instead. Only files of "
-              "this program can be read.",
-          .example = "read_restart equilibrated.h5"},
+    {.about = {.name = "read_restart",
+               .syntax = {"<file>", 1, 1, NULL},
+               .summary = "Start from a checkpoint in another deck",
+               .details = "Takes over units, dimension, boundary, atom style, box, atoms, masses, groups, pair style "
+                          "and its coefficients, step, timestep and simulated time. Fixes, computes, regions, neighbor "
+                          "and output settings are the new deck's; a fix or compute of the same ID and style as one of "
+                          "the old deck's goes on from its state (averages, thermostats, starting places of `msd`), as "
+                          "far as its words allow, and this is told when the run begins. To go on with the same deck, "
+                          "use `halfshell resume FILE` instead. Only files of this program can be read.",
+               .example = "read_restart equilibrated.h5"},
      .run = read_restart_run},
     {.about = {.name = NULL}},
 };

@@ -270,9 +270,9 @@ const hs_command hs_commands_script[] = {
                 .name = "print",
                 .syntax = {"\"<text>\" [keyword value ...]", 1, 1, print_keywords},
                 .summary = "Print a line to screen, log and files",
-                .details = "A text with blanks needs quotes: `'...'`, `\"...\"`, or `\"\"\"...\"\"\"`, which may hold "
-                           "several lines. Variables in it are\nreplaced, but not within further quotes inside of the "
-                           "text.\n",
+                .details =
+                    "A text with blanks needs quotes: `'...'`, `\"...\"`, or `\"\"\"...\"\"\"`, which may hold several "
+                    "lines. Variables in it are\nreplaced, but not within further quotes inside of the text.\n",
                 .example = "print \"T = $T, pressure $(press:%.4f)\" append results.txt screen no",
             },
         .run = print_run,
@@ -330,11 +330,11 @@ const hs_command hs_commands_script[] = {
                 .syntax = {"<condition> then \"command\" ... [elif <condition> \"command\" ...] [else \"command\" ...]",
                            0, -1, NULL},
                 .summary = "Carry out commands only if a condition holds",
-                .details = "A condition compares numbers with `== != < <= > >=` and words with `==` and `!=`; `&& || "
-                           "|^ !` and parentheses join\ncomparisons. A number alone holds unless it is 0. Arithmetic "
-                           "needs an immediate variable: `$(v_a+1)`. Conditions with\nblanks, and commands, are "
-                           "quoted; a command that itself holds quotes goes into the other kind. All branches are "
-                           "checked\nbefore anything runs.\n",
+                .details =
+                    "A condition compares numbers with `== != < <= > >=` and words with `==` and `!=`; `&& || |^ !` "
+                    "and parentheses join\ncomparisons. A number alone holds unless it is 0. Arithmetic needs an "
+                    "immediate variable: `$(v_a+1)`. Conditions with\nblanks, and commands, are quoted; a command that "
+                    "itself holds quotes goes into the other kind. All branches are checked\nbefore anything runs.\n",
                 .example = "if \"$(step) > 1000 && ${mode} == fast\" then \"timestep 0.01\" \"run 100\" else \"quit\"",
             },
         .run = if_run,

@@ -293,27 +293,26 @@ const hs_command hs_commands_set[] = {
                 .name = "set",
                 .syntax = {"atom|type|group|region <ID> <keyword> <values> ...", 2, -1, set_keywords},
                 .summary = "Set types, positions, velocities, image numbers, sizes or directions of atoms",
-                .details =
-                    "The atoms are chosen by ID or range of IDs (`atom 3`, `atom 5*10`), by type or range of types, by "
-                    "group, or by\n"
-                    "region, once for all keywords of the command, which act one after the other. A value `v_name` "
-                    "takes an atom-style\n"
-                    "variable's value for each atom. Positions are in distance units and are not wrapped into the box "
-                    "until the\n"
-                    "next run; `run ... pre no` after a command that sets only positions and velocities goes on with "
-                    "the forces and lists\n"
-                    "there are, which is what Monte Carlo moves want. `type/fraction` draws for each atom from its "
-                    "place, so that the number of atoms is only about right;\n"
-                    "`type/ratio` and `type/subset` hit it exactly, going through atoms by ID. The choices are those "
-                    "of LAMMPS on\n"
-                    "one rank (before the first run of a deck; after it LAMMPS has reordered its atoms), whatever the "
-                    "number of ranks.\n"
-                    "Image numbers must be 0 along axes that are not periodic.\n\n"
-                    "`i_<name>` and `d_<name>` are values of your own, which fix property/atom has added.\n\n"
-                    "`diameter`, `density`, `density/disc`, `mass` and `omega` need spheres, `dipole` and "
-                    "`dipole/random` need dipoles (atom_style). `density` uses the present diameter, so set the "
-                    "diameter first. `dipole/random` gives LAMMPS's directions; in three dimensions they are not quite "
-                    "evenly spread, which rotational diffusion forgets.\n",
+                .details = "The atoms are chosen by ID or range of IDs (`atom 3`, `atom 5*10`), by type or range of "
+                           "types, by group, or by\n"
+                           "region, once for all keywords of the command, which act one after the other. A value "
+                           "`v_name` takes an atom-style\n"
+                           "variable's value for each atom. Positions are in distance units and are not wrapped into "
+                           "the box until the\n"
+                           "next run; `run ... pre no` after a command that sets only positions and velocities goes on "
+                           "with the forces and lists\n"
+                           "there are, which is what Monte Carlo moves want. `type/fraction` draws for each atom from "
+                           "its place, so that the number of atoms is only about right;\n"
+                           "`type/ratio` and `type/subset` hit it exactly, going through atoms by ID. The choices are "
+                           "those of LAMMPS on\n"
+                           "one rank (before the first run of a deck; after it LAMMPS has reordered its atoms), "
+                           "whatever the number of ranks.\n"
+                           "Image numbers must be 0 along axes that are not periodic.\n\n"
+                           "`i_<name>` and `d_<name>` are values of your own, which fix property/atom has added.\n\n"
+                           "`diameter`, `density`, `density/disc`, `mass` and `omega` need spheres, `dipole` and "
+                           "`dipole/random` need dipoles (atom_style). `density` uses the present diameter, so set the "
+                           "diameter first. `dipole/random` gives LAMMPS's directions; in three dimensions they are "
+                           "not quite evenly spread, which rotational diffusion forgets.\n",
                 .example = "set type 1 type/fraction 2 0.5 12393\nset group left vx 0.5\nset atom 7 x 1.0 y 1.0",
             },
         .run = set_run,

@@ -99,11 +99,10 @@ static hs_status read_part(const hs_args *args, int i, int *part, hs_error *err)
         "mesont", "molecular", "peri", "smd",    "sph", "spin", "tdpd",     "template", "tri",  "wavepacket", NULL};
     for (int k = 0; others[k] != NULL; ++k)
         if (strcmp(args->word[i], others[k]) == 0)
-            return hs_fail(
-                err, HS_ERROR_INPUT,
-                "atom_style: '%s' is not supported: atoms are points (atomic), spheres (sphere), have a direction "
-                "(dipole), or both (hybrid dipole sphere)",
-                args->word[i]);
+            return hs_fail(err, HS_ERROR_INPUT,
+                           "atom_style: '%s' is not supported: atoms are points (atomic), spheres (sphere), have a "
+                           "direction (dipole), or both (hybrid dipole sphere)",
+                           args->word[i]);
     return hs_arg_choice(args, i, hs_atom_part_names, part, err);
 }
 
@@ -141,9 +140,8 @@ static hs_status atom_style_run(hs_deck *deck, const hs_args *args, hs_error *er
     HS_TRY(need_no_box(deck, args->command, err));
     HS_TRY(read_atom_style(args, false, &style, err));
     if (hs_atom_style_has(&style, HS_ATOM_SPHERE) && style.n_parts > 1)
-        hs_warn(deck->out,
-                "atom_style hybrid: each atom has a mass of its own (diameter 1 and density 1 at first), and those "
-                "of the command mass are not used");
+        hs_warn(deck->out, "atom_style hybrid: each atom has a mass of its own (diameter 1 and density 1 at first), "
+                           "and those of the command mass are not used");
     return hs_atoms_set_style(&deck->sim->atoms, &style, err);
 }
 
@@ -229,28 +227,27 @@ const hs_command hs_commands_system[] = {
                 .name = "units",
                 .syntax = {"lj|real|metal|si|cgs|electron|micro|nano", 1, 1, NULL},
                 .summary = "Choose the units of all numbers in the deck and of all output",
-                .details =
-                    "| | lj | real | metal |\n|---|---|---|---|\n"
-                    "| mass | m | g/mol | g/mol |\n| distance | sigma | Angstrom | Angstrom |\n"
-                    "| time | tau | fs | ps |\n| energy | epsilon | kcal/mol | eV |\n"
-                    "| velocity | sigma/tau | Angstrom/fs | Angstrom/ps |\n"
-                    "| temperature | epsilon/k | K | K |\n| pressure | epsilon/sigma^3 | atm | bar |\n"
-                    "| default timestep | 0.005 | 1 | 0.001 |\n| default skin | 0.3 | 2 | 2 |\n\n"
-                    "| | si | cgs | electron | micro | nano |\n|---|---|---|---|---|---|\n"
-                    "| mass | kg | g | u | picogram | attogram |\n| distance | m | cm | bohr | micrometer | nanometer "
-                    "|\n"
-                    "| time | s | s | fs | microsecond | nanosecond |\n"
-                    "| energy | J | erg | hartree | pg um^2/us^2 | ag nm^2/ns^2 |\n"
-                    "| velocity | m/s | cm/s | bohr/(1.03275 fs) | um/us | nm/ns |\n| temperature | K | K | K | K | K "
-                    "|\n"
-                    "| pressure | Pa | dyn/cm^2 | Pa | pg/(um us^2) | ag/(nm ns^2) |\n"
-                    "| default timestep | 1e-8 | 1e-8 | 0.001 | 2 | 0.00045 |\n| default skin | 0.001 | 0.1 | 2 | 0.1 "
-                    "| 0.1 |\n\n"
-                    "Must come before the box; the default is `lj`. Also sets the timestep and the skin to the "
-                    "defaults of the\n"
-                    "system. In `lj`, the number of the command `lattice` is a density and energies are printed per "
-                    "atom. Atoms in `si` and `cgs` units need double precision, and a skin of their own "
-                    "(`neighbor`).\n",
+                .details = "| | lj | real | metal |\n|---|---|---|---|\n"
+                           "| mass | m | g/mol | g/mol |\n| distance | sigma | Angstrom | Angstrom |\n"
+                           "| time | tau | fs | ps |\n| energy | epsilon | kcal/mol | eV |\n"
+                           "| velocity | sigma/tau | Angstrom/fs | Angstrom/ps |\n"
+                           "| temperature | epsilon/k | K | K |\n| pressure | epsilon/sigma^3 | atm | bar |\n"
+                           "| default timestep | 0.005 | 1 | 0.001 |\n| default skin | 0.3 | 2 | 2 |\n\n"
+                           "| | si | cgs | electron | micro | nano |\n|---|---|---|---|---|---|\n"
+                           "| mass | kg | g | u | picogram | attogram |\n| distance | m | cm | bohr | micrometer | "
+                           "nanometer |\n"
+                           "| time | s | s | fs | microsecond | nanosecond |\n"
+                           "| energy | J | erg | hartree | pg um^2/us^2 | ag nm^2/ns^2 |\n"
+                           "| velocity | m/s | cm/s | bohr/(1.03275 fs) | um/us | nm/ns |\n| temperature | K | K | K | "
+                           "K | K |\n"
+                           "| pressure | Pa | dyn/cm^2 | Pa | pg/(um us^2) | ag/(nm ns^2) |\n"
+                           "| default timestep | 1e-8 | 1e-8 | 0.001 | 2 | 0.00045 |\n| default skin | 0.001 | 0.1 | 2 "
+                           "| 0.1 | 0.1 |\n\n"
+                           "Must come before the box; the default is `lj`. Also sets the timestep and the skin to the "
+                           "defaults of the\n"
+                           "system. In `lj`, the number of the command `lattice` is a density and energies are printed "
+                           "per atom. Atoms in `si` and `cgs` units need double precision, and a skin of their own "
+                           "(`neighbor`).\n",
                 .example = "units lj",
             },
         .run = units_run,
@@ -289,14 +286,13 @@ const hs_command hs_commands_system[] = {
                 .name = "boundary",
                 .syntax = {"<x> <y> <z>", 3, 3, NULL},
                 .summary = "Periodic, fixed or shrink-wrapped faces of the box",
-                .details =
-                    "One word for each axis, of one letter for both faces or of two for the lower and the upper one: "
-                    "`p` periodic\n"
-                    "(both faces or neither), `f` fixed: atoms that leave are lost, `s` shrink-wrapped: the face "
-                    "follows the\n"
-                    "outermost atom, `m` the same, but never inside of its first place. Must come before the box; the "
-                    "default\n"
-                    "is `p p p`.\n",
+                .details = "One word for each axis, of one letter for both faces or of two for the lower and the upper "
+                           "one: `p` periodic\n"
+                           "(both faces or neither), `f` fixed: atoms that leave are lost, `s` shrink-wrapped: the "
+                           "face follows the\n"
+                           "outermost atom, `m` the same, but never inside of its first place. Must come before the "
+                           "box; the default\n"
+                           "is `p p p`.\n",
                 .example = "boundary p p fs",
             },
         .run = boundary_run,
@@ -308,15 +304,14 @@ const hs_command hs_commands_system[] = {
                 .name = "atom_style",
                 .syntax = {"atomic | sphere [0|1] | dipole | hybrid <style> ...", 1, -1, NULL},
                 .summary = "What atoms have: size, own mass, direction",
-                .details =
-                    "`atomic` (the default): atoms are points with a type, a position and a velocity; masses belong to "
-                    "types. `sphere`: each atom also has a diameter, a mass (set by its density) and an angular "
-                    "velocity; new atoms have diameter 1 and density 1, and the command mass is refused (a 0 or 1 "
-                    "after it, LAMMPS's mark of diameters that may change, has no effect: they may). `dipole`: each "
-                    "atom has a dipole moment, 0 at first, which is also the direction of an active particle; there "
-                    "are no charges and no dipole forces. `hybrid` joins them; `hybrid dipole sphere` is the style of "
-                    "active Brownian particles. As in LAMMPS, masses of types are then not used. Must come before the "
-                    "box.\n",
+                .details = "`atomic` (the default): atoms are points with a type, a position and a velocity; masses "
+                           "belong to types. `sphere`: each atom also has a diameter, a mass (set by its density) and "
+                           "an angular velocity; new atoms have diameter 1 and density 1, and the command mass is "
+                           "refused (a 0 or 1 after it, LAMMPS's mark of diameters that may change, has no effect: "
+                           "they may). `dipole`: each atom has a dipole moment, 0 at first, which is also the "
+                           "direction of an active particle; there are no charges and no dipole forces. `hybrid` joins "
+                           "them; `hybrid dipole sphere` is the style of active Brownian particles. As in LAMMPS, "
+                           "masses of types are then not used. Must come before the box.\n",
                 .example = "atom_style atomic\natom_style hybrid dipole sphere",
             },
         .run = atom_style_run,
@@ -329,11 +324,10 @@ const hs_command hs_commands_system[] = {
                 .syntax = {"[id yes] [map yes|array|hash] [first <group-ID>] [sort <every> <bin-size>]", 0, 0,
                            atom_modify_keywords},
                 .summary = "Settings of LAMMPS's storage of atoms, accepted without effect",
-                .details =
-                    "Halfshell always keeps IDs, finds atoms by ID without a map, and sorts atoms itself; so `map`, "
-                    "`first` and\n"
-                    "`sort` are checked and change nothing. `id no` is refused. `id` and `map` must come before the "
-                    "box.\n",
+                .details = "Halfshell always keeps IDs, finds atoms by ID without a map, and sorts atoms itself; so "
+                           "`map`, `first` and\n"
+                           "`sort` are checked and change nothing. `id no` is refused. `id` and `map` must come before "
+                           "the box.\n",
                 .example = "atom_modify map array sort 0 0.0",
             },
         .run = atom_modify_run,
@@ -357,12 +351,11 @@ const hs_command hs_commands_system[] = {
                 .name = "processors",
                 .syntax = {"<Px> <Py> <Pz> [grid onelevel|numa] [map <order>]", 3, 3, processors_keywords},
                 .summary = "Grid of MPI ranks as LAMMPS divides the box, checked against the number of ranks",
-                .details =
-                    "`Px Py Pz` are ranks along each axis, `*` leaves one free. The grid must fit the number of ranks "
-                    "of the run, as\n"
-                    "in LAMMPS; how the box is then divided is up to Halfshell, and results do not depend on it. Must "
-                    "come\n"
-                    "before the box.\n",
+                .details = "`Px Py Pz` are ranks along each axis, `*` leaves one free. The grid must fit the number of "
+                           "ranks of the run, as\n"
+                           "in LAMMPS; how the box is then divided is up to Halfshell, and results do not depend on "
+                           "it. Must come\n"
+                           "before the box.\n",
                 .example = "processors * * 1",
             },
         .run = processors_run,

@@ -49,8 +49,8 @@ static hs_status check_thermo_style(const hs_args *args, bool has_variables, hs_
             return hs_fail(err, HS_ERROR_INPUT, "thermo_style custom: unknown keyword '%s'; did you mean '%s'?",
                            args->word[i], nearest);
         return hs_fail(err, HS_ERROR_INPUT,
-                       "thermo_style custom: unknown keyword '%s'; a column is a thermo keyword, c_ID, "
-                       "c_ID[i], f_ID, f_ID[i] or v_name",
+                       "thermo_style custom: unknown keyword '%s'; a column is a thermo keyword, c_ID, c_ID[i], f_ID, "
+                       "f_ID[i] or v_name",
                        args->word[i]);
     }
     return HS_OK;
@@ -62,15 +62,13 @@ static hs_status run_thermo_modify(hs_deck *deck, const hs_args *args, hs_error 
 }
 
 const hs_command hs_commands_thermo[] = {
-    {.about =
-         {.name = "thermo",
-          .syntax = {.usage = "<N | v_name>", .n_min = 1, .n_max = 1},
-          .summary = "Write a row of thermodynamic output every N steps",
-          .details =
-              "The first and the last step of a run always have a row; with N = 0, the default, only they have. With "
-              "`v_name` the variable gives the step of the next row, is evaluated anew at each row, and decides "
-              "whether the last step has one.",
-          .example = "thermo 100\nvariable s equal logfreq(10,3,10)\nthermo v_s"},
+    {.about = {.name = "thermo",
+               .syntax = {.usage = "<N | v_name>", .n_min = 1, .n_max = 1},
+               .summary = "Write a row of thermodynamic output every N steps",
+               .details = "The first and the last step of a run always have a row; with N = 0, the default, only they "
+                          "have. With `v_name` the variable gives the step of the next row, is evaluated anew at each "
+                          "row, and decides whether the last step has one.",
+               .example = "thermo 100\nvariable s equal logfreq(10,3,10)\nthermo v_s"},
      .run = run_thermo,
      .check = check_thermo},
     {.about =

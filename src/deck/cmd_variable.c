@@ -19,8 +19,8 @@ static hs_status shell_check(const hs_args *args, bool has_variables, hs_error *
     (void)args;
     (void)has_variables;
     return hs_fail(err, HS_ERROR_INPUT,
-                   "shell: a deck cannot run programs or change files around it; do that in a script that "
-                   "calls Halfshell (-var hands values in, print ... file hands them out)");
+                   "shell: a deck cannot run programs or change files around it; do that in a script that calls "
+                   "Halfshell (-var hands values in, print ... file hands them out)");
 }
 
 static hs_status shell_run(hs_deck *deck, const hs_args *args, hs_error *err)
@@ -68,44 +68,36 @@ const hs_command hs_commands_variable[] = {
                     "| style | words | value |\n"
                     "|---|---|---|\n"
                     "| `index` | `<value> ...` | one of the values; `next` goes on to the next one |\n"
-                    "| `loop` | `<N>` or `<N1> <N2>`, `[pad]` | 1 to N, or N1 to N2; `pad` writes all with "
-                    "equally many digits |\n"
-                    "| `file` | `<file>` | the first word of each line that has one (`#` begins a comment), one "
-                    "after the other by `next`, as with index |\n"
+                    "| `loop` | `<N>` or `<N1> <N2>`, `[pad]` | 1 to N, or N1 to N2; `pad` writes all with equally "
+                    "many digits |\n"
+                    "| `file` | `<file>` | the first word of each line that has one (`#` begins a comment), one after "
+                    "the other by `next`, as with index |\n"
                     "| `string` | `<text>` | the text |\n"
-                    "| `format` | `<variable> <format>` | the number of another variable in a format such as "
-                    "`%10.4f` |\n"
+                    "| `format` | `<variable> <format>` | the number of another variable in a format such as `%10.4f` "
+                    "|\n"
                     "| `getenv` | `<name>` | an environment variable |\n"
                     "| `equal` | `<formula>` | the formula's value whenever it is asked for |\n"
                     "| `atom` | `<formula>` | one value per atom |\n"
                     "| `internal` | `<number>` | a number that other commands set |\n"
                     "| `delete` | | the variable is forgotten |\n\n"
-                    "`$x` (one letter) or `${name}` puts a variable's value into a line before it is carried "
-                    "out, `$(formula)` that of a "
-                    "formula\n(`$(formula:%fmt)` in a format); not within quotes, except in the texts of "
-                    "`print` and `if`. `index`, "
-                    "`loop`, `file` and `getenv`\nvariables that exist already keep their value, so that the option "
-                    "`-var` wins; `string`, "
-                    "`format`, `equal`, `atom` and\n`internal` ones are replaced.\n\n"
-                    "Formulas know `+ - * / % ^`, `== != < <= > >=`, `&& || |^ !`, parentheses, where signs "
-                    "bind tighter than `^`, so that "
-                    "`-2^2`\nis 4; `PI`, `version`, `yes`, `no`, `true`, `false`, `on`, `off`; thermo keywords; "
-                    "`c_ID`, `c_ID[i]` of "
-                    "computes and\n`f_ID`, `f_ID[i]` of fixes; `v_name`, rounded to 15 digits as in LAMMPS; "
-                    "`x[ID]` and the like for one "
-                    "atom. In `atom`\nstyle also `id mass type x y z vx vy vz fx fy fz`.\n\n"
-                    "Functions: `sqrt exp ln log abs sin cos tan asin acos atan atan2 random normal ceil floor "
-                    "round`; of time `ramp "
-                    "stagger\nlogfreq logfreq2 logfreq3 stride stride2 vdisplace swiggle cwiggle`; of groups "
-                    "`count mass xcm vcm fcm bound "
-                    "gyration ke\nangmom torque inertia omega` with the group, `x`, `y` or `z` where there is a "
-                    "direction, and optionally a region,\n"
-                    "which are 0 without atoms (bound 1e20 or -1e20); of vectors\n`sum min max ave trap slope`; "
-                    "per atom `gmask rmask grmask`; `is_defined "
-                    "is_available is_file`.\n\n"
-                    "Division by zero, roots and logarithms of numbers that have none, and results that are not "
-                    "finite are errors. LAMMPS's "
-                    "styles\n`atomfile python timer vector world universe uloop` are refused.\n",
+                    "`$x` (one letter) or `${name}` puts a variable's value into a line before it is carried out, "
+                    "`$(formula)` that of a formula\n(`$(formula:%fmt)` in a format); not within quotes, except in the "
+                    "texts of `print` and `if`. `index`, `loop`, `file` and `getenv`\nvariables that exist already "
+                    "keep their value, so that the option `-var` wins; `string`, `format`, `equal`, `atom` "
+                    "and\n`internal` ones are replaced.\n\n"
+                    "Formulas know `+ - * / % ^`, `== != < <= > >=`, `&& || |^ !`, parentheses, where signs bind "
+                    "tighter than `^`, so that `-2^2`\nis 4; `PI`, `version`, `yes`, `no`, `true`, `false`, `on`, "
+                    "`off`; thermo keywords; `c_ID`, `c_ID[i]` of computes and\n`f_ID`, `f_ID[i]` of fixes; `v_name`, "
+                    "rounded to 15 digits as in LAMMPS; `x[ID]` and the like for one atom. In `atom`\nstyle also `id "
+                    "mass type x y z vx vy vz fx fy fz`.\n\n"
+                    "Functions: `sqrt exp ln log abs sin cos tan asin acos atan atan2 random normal ceil floor round`; "
+                    "of time `ramp stagger\nlogfreq logfreq2 logfreq3 stride stride2 vdisplace swiggle cwiggle`; of "
+                    "groups `count mass xcm vcm fcm bound gyration ke\nangmom torque inertia omega` with the group, "
+                    "`x`, `y` or `z` where there is a direction, and optionally a region,\n"
+                    "which are 0 without atoms (bound 1e20 or -1e20); of vectors\n`sum min max ave trap slope`; per "
+                    "atom `gmask rmask grmask`; `is_defined is_available is_file`.\n\n"
+                    "Division by zero, roots and logarithms of numbers that have none, and results that are not finite "
+                    "are errors. LAMMPS's styles\n`atomfile python timer vector world universe uloop` are refused.\n",
                 .example = "variable T index 0.7 0.8 0.9\nvariable p equal press*2.0\nvariable r atom sqrt(x*x+y*y)\n"
                            "print \"at T = $T: $p, $(temp:%.3f)\"",
             },
@@ -119,8 +111,7 @@ const hs_command hs_commands_variable[] = {
                 .syntax = {"<words>", 0, -1, NULL},
                 .summary = "Refused: decks cannot run programs",
                 .details = "A deck changes nothing around it. Let a script call Halfshell: `-var` hands values in, "
-                           "`print ... file` hands "
-                           "them out.\n",
+                           "`print ... file` hands them out.\n",
                 .example = NULL,
             },
         .run = shell_run,

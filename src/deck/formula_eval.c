@@ -226,11 +226,10 @@ static hs_status eval_reference(const hs_formula *formula, const hs_node *node, 
         return eval_atom_reference(env, sim, &value, &out->number, err);
     if (!per_atom || !hs_value_has(env, &value, HS_VALUE_ATOMS)) {
         if (!per_atom && hs_value_has(env, &value, HS_VALUE_ATOMS))
-            return hs_fail(
-                err, HS_ERROR_INPUT,
-                "formula '%.400s': %s has one value per atom: only atom-style variables may use it (%s[ID] is "
-                "that of one atom)",
-                formula->text, word, word);
+            return hs_fail(err, HS_ERROR_INPUT,
+                           "formula '%.400s': %s has one value per atom: only atom-style variables may use it (%s[ID] "
+                           "is that of one atom)",
+                           formula->text, word, word);
         return hs_value_check(env, &value, HS_VALUE_NUMBER, "formula", err);
     }
     HS_TRY(HS_ALLOC(out->array, (size_t)sim->atoms.n_local, err));
@@ -299,8 +298,7 @@ static hs_status eval_variable(const hs_node *node, hs_deck *deck, bool per_atom
         return hs_variables_rounded(deck, node->text, &out->number, err);
     if (!per_atom)
         return hs_fail(err, HS_ERROR_INPUT,
-                       "v_%s is an atom-style variable: it has one value per atom, and this formula needs one "
-                       "number",
+                       "v_%s is an atom-style variable: it has one value per atom, and this formula needs one number",
                        node->text);
     HS_TRY(HS_ALLOC(out->array, (size_t)deck->sim->atoms.n_local, err));
     return hs_variables_atoms_within(deck, node->text, out->array, err);

@@ -300,8 +300,8 @@ static hs_status parse_plain_name(parser *p, char *name, int *node)
         }
     if (plain.attribute >= 0)
         return hs_fail(p->err, HS_ERROR_INPUT,
-                       "formula '%.400s': '%s' has one value per atom: only atom-style variables may "
-                       "use it (%s[ID] is that of one atom)",
+                       "formula '%.400s': '%s' has one value per atom: only atom-style variables may use it (%s[ID] is "
+                       "that of one atom)",
                        p->formula->text, name, name);
     return refuse_name(p, name, false);
 }

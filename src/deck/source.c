@@ -116,10 +116,10 @@ hs_status hs_source_push(hs_deck *deck, const char *file, hs_error *err)
 {
     const int depth = deck->source != NULL ? deck->source->depth + 1 : 1;
     if (depth > HS_SOURCES_MAX)
-        return hs_fail(err, HS_ERROR_INPUT,
-                       "include: '%.400s' would be file number %d within one another (at most %d): does it include "
-                       "itself?",
-                       file, depth, HS_SOURCES_MAX);
+        return hs_fail(
+            err, HS_ERROR_INPUT,
+            "include: '%.400s' would be file number %d within one another (at most %d): does it include itself?", file,
+            depth, HS_SOURCES_MAX);
     hs_source *source = NULL;
     HS_TRY(HS_ALLOC(source, 1, err));
     hs_status status = hs_memory_strdup(&source->name, hs_source_name(file), err);

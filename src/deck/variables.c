@@ -203,11 +203,10 @@ hs_status hs_variables_define(hs_deck *deck, const hs_args *args, hs_error *err)
     if (variable != NULL) {
         if (keeps_first((hs_variable_style)style)) return HS_OK;
         if (variable->style != (hs_variable_style)style)
-            return hs_fail(err, HS_ERROR_INPUT,
-                           "variable: '%s' exists as %s-style; 'variable %s delete' must come before it can be "
-                           "%s-style",
-                           variable->name, hs_variable_styles[variable->style], variable->name,
-                           hs_variable_styles[style]);
+            return hs_fail(
+                err, HS_ERROR_INPUT,
+                "variable: '%s' exists as %s-style; 'variable %s delete' must come before it can be %s-style",
+                variable->name, hs_variable_styles[variable->style], variable->name, hs_variable_styles[style]);
         if (variable->is_evaluating)
             return hs_fail(err, HS_ERROR_INPUT, "variable: '%s' cannot change while it is being evaluated",
                            variable->name);

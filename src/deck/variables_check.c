@@ -65,8 +65,7 @@ static hs_status check_format(const hs_args *args, bool first_pass, hs_error *er
     HS_TRY(check_count(args, 2, 2, "format <variable> <format>", err));
     if (is_open(args->word[3], first_pass) || hs_format_is_for_double(args->word[3])) return HS_OK;
     return hs_fail(err, HS_ERROR_INPUT,
-                   "variable: the format '%.80s' must hold one conversion for a number, such as %%10.4f, %%.3e or "
-                   "%%g",
+                   "variable: the format '%.80s' must hold one conversion for a number, such as %%10.4f, %%.3e or %%g",
                    args->word[3]);
 }
 

@@ -314,32 +314,32 @@ static hs_status keep_state(hs_fix *fix, hs_state *kept, hs_error *err)
 }
 
 const hs_fix_style hs_fix_style_adapt = {
-    .about =
-        {.name = "adapt",
-         .syntax = {.usage = "<N> [pair <style> <coefficient> <I> <J> <v_name>] [atom diameter <v_name>] ...",
-                    .n_min = 1,
-                    .n_max = 1,
-                    .keywords = keywords},
-         .summary = "let coefficients of the pair style, or diameters, follow variables during a run",
-         .details =
-             "Before a run, and then at every step that is a multiple of N (0: only before the run), each variable is "
-             "evaluated, and what it stands for takes its value, or with `scale yes` its value times the one at the "
-             "beginning of the run. `pair` and `atom` may be repeated. Variables are equal-style ones, such as "
-             "`ramp(0,30)`.\n\n"
-             "`pair`: the coefficients of all pairs of types in the ranges I and J (I <= J) that pair_coeff has given; "
-             "mixed pairs are mixed anew, shifts at the cutoff and long-range parts are computed anew. Coefficients "
-             "that can be changed: `epsilon`, `sigma` of lj/cut, lj/expand (and `delta`), lj/smooth, lj/smooth/linear, "
-             "lj/sf and wca; `a` of soft, gauss and yukawa; `a`, `c`, `d` of born; `a`, `c` of buck; `d0`, `alpha`, "
-             "`r0` of morse; `k` of harmonic/cut, harmonic/repulsion and harmonic/sphere. When the cutoff changes with "
-             "them (wca, lj/expand), new neighbor lists are made.\n\n"
-             "`atom diameter`: the diameters of the group's atoms; their densities stay, so masses change with the "
-             "volume (of balls, in two dimensions, too).\n\n"
-             "After the run the values stay, unless `reset yes` brings those of its beginning back. With `scale yes` "
-             "and without reset a second run therefore scales what the first has left, as in LAMMPS. A checkpoint has "
-             "the values of its moment. The fix does not act in minimisations.",
-         .example = "variable push equal ramp(0,60)\nfix 1 all adapt 1 pair soft a * * v_push\n"
-                    "variable f equal ramp(0.1,1)\nfix 2 all adapt 10 pair lj/cut epsilon 1 2 v_f scale yes reset yes\n"
-                    "variable d equal ramp(0.5,1)\nfix 3 all adapt 100 atom diameter v_d"},
+    .about = {.name = "adapt",
+              .syntax = {.usage = "<N> [pair <style> <coefficient> <I> <J> <v_name>] [atom diameter <v_name>] ...",
+                         .n_min = 1,
+                         .n_max = 1,
+                         .keywords = keywords},
+              .summary = "let coefficients of the pair style, or diameters, follow variables during a run",
+              .details =
+                  "Before a run, and then at every step that is a multiple of N (0: only before the run), each "
+                  "variable is evaluated, and what it stands for takes its value, or with `scale yes` its value times "
+                  "the one at the beginning of the run. `pair` and `atom` may be repeated. Variables are equal-style "
+                  "ones, such as `ramp(0,30)`.\n\n"
+                  "`pair`: the coefficients of all pairs of types in the ranges I and J (I <= J) that pair_coeff has "
+                  "given; mixed pairs are mixed anew, shifts at the cutoff and long-range parts are computed anew. "
+                  "Coefficients that can be changed: `epsilon`, `sigma` of lj/cut, lj/expand (and `delta`), lj/smooth, "
+                  "lj/smooth/linear, lj/sf and wca; `a` of soft, gauss and yukawa; `a`, `c`, `d` of born; `a`, `c` of "
+                  "buck; `d0`, `alpha`, `r0` of morse; `k` of harmonic/cut, harmonic/repulsion and harmonic/sphere. "
+                  "When the cutoff changes with them (wca, lj/expand), new neighbor lists are made.\n\n"
+                  "`atom diameter`: the diameters of the group's atoms; their densities stay, so masses change with "
+                  "the volume (of balls, in two dimensions, too).\n\n"
+                  "After the run the values stay, unless `reset yes` brings those of its beginning back. With `scale "
+                  "yes` and without reset a second run therefore scales what the first has left, as in LAMMPS. A "
+                  "checkpoint has the values of its moment. The fix does not act in minimisations.",
+              .example =
+                  "variable push equal ramp(0,60)\nfix 1 all adapt 1 pair soft a * * v_push\n"
+                  "variable f equal ramp(0.1,1)\nfix 2 all adapt 10 pair lj/cut epsilon 1 2 v_f scale yes reset yes\n"
+                  "variable d equal ramp(0.5,1)\nfix 3 all adapt 100 atom diameter v_d"},
     .state_size = sizeof(adapt_state),
     .create = create,
     .destroy = destroy,

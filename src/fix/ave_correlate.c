@@ -37,11 +37,10 @@ static hs_status read_keywords(hs_fix *fix, const hs_args *args, hs_error *err)
     }
     state->is_running = mode == 1;
     if (!state->is_running && state->table.freq < (state->n_lags - 1) * state->table.every)
-        return hs_fail(
-            err, HS_ERROR_INPUT,
-            "%s: with ave one, %d lags of %lld steps do not fit into the %lld steps (Nfreq) between outputs; 'ave "
-            "running' goes on over them",
-            args->command, state->n_lags, (long long)state->table.every, (long long)state->table.freq);
+        return hs_fail(err, HS_ERROR_INPUT,
+                       "%s: with ave one, %d lags of %lld steps do not fit into the %lld steps (Nfreq) between "
+                       "outputs; 'ave running' goes on over them",
+                       args->command, state->n_lags, (long long)state->table.every, (long long)state->table.freq);
     return HS_OK;
 }
 
@@ -170,23 +169,22 @@ const hs_fix_style hs_fix_style_ave_correlate = {
                     .n_max = -1,
                     .keywords = keywords},
          .summary = "time correlations of numbers",
-         .details =
-             "Values are numbers: `c_ID`, `c_ID[i]`, `f_ID`, `f_ID[i]`, `v_name`, ranges as in `c_ID[*]`. They are "
-             "sampled every Nevery steps, and products V_i(s) V_j(s + t) of samples up to Nrepeat - 1 samples apart "
-             "are averaged over all s. Results come every Nfreq steps. With `ave one` averages start anew then; with "
-             "`ave running` they go on.\n\n"
-             "`f_ID[i][j]` is an array of Nrepeat rows: the time t in steps, the number of samples, and one column for "
-             "each pair of values: each value with itself (`type auto`), those with i < j (`upper`), i > j (`lower`), "
-             "both kinds, or all (`full`). `trap(f_ID[3])` in a formula integrates the first of them. A sample costs "
-             "Nrepeat products for each pair. The group has no meaning.\n\n"
-             "With `error yes` a column for each pair follows with the standard error of its mean product, by "
-             "blocking, and then one with the statistical inefficiency, the number of products that count as one; "
-             "`nan` where there is but one product. Errors of neighboring lags are not independent: for the error of "
-             "an integral, integrate each of several outputs (`ave one`) and average the integrals with `fix ave/time "
-             "... error yes`.",
+         .details = "Values are numbers: `c_ID`, `c_ID[i]`, `f_ID`, `f_ID[i]`, `v_name`, ranges as in `c_ID[*]`. They "
+                    "are sampled every Nevery steps, and products V_i(s) V_j(s + t) of samples up to Nrepeat - 1 "
+                    "samples apart are averaged over all s. Results come every Nfreq steps. With `ave one` averages "
+                    "start anew then; with `ave running` they go on.\n\n"
+                    "`f_ID[i][j]` is an array of Nrepeat rows: the time t in steps, the number of samples, and one "
+                    "column for each pair of values: each value with itself (`type auto`), those with i < j (`upper`), "
+                    "i > j (`lower`), both kinds, or all (`full`). `trap(f_ID[3])` in a formula integrates the first "
+                    "of them. A sample costs Nrepeat products for each pair. The group has no meaning.\n\n"
+                    "With `error yes` a column for each pair follows with the standard error of its mean product, by "
+                    "blocking, and then one with the statistical inefficiency, the number of products that count as "
+                    "one; `nan` where there is but one product. Errors of neighboring lags are not independent: for "
+                    "the error of an integral, integrate each of several outputs (`ave one`) and average the integrals "
+                    "with `fix ave/time ... error yes`.",
          .reference = "R. Kubo, J. Phys. Soc. Jpn. 12, 570 (1957), doi:10.1143/JPSJ.12.570",
-         .example = "variable pxy equal pxy\nfix SS all ave/correlate 5 400 2000 v_pxy type auto file profile.gk ave "
-                    "running"},
+         .example =
+             "variable pxy equal pxy\nfix SS all ave/correlate 5 400 2000 v_pxy type auto file profile.gk ave running"},
     .state_size = sizeof(correlate_state),
     HS_CORRELATION_HOOKS,
 };

@@ -80,13 +80,11 @@ const hs_fix_style hs_fix_style_ave_correlate_fft = {
              "errors for each pair follows, from the scatter of blocks of Nlags samples, and then one of "
              "inefficiencies (blocks that count as one); both are `nan` before two blocks are complete. The group has "
              "no meaning.",
-         .reference =
-             "W. H. Press et al., Numerical Recipes, 3rd ed. (2007), section 13.2; J. Ramirez et al., J. Chem. "
-             "Phys. 133, 154103 (2010), doi:10.1063/1.3491098",
-         .example =
-             "variable pxy equal pxy\nfix SS all ave/correlate/fft 1 20000 100000 v_pxy file stress.corr\nvariable eta "
-             "equal vol/temp*dt*trap(f_SS[3])\nfix long all ave/correlate/fft 10 256 100000 v_pxy levels 10 error yes "
-             "file long.corr"},
+         .reference = "W. H. Press et al., Numerical Recipes, 3rd ed. (2007), section 13.2; J. Ramirez et al., J. "
+                      "Chem. Phys. 133, 154103 (2010), doi:10.1063/1.3491098",
+         .example = "variable pxy equal pxy\nfix SS all ave/correlate/fft 1 20000 100000 v_pxy file "
+                    "stress.corr\nvariable eta equal vol/temp*dt*trap(f_SS[3])\nfix long all ave/correlate/fft 10 256 "
+                    "100000 v_pxy levels 10 error yes file long.corr"},
     .state_size = sizeof(fft_state),
     HS_CORRELATION_HOOKS,
 };

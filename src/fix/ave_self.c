@@ -97,11 +97,10 @@ static hs_status read_keywords(hs_fix *fix, const hs_args *args, int first, hs_e
     state->n_origins = (int)n_origins;
     state->is_running = mode == 1;
     if (!state->is_running && state->table.freq < state->n_lags * state->table.every)
-        return hs_fail(
-            err, HS_ERROR_INPUT,
-            "%s: with ave one, %d lags of %lld steps do not fit into the %lld steps (Nfreq) between outputs; "
-            "'ave running' goes on over them",
-            args->command, state->n_lags, (long long)state->table.every, (long long)state->table.freq);
+        return hs_fail(err, HS_ERROR_INPUT,
+                       "%s: with ave one, %d lags of %lld steps do not fit into the %lld steps (Nfreq) between "
+                       "outputs; 'ave running' goes on over them",
+                       args->command, state->n_lags, (long long)state->table.every, (long long)state->table.freq);
     if (state->n_lags % state->n_origins == 0) return HS_OK;
     return hs_fail(err, HS_ERROR_INPUT,
                    "%s: %d origins cannot be equally apart: their number must divide that of the lags (Nlags), %d",

@@ -164,31 +164,29 @@ static hs_status keep_state(hs_fix *fix, hs_state *kept, hs_error *err)
 }
 
 const hs_fix_style hs_fix_style_ave_spectrum = {
-    .about =
-        {.name = "ave/spectrum",
-         .syntax = {.usage = "<Nevery> <Nsegment> <Nfreq> <value> ... [keyword value ...]",
-                    .n_min = 4,
-                    .n_max = -1,
-                    .keywords = keywords},
-         .summary = "power spectra of numbers",
-         .details =
-             "Values are numbers: `c_ID`, `c_ID[i]`, `f_ID`, `f_ID[i]`, `v_name`, ranges as in `c_ID[*]`, sampled "
-             "every Nevery steps. Segments of Nsegment samples (an even number; one of small prime factors is "
-             "fastest), each beginning in the middle of the one before, are Fourier transformed, and the squares "
-             "averaged over all segments: Welch's method. Memory is that of one segment. Results come every Nfreq "
-             "steps; the file holds the last ones.\n\n"
-             "The array `f_ID[i][j]` has Nsegment/2 + 1 rows: the frequency k/(Nsegment Nevery dt) (1/time; not the "
-             "angular one), the number of segments, and for each value the power spectral density P (value^2 time), "
-             "one-sided: the integral of P over all frequencies is the variance. With `mean keep` it is the mean "
-             "square, and P at frequency 0 holds the mean. A sharp line is as wide as a few rows: more samples a "
-             "segment resolve more, more segments scatter less.\n\n"
-             "`window hann` weights samples by sin^2, which keeps strong lines from spilling over the whole spectrum; "
-             "`none` takes segments as they are. With `error yes` a column of standard errors for each value follows, "
-             "by blocking over the segments, and then one of inefficiencies (segments that count as one). The group "
-             "has no meaning. The timestep must stay the same.",
-         .reference = "P. D. Welch, IEEE Trans. Audio Electroacoust. 15, 70 (1967), doi:10.1109/TAU.1967.1161901",
-         .example = "compute v all vacf\nvariable pxy equal pxy\nfix S all ave/spectrum 2 1000 100000 v_pxy "
-                    "c_thermo_temp error yes file spectrum.dat"},
+    .about = {.name = "ave/spectrum",
+              .syntax = {.usage = "<Nevery> <Nsegment> <Nfreq> <value> ... [keyword value ...]",
+                         .n_min = 4,
+                         .n_max = -1,
+                         .keywords = keywords},
+              .summary = "power spectra of numbers",
+              .details = "Values are numbers: `c_ID`, `c_ID[i]`, `f_ID`, `f_ID[i]`, `v_name`, ranges as in `c_ID[*]`, "
+                         "sampled every Nevery steps. Segments of Nsegment samples (an even number; one of small prime "
+                         "factors is fastest), each beginning in the middle of the one before, are Fourier "
+                         "transformed, and the squares averaged over all segments: Welch's method. Memory is that of "
+                         "one segment. Results come every Nfreq steps; the file holds the last ones.\n\n"
+                         "The array `f_ID[i][j]` has Nsegment/2 + 1 rows: the frequency k/(Nsegment Nevery dt) "
+                         "(1/time; not the angular one), the number of segments, and for each value the power spectral "
+                         "density P (value^2 time), one-sided: the integral of P over all frequencies is the variance. "
+                         "With `mean keep` it is the mean square, and P at frequency 0 holds the mean. A sharp line is "
+                         "as wide as a few rows: more samples a segment resolve more, more segments scatter less.\n\n"
+                         "`window hann` weights samples by sin^2, which keeps strong lines from spilling over the "
+                         "whole spectrum; `none` takes segments as they are. With `error yes` a column of standard "
+                         "errors for each value follows, by blocking over the segments, and then one of inefficiencies "
+                         "(segments that count as one). The group has no meaning. The timestep must stay the same.",
+              .reference = "P. D. Welch, IEEE Trans. Audio Electroacoust. 15, 70 (1967), doi:10.1109/TAU.1967.1161901",
+              .example = "compute v all vacf\nvariable pxy equal pxy\nfix S all ave/spectrum 2 1000 100000 v_pxy "
+                         "c_thermo_temp error yes file spectrum.dat"},
     .state_size = sizeof(spectrum_state),
     HS_CORRELATION_HOOKS,
 };

@@ -315,37 +315,36 @@ static hs_status keep_state(hs_fix *fix, hs_state *kept, hs_error *err)
 }
 
 const hs_fix_style hs_fix_style_ave_time = {
-    .about =
-        {.name = "ave/time",
-         .syntax = {.usage = "<Nevery> <Nrepeat> <Nfreq> <value> ... [keyword value ...]",
-                    .n_min = 4,
-                    .n_max = -1,
-                    .keywords = keywords},
-         .summary = "average numbers or vectors over time",
-         .details =
-             "Samples are taken every Nevery steps; Nrepeat of them make a window, whose mean is there at each "
-             "multiple of Nfreq steps: `10 5 100` averages the steps 60, 70, 80, 90, 100; then 160 and so on. Nfreq "
-             "must be a multiple of Nevery, and Nrepeat samples must fit into it.\n\n"
-             "In `mode scalar` a value is a number, `c_ID`, `c_ID[i]`, `f_ID`, `f_ID[i]` or `v_name`; in `mode vector` "
-             "a vector, `c_ID` or `f_ID`, or a column of an array, `c_ID[j]` or `f_ID[j]`, all equally long. `c_ID[*]` "
-             "stands for all elements or columns.\n\n"
-             "`f_ID` is the mean in mode scalar with one value, with several `f_ID[i]`; in mode vector `f_ID` is the "
-             "mean vector, with several values `f_ID[i][j]` an array whose columns they are. Before the first window "
-             "is complete they are 0. The group has no meaning.\n\n"
-             "With `error yes` columns `X_err` and `X_ineff` follow: the standard error of the mean by blocking (the "
-             "true mean is that near in 68 % of all runs; where blocks are few, it is widened by Student's t), and the "
-             "statistical inefficiency, the number of samples that count as one. They belong to the mean beside them: "
-             "of the samples of the window (`ave one`), of all samples (`running`), of the last M windows (`window "
-             "M`); `nan` where there is one alone. `f_ID` has them too: n means, then n errors, then n inefficiencies, "
-             "as elements of the vector in mode scalar and as columns of the array in mode vector. In mode scalar a "
-             "table of the means over all samples is printed after each run; a star marks an error that rests on fewer "
-             "than 20 independent values and may be too small.",
-         .reference = "H. Flyvbjerg, H. G. Petersen, J. Chem. Phys. 91, 461 (1989), doi:10.1063/1.457480; R. M. Lee et "
-                      "al., Phys. Rev. E 83, 066706 (2011), doi:10.1103/PhysRevE.83.066706; D. N. Politis, J. P. "
-                      "Romano, J. Time Series Anal. 16, 67 (1995), doi:10.1111/j.1467-9892.1995.tb00223.x",
-         .example = "fix 1 all ave/time 100 5 1000 c_myTemp c_thermo_temp file temp.profile\n"
-                    "fix 2 all ave/time 100 10 1000 c_myRDF[*] file tmp.rdf mode vector\n"
-                    "fix 3 all ave/time 10 1 10 c_thermo_press ave running error yes"},
+    .about = {.name = "ave/time",
+              .syntax = {.usage = "<Nevery> <Nrepeat> <Nfreq> <value> ... [keyword value ...]",
+                         .n_min = 4,
+                         .n_max = -1,
+                         .keywords = keywords},
+              .summary = "average numbers or vectors over time",
+              .details =
+                  "Samples are taken every Nevery steps; Nrepeat of them make a window, whose mean is there at each "
+                  "multiple of Nfreq steps: `10 5 100` averages the steps 60, 70, 80, 90, 100; then 160 and so on. "
+                  "Nfreq must be a multiple of Nevery, and Nrepeat samples must fit into it.\n\n"
+                  "In `mode scalar` a value is a number, `c_ID`, `c_ID[i]`, `f_ID`, `f_ID[i]` or `v_name`; in `mode "
+                  "vector` a vector, `c_ID` or `f_ID`, or a column of an array, `c_ID[j]` or `f_ID[j]`, all equally "
+                  "long. `c_ID[*]` stands for all elements or columns.\n\n"
+                  "`f_ID` is the mean in mode scalar with one value, with several `f_ID[i]`; in mode vector `f_ID` is "
+                  "the mean vector, with several values `f_ID[i][j]` an array whose columns they are. Before the first "
+                  "window is complete they are 0. The group has no meaning.\n\n"
+                  "With `error yes` columns `X_err` and `X_ineff` follow: the standard error of the mean by blocking "
+                  "(the true mean is that near in 68 % of all runs; where blocks are few, it is widened by Student's "
+                  "t), and the statistical inefficiency, the number of samples that count as one. They belong to the "
+                  "mean beside them: of the samples of the window (`ave one`), of all samples (`running`), of the last "
+                  "M windows (`window M`); `nan` where there is one alone. `f_ID` has them too: n means, then n "
+                  "errors, then n inefficiencies, as elements of the vector in mode scalar and as columns of the array "
+                  "in mode vector. In mode scalar a table of the means over all samples is printed after each run; a "
+                  "star marks an error that rests on fewer than 20 independent values and may be too small.",
+              .reference = "H. Flyvbjerg, H. G. Petersen, J. Chem. Phys. 91, 461 (1989), doi:10.1063/1.457480; R. M. "
+                           "Lee et al., Phys. Rev. E 83, 066706 (2011), doi:10.1103/PhysRevE.83.066706; D. N. Politis, "
+                           "J. P. Romano, J. Time Series Anal. 16, 67 (1995), doi:10.1111/j.1467-9892.1995.tb00223.x",
+              .example = "fix 1 all ave/time 100 5 1000 c_myTemp c_thermo_temp file temp.profile\n"
+                         "fix 2 all ave/time 100 10 1000 c_myRDF[*] file tmp.rdf mode vector\n"
+                         "fix 3 all ave/time 10 1 10 c_thermo_press ave running error yes"},
     .state_size = sizeof(ave_state),
     .create = create,
     .destroy = destroy,

@@ -41,20 +41,18 @@ static hs_status post_force(hs_fix *fix, hs_error *err)
 }
 
 const hs_fix_style hs_fix_style_aveforce = {
-    .about =
-        {.name = "aveforce",
-         .syntax = {.usage = "<fx> <fy> <fz> [region <region-ID>]",
-                    .n_min = 3,
-                    .n_max = 3,
-                    .keywords = hs_replaced_force_keywords},
-         .summary = "give every atom of a group the mean force",
-         .details =
-             "At every step the force on each atom of the group becomes the mean of the forces on them plus fx, "
-             "fy, fz (force units), so that equal atoms move as one. `NULL` leaves a component as it is; `v_name` "
-             "is an equal-style variable, evaluated at every step. With `region` only atoms that are in the region "
-             "at the step are averaged and concerned.\n\nThe vector `f_ID[1]` ... `f_ID[3]` is the sum of the "
-             "forces on these atoms before.",
-         .example = "fix plate wall aveforce NULL -0.5 NULL\nfix 1 top aveforce v_pull 0 0"},
+    .about = {.name = "aveforce",
+              .syntax = {.usage = "<fx> <fy> <fz> [region <region-ID>]",
+                         .n_min = 3,
+                         .n_max = 3,
+                         .keywords = hs_replaced_force_keywords},
+              .summary = "give every atom of a group the mean force",
+              .details = "At every step the force on each atom of the group becomes the mean of the forces on them "
+                         "plus fx, fy, fz (force units), so that equal atoms move as one. `NULL` leaves a component as "
+                         "it is; `v_name` is an equal-style variable, evaluated at every step. With `region` only "
+                         "atoms that are in the region at the step are averaged and concerned.\n\nThe vector `f_ID[1]` "
+                         "... `f_ID[3]` is the sum of the forces on these atoms before.",
+              .example = "fix plate wall aveforce NULL -0.5 NULL\nfix 1 top aveforce v_pull 0 0"},
     .state_size = sizeof(hs_replaced_force),
     .create = hs_replaced_force_create,
     .destroy = hs_replaced_force_destroy,

@@ -143,27 +143,25 @@ static hs_status vector(hs_fix *fix, int i, double *value, hs_error *err)
 }
 
 const hs_fix_style hs_fix_style_balance = {
-    .about =
-        {.name = "balance",
-         .syntax = {.usage = "<N> <threshold> shift <axes> <iterations> <stop factor> | rcb " HS_BALANCE_WEIGHTS,
-                    .n_min = 3,
-                    .n_max = 6,
-                    .keywords = keywords},
-         .summary = "move the borders between the ranks' parts of the box, so that all have equal work",
-         .details =
-             "At every N-th step new lists are made, as in LAMMPS; if the largest load of a rank then exceeds the mean "
-             "by "
-             "more than the threshold (1.1: ten per cent), the planes that cut the box are moved along the axes named "
-             "(`x`, `xy`, `zyx`, ...) until the slabs between them hold equal loads. The load of a rank is the sum of "
-             "its atoms' costs. Each iteration finds the places 16 times more exactly; an axis is done when its slabs "
-             "are within the stop factor. No brick becomes thinner than half the reach of the forces. `rcb`, which in "
-             "LAMMPS cuts the box into parts that are not in rows, moves the planes along all axes "
-             "here.\n\n" HS_BALANCE_WEIGHT_DETAILS "\n\n"
-             "`f_ID` is the imbalance after the last measurement (1 is perfect), `f_ID[1]` the largest load, `f_ID[2]` "
-             "the iterations, `f_ID[3]` the imbalance before. Results do not depend on where the planes are. On one "
-             "rank only the lists are made.",
-         .example = "fix even all balance 1000 1.05 shift xyz 10 1.02\nfix even all balance 500 1.1 shift z 5 1.05 "
-                    "weight time 1"},
+    .about = {.name = "balance",
+              .syntax = {.usage = "<N> <threshold> shift <axes> <iterations> <stop factor> | rcb " HS_BALANCE_WEIGHTS,
+                         .n_min = 3,
+                         .n_max = 6,
+                         .keywords = keywords},
+              .summary = "move the borders between the ranks' parts of the box, so that all have equal work",
+              .details =
+                  "At every N-th step new lists are made, as in LAMMPS; if the largest load of a rank then exceeds the "
+                  "mean by more than the threshold (1.1: ten per cent), the planes that cut the box are moved along "
+                  "the axes named (`x`, `xy`, `zyx`, ...) until the slabs between them hold equal loads. The load of a "
+                  "rank is the sum of its atoms' costs. Each iteration finds the places 16 times more exactly; an axis "
+                  "is done when its slabs are within the stop factor. No brick becomes thinner than half the reach of "
+                  "the forces. `rcb`, which in LAMMPS cuts the box into parts that are not in rows, moves the planes "
+                  "along all axes here.\n\n" HS_BALANCE_WEIGHT_DETAILS "\n\n"
+                  "`f_ID` is the imbalance after the last measurement (1 is perfect), `f_ID[1]` the largest load, "
+                  "`f_ID[2]` the iterations, `f_ID[3]` the imbalance before. Results do not depend on where the planes "
+                  "are. On one rank only the lists are made.",
+              .example = "fix even all balance 1000 1.05 shift xyz 10 1.02\nfix even all balance 500 1.1 shift z 5 "
+                         "1.05 weight time 1"},
     .state_size = sizeof(balance_state),
     .create = create,
     .destroy = destroy,

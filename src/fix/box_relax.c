@@ -71,11 +71,10 @@ static hs_status check_coordinate(const hs_fix *fix, const hs_args *args, int k,
             "%s: the box is not periodic in %c, so %s cannot follow a pressure ('boundary' makes it periodic)",
             args->command, "xyz"[second], names[k]);
     if (k >= XY && !box->is_tilted)
-        return hs_fail(
-            err, HS_ERROR_INPUT,
-            "%s: the tilt %s of an orthogonal box cannot change; 'change_box all triclinic' makes the box one "
-            "that can be tilted, as does a region of style prism in create_box",
-            args->command, names[k]);
+        return hs_fail(err, HS_ERROR_INPUT,
+                       "%s: the tilt %s of an orthogonal box cannot change; 'change_box all triclinic' makes the box "
+                       "one that can be tilted, as does a region of style prism in create_box",
+                       args->command, names[k]);
     return HS_OK;
 }
 
@@ -156,10 +155,10 @@ static hs_status check_scaling(relax_state *state, const hs_args *args, const in
     for (int k = 0; k < 3; ++k) {
         state->scales_tilt[k] = is_scaled[k] != 0 && !state->moves[XY + k];
         if (is_scaled[k] == 1 && state->moves[XY + k])
-            return hs_fail(err, HS_ERROR_INPUT,
-                           "%s: the tilt %s has a target of its own, so it cannot keep its ratio to a length, too "
-                           "('scale%s no')",
-                           args->command, names[XY + k], names[XY + k]);
+            return hs_fail(
+                err, HS_ERROR_INPUT,
+                "%s: the tilt %s has a target of its own, so it cannot keep its ratio to a length, too ('scale%s no')",
+                args->command, names[XY + k], names[XY + k]);
     }
     return HS_OK;
 }
@@ -380,29 +379,23 @@ const hs_fix_style hs_fix_style_box_relax = {
              "`iso` changes all lengths alike, by the scalar pressure; `aniso` each by the pressure along it; `tri` "
              "the tilts, too, until no shear stress is left. `x`, `y`, `z`, `xy`, `xz`, `yz` name single lengths and "
              "tilts, each with its target (pressure units; the virial part alone, for atoms do not move in time); what "
-             "is not named stays. "
-             "`couple` changes some lengths alike, by the mean of their pressures. The box must be periodic along "
-             "axes that change, and one that can be tilted for its tilts to. Tilts without a target keep their ratio "
-             "to the length "
-             "along their second axis, unless `scalexy no` or the like is said. Atoms follow the box as their "
-             "fractions of it, around "
-             "`fixedpoint`; with `dilate partial` only those of the fix's group do.\n\n"
+             "is not named stays. `couple` changes some lengths alike, by the mean of their pressures. The box must be "
+             "periodic along axes that change, and one that can be tilted for its tilts to. Tilts without a target "
+             "keep their ratio to the length along their second axis, unless `scalexy no` or the like is said. Atoms "
+             "follow the box as their fractions of it, around `fixedpoint`; with `dilate partial` only those of the "
+             "fix's group do.\n\n"
              "In one iteration no length changes by more than `vmax` of it (nor atoms move farther than `min_modify "
-             "dmax`). Near the minimum the step is chosen by the line search; "
-             "0.001 serves most purposes.\n\n"
+             "dmax`). Near the minimum the step is chosen by the line search; 0.001 serves most purposes.\n\n"
              "What is minimised is U + P (V - V0) + the strain energy of Parrinello and Rahman, with the mean P of the "
              "targets of the axes. The last term is there where targets are unequal or of tilts. It refers to the box "
-             "at the "
-             "start, so that the stress ends "
-             "beside its target by as much as the box has changed: `nreset`, or another `minimize`, sets the reference "
-             "anew. "
-             "Energies that `minimize` tells hold these terms, and its forces those of the box, in energy for "
-             "a strain of 1; tolerances count both. "
-             "Atoms first, then `iso`, then unequal targets, each with a `minimize` of its own, is the way that "
-             "converges best. A liquid bears no unequal targets.\n\n"
+             "at the start, so that the stress ends beside its target by as much as the box has changed: `nreset`, or "
+             "another `minimize`, sets the reference anew. Energies that `minimize` tells hold these terms, and its "
+             "forces those of the box, in energy for a strain of 1; tolerances count both. Atoms first, then `iso`, "
+             "then unequal targets, each with a `minimize` of its own, is the way that converges best. A liquid bears "
+             "no unequal targets.\n\n"
              "The fix makes the computes `ID_temp` and `ID_press` (the virial part); `fix_modify temp` and `press` "
-             "take others. The scalar `f_ID` is the energy of pressure and strain; `pe + f_ID` is what is "
-             "minimised (`pe + f_ID/atoms` per atom).\n",
+             "take others. The scalar `f_ID` is the energy of pressure and strain; `pe + f_ID` is what is minimised "
+             "(`pe + f_ID/atoms` per atom).\n",
          .reference = "M. Parrinello, A. Rahman, J. Appl. Phys. 52, 7182 (1981), doi:10.1063/1.328693",
          .example = "fix 1 all box/relax iso 0.0 vmax 0.001\nminimize 1e-8 1e-8 1000 10000"},
     .state_size = sizeof(relax_state),

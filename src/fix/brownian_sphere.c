@@ -16,10 +16,10 @@ static hs_status create(hs_fix *fix, const hs_args *args, hs_error *err)
         return hs_fail(err, HS_ERROR_INPUT, "%s: the rotational friction is missing: 'gamma_r <friction>'",
                        args->command);
     if (fix->env->atoms->mu[0] != NULL) return HS_OK;
-    return hs_fail(err, HS_ERROR_INPUT,
-                   "%s: the atoms have no dipoles to rotate: use 'atom_style hybrid dipole sphere', or 'fix brownian' "
-                   "for points",
-                   args->command);
+    return hs_fail(
+        err, HS_ERROR_INPUT,
+        "%s: the atoms have no dipoles to rotate: use 'atom_style hybrid dipole sphere', or 'fix brownian' for points",
+        args->command);
 }
 
 /** Turn the dipoles of atoms [begin, begin + n) in the plane by turn * xi[i]. */

@@ -101,21 +101,20 @@ static hs_status keep_state(hs_fix *fix, hs_state *kept, hs_error *err)
 }
 
 const hs_fix_style hs_fix_style_controller = {
-    .about =
-        {.name = "controller",
-         .syntax = {.usage = "<N> <alpha> <Kp> <Ki> <Kd> <value> <wanted> <variable>", .n_min = 8, .n_max = 8},
-         .summary = "move a variable so that a measured value comes to a wanted one (a PID controller)",
-         .details =
-             "The value is a number: `c_ID`, `c_ID[i]`, `f_ID`, `f_ID[i]` or `v_name`. At steps that are multiples of "
-             "N, with e its difference from the wanted number and tau = N dt, the internal-style variable (its name "
-             "alone, without `v_`) is changed by -alpha [Kp tau e + Ki tau^2 (sum of e of all updates) + Kd (change of "
-             "e since the last update)]. The fix does not say what the variable does: something else must use it, such "
-             "as `fix langevin v_T ...` or `fix indent`. The gains have no units, alpha has those of the variable "
-             "over those of the value and of time.\n\n"
-             "`f_ID[1]` to `f_ID[3]` are the three terms of the latest update. The group has no meaning.",
-         .reference = "K. J. Astrom, R. M. Murray, Feedback Systems (2008), ISBN 978-0-691-13576-2, chapter 10",
-         .example = "variable T internal 1.0\nfix 1 all langevin v_T 1.0 0.5 4711\n"
-                    "fix 2 all controller 100 1.0 0.5 0 0 c_thermo_temp 1.5 T"},
+    .about = {.name = "controller",
+              .syntax = {.usage = "<N> <alpha> <Kp> <Ki> <Kd> <value> <wanted> <variable>", .n_min = 8, .n_max = 8},
+              .summary = "move a variable so that a measured value comes to a wanted one (a PID controller)",
+              .details =
+                  "The value is a number: `c_ID`, `c_ID[i]`, `f_ID`, `f_ID[i]` or `v_name`. At steps that are "
+                  "multiples of N, with e its difference from the wanted number and tau = N dt, the internal-style "
+                  "variable (its name alone, without `v_`) is changed by -alpha [Kp tau e + Ki tau^2 (sum of e of all "
+                  "updates) + Kd (change of e since the last update)]. The fix does not say what the variable does: "
+                  "something else must use it, such as `fix langevin v_T ...` or `fix indent`. The gains have no "
+                  "units, alpha has those of the variable over those of the value and of time.\n\n"
+                  "`f_ID[1]` to `f_ID[3]` are the three terms of the latest update. The group has no meaning.",
+              .reference = "K. J. Astrom, R. M. Murray, Feedback Systems (2008), ISBN 978-0-691-13576-2, chapter 10",
+              .example = "variable T internal 1.0\nfix 1 all langevin v_T 1.0 0.5 4711\n"
+                         "fix 2 all controller 100 1.0 0.5 0 0 c_thermo_temp 1.5 T"},
     .state_size = sizeof(controller_state),
     .create = create,
     .destroy = destroy,

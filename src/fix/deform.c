@@ -43,10 +43,10 @@ static hs_status check_axis(const hs_fix *fix, const hs_args *args, int axis, hs
         return hs_fail(err, HS_ERROR_INPUT, "%s: a 2d box keeps its length in z", args->command);
     for (int side = 0; side < 2; ++side)
         if (box->boundary[axis][side] == HS_BOUNDARY_SHRINK || box->boundary[axis][side] == HS_BOUNDARY_SHRINK_MIN)
-            return hs_fail(err, HS_ERROR_INPUT,
-                           "%s: the faces in %c follow the atoms (boundary s or m), so their length cannot be "
-                           "prescribed",
-                           args->command, "xyz"[axis]);
+            return hs_fail(
+                err, HS_ERROR_INPUT,
+                "%s: the faces in %c follow the atoms (boundary s or m), so their length cannot be prescribed",
+                args->command, "xyz"[axis]);
     return HS_OK;
 }
 
@@ -58,11 +58,10 @@ static hs_status check_tilt(const hs_fix *fix, const hs_args *args, int tilt, hs
         return hs_fail(err, HS_ERROR_INPUT, "%s: a 2d box can be tilted along xy only, not along %s", args->command,
                        hs_tilt_names[tilt]);
     if (!box->is_tilted)
-        return hs_fail(
-            err, HS_ERROR_INPUT,
-            "%s: the tilt %s of an orthogonal box cannot change; 'change_box all triclinic' makes the box one "
-            "that can be tilted, as does a region of style prism in create_box",
-            args->command, hs_tilt_names[tilt]);
+        return hs_fail(err, HS_ERROR_INPUT,
+                       "%s: the tilt %s of an orthogonal box cannot change; 'change_box all triclinic' makes the box "
+                       "one that can be tilted, as does a region of style prism in create_box",
+                       args->command, hs_tilt_names[tilt]);
     if (!box->periodic[second])
         return hs_fail(err, HS_ERROR_INPUT,
                        "%s: the tilt %s shifts what crosses the faces of %c, which must be periodic ('boundary')",
@@ -150,17 +149,17 @@ static hs_status check_start(const hs_fix *fix, hs_error *err)
 {
     const deform_state *state = fix->state;
     if (fix->env->box_flow != &state->flow)
-        return hs_fail(err, HS_ERROR_INPUT,
-                       "fix '%s' (deform): another fix deform changes the box, too; one fix can change all lengths and "
-                       "tilts",
-                       fix->id);
+        return hs_fail(
+            err, HS_ERROR_INPUT,
+            "fix '%s' (deform): another fix deform changes the box, too; one fix can change all lengths and tilts",
+            fix->id);
     for (int k = 0; k < HS_DEFORM_PATHS; ++k) HS_TRY(hs_deform_path_check(&state->plan.path[k], fix, err));
     for (int tilt = 0; tilt < 3; ++tilt)
         if (state->plan.path[3 + tilt].style == HS_DEFORM_TRUE_RATE && state->plan.start_tilt[tilt] == 0.0)
-            return hs_fail(err, HS_ERROR_INPUT,
-                           "fix '%s' (deform): '%s trate' multiplies the tilt, which is 0; 'erate' makes it grow from "
-                           "there",
-                           fix->id, hs_tilt_names[tilt]);
+            return hs_fail(
+                err, HS_ERROR_INPUT,
+                "fix '%s' (deform): '%s trate' multiplies the tilt, which is 0; 'erate' makes it grow from there",
+                fix->id, hs_tilt_names[tilt]);
     return HS_OK;
 }
 
@@ -276,37 +275,35 @@ static hs_status keep_state(hs_fix *fix, hs_state *kept, hs_error *err)
 }
 
 const hs_fix_style hs_fix_style_deform = {
-    .about =
-        {.name = "deform",
-         .syntax = {.usage = "<N> <x|y|z|xy|xz|yz> <style> <numbers> [<x|y|z|xy|xz|yz> ...] [keyword value ...]",
-                    .n_min = 1,
-                    .n_max = 1,
-                    .keywords = keywords},
-         .summary = "change the lengths and tilts of the box during a run",
-         .details =
-             "At multiples of N steps the box gets the lengths and tilts that the styles of its axes give; axes that "
-             "are not named keep theirs. Over the run (or from `run start` to `stop`) `final <lo> <hi>` brings the "
-             "bounds to these places, `delta <dlo> <dhi>` moves them by so much, `scale <factor>` multiplies the "
-             "length. At constant velocity `vel <V>` makes the box longer by V a unit of time; `erate <R>` by R times "
-             "the first length, `trate <R>` by R times the present length; `wiggle <A> <Tp>` by A sin(2 pi t/Tp); "
-             "`variable v_name v_rate` by the value of an equal-style variable (distance units), the second of which "
-             "is its rate. `volume` makes up for the others, so that the volume stays; two such axes share that. All "
-             "but final and delta keep the middle of the box.\n\n"
-             "Tilts need a tilted (triclinic) box, which may have tilts of 0: of `create_box` with a prism, of "
-             "`read_data`, or of `change_box all triclinic`. `xy` has the styles `final <tilt>`, `delta <dtilt>`, `vel "
-             "<V>`, `erate <R>` (the tilt grows by R times the box's first length in y a unit of time: R is the shear "
-             "rate), `trate <R>` (by R times the tilt), `wiggle` and `variable`; so have `xz` and `yz`. A tilt of more "
-             "than half of the length in x (`yz`: in y) gives way to an equivalent one with the next neighbor lists, "
-             "unless `flip no` is said.\n\n"
-             "With `remap x` the atoms of the group go along, each keeping its fractions of the box: velocities stay. "
-             "With `remap v` atoms of the group that cross a periodic face take the velocity of their image: right for "
-             "flows, with `fix nvt/sllod` or `compute temp/deform`. With `remap none` nothing happens to them, and new "
-             "pairs come about at periodic faces. The fix moves nothing else: use it with `fix nve` or another "
-             "integrator; a barostat may act on the axes that it leaves alone. docs/shear-flow.md has an example. A "
-             "deck has one fix deform.",
-         .example =
-             "fix 2 all deform 1 x erate 0.001 y volume z volume\nfix 3 all deform 10 z scale 0.5 units box\nfix 4 "
-             "all deform 1 xy erate 0.05 remap v"},
+    .about = {.name = "deform",
+              .syntax = {.usage = "<N> <x|y|z|xy|xz|yz> <style> <numbers> [<x|y|z|xy|xz|yz> ...] [keyword value ...]",
+                         .n_min = 1,
+                         .n_max = 1,
+                         .keywords = keywords},
+              .summary = "change the lengths and tilts of the box during a run",
+              .details =
+                  "At multiples of N steps the box gets the lengths and tilts that the styles of its axes give; axes "
+                  "that are not named keep theirs. Over the run (or from `run start` to `stop`) `final <lo> <hi>` "
+                  "brings the bounds to these places, `delta <dlo> <dhi>` moves them by so much, `scale <factor>` "
+                  "multiplies the length. At constant velocity `vel <V>` makes the box longer by V a unit of time; "
+                  "`erate <R>` by R times the first length, `trate <R>` by R times the present length; `wiggle <A> "
+                  "<Tp>` by A sin(2 pi t/Tp); `variable v_name v_rate` by the value of an equal-style variable "
+                  "(distance units), the second of which is its rate. `volume` makes up for the others, so that the "
+                  "volume stays; two such axes share that. All but final and delta keep the middle of the box.\n\n"
+                  "Tilts need a tilted (triclinic) box, which may have tilts of 0: of `create_box` with a prism, of "
+                  "`read_data`, or of `change_box all triclinic`. `xy` has the styles `final <tilt>`, `delta <dtilt>`, "
+                  "`vel <V>`, `erate <R>` (the tilt grows by R times the box's first length in y a unit of time: R is "
+                  "the shear rate), `trate <R>` (by R times the tilt), `wiggle` and `variable`; so have `xz` and `yz`. "
+                  "A tilt of more than half of the length in x (`yz`: in y) gives way to an equivalent one with the "
+                  "next neighbor lists, unless `flip no` is said.\n\n"
+                  "With `remap x` the atoms of the group go along, each keeping its fractions of the box: velocities "
+                  "stay. With `remap v` atoms of the group that cross a periodic face take the velocity of their "
+                  "image: right for flows, with `fix nvt/sllod` or `compute temp/deform`. With `remap none` nothing "
+                  "happens to them, and new pairs come about at periodic faces. The fix moves nothing else: use it "
+                  "with `fix nve` or another integrator; a barostat may act on the axes that it leaves alone. "
+                  "docs/shear-flow.md has an example. A deck has one fix deform.",
+              .example = "fix 2 all deform 1 x erate 0.001 y volume z volume\nfix 3 all deform 10 z scale 0.5 units "
+                         "box\nfix 4 all deform 1 xy erate 0.05 remap v"},
     .state_size = sizeof(deform_state),
     .create = create,
     .destroy = destroy,

@@ -99,21 +99,20 @@ static hs_status keep_state(hs_fix *fix, hs_state *kept, hs_error *err)
 }
 
 const hs_fix_style hs_fix_style_dt_reset = {
-    .about =
-        {.name = "dt/reset",
-         .syntax = {.usage = "<N> <Tmin>|NULL <Tmax>|NULL <Xmax> [units lattice|box]",
-                    .n_min = 4,
-                    .n_max = 4,
-                    .keywords = keywords},
-         .summary = "choose the timestep so that no atom moves too far in one",
-         .details =
-             "Before a run and at steps that are multiples of N the timestep becomes the longest in which no atom of "
-             "the group would move farther than Xmax (in lattice spacings unless `units box` is said), judged by its "
-             "present velocity and force; not below Tmin and not above Tmax (NULL: no such limit). It takes the place "
-             "of `timestep`. For starts with overlapping atoms and for fast collisions.\n\n"
-             "`f_ID` is the step at which the timestep was last changed. The thermo keywords `dt` and `time` follow; "
-             "ramps go by steps, not by time.",
-         .example = "fix 1 all nve\nfix 2 all dt/reset 10 1e-6 0.005 0.05 units box"},
+    .about = {.name = "dt/reset",
+              .syntax = {.usage = "<N> <Tmin>|NULL <Tmax>|NULL <Xmax> [units lattice|box]",
+                         .n_min = 4,
+                         .n_max = 4,
+                         .keywords = keywords},
+              .summary = "choose the timestep so that no atom moves too far in one",
+              .details =
+                  "Before a run and at steps that are multiples of N the timestep becomes the longest in which no atom "
+                  "of the group would move farther than Xmax (in lattice spacings unless `units box` is said), judged "
+                  "by its present velocity and force; not below Tmin and not above Tmax (NULL: no such limit). It "
+                  "takes the place of `timestep`. For starts with overlapping atoms and for fast collisions.\n\n"
+                  "`f_ID` is the step at which the timestep was last changed. The thermo keywords `dt` and `time` "
+                  "follow; ramps go by steps, not by time.",
+              .example = "fix 1 all nve\nfix 2 all dt/reset 10 1e-6 0.005 0.05 units box"},
     .state_size = sizeof(reset_state),
     .create = create,
     .setup = choose,

@@ -103,20 +103,19 @@ static hs_status scalar(hs_fix *fix, double *value, hs_error *err)
 }
 
 const hs_fix_style hs_fix_style_gravity = {
-    .about =
-        {.name = "gravity",
-         .syntax = {.usage = "<g> chute <angle> | spherical <phi> <theta> | vector <x> <y> <z>",
-                    .n_min = 2,
-                    .n_max = -1},
-         .summary = "uniform gravity",
-         .details =
-             "Adds mass times g to each atom of the group. g is an acceleration in force/mass units, or an equal-style "
-             "variable `v_name`. Direction: `vector` is any vector, of which only the direction counts; `spherical` "
-             "has phi from the x axis in the xy plane and theta from the z axis (in two dimensions theta from the y "
-             "axis), in degrees; `chute` is down (-z; -y in two dimensions), tilted towards x by the angle.\n\nThe "
-             "scalar `f_ID` is the potential energy, 0 at the origin, with unwrapped coordinates; `fix_modify energy "
-             "yes` adds it to the potential energy.",
-         .example = "fix g all gravity 1.0 vector 0 -1 0\nfix g all gravity 1.0 chute 26.0"},
+    .about = {.name = "gravity",
+              .syntax = {.usage = "<g> chute <angle> | spherical <phi> <theta> | vector <x> <y> <z>",
+                         .n_min = 2,
+                         .n_max = -1},
+              .summary = "uniform gravity",
+              .details =
+                  "Adds mass times g to each atom of the group. g is an acceleration in force/mass units, or an "
+                  "equal-style variable `v_name`. Direction: `vector` is any vector, of which only the direction "
+                  "counts; `spherical` has phi from the x axis in the xy plane and theta from the z axis (in two "
+                  "dimensions theta from the y axis), in degrees; `chute` is down (-z; -y in two dimensions), tilted "
+                  "towards x by the angle.\n\nThe scalar `f_ID` is the potential energy, 0 at the origin, with "
+                  "unwrapped coordinates; `fix_modify energy yes` adds it to the potential energy.",
+              .example = "fix g all gravity 1.0 vector 0 -1 0\nfix g all gravity 1.0 chute 26.0"},
     .state_size = sizeof(gravity_state),
     .create = create,
     .destroy = destroy,

@@ -54,10 +54,10 @@ const hs_fix_style hs_fix_style_heat = {
          .summary = "add heat to atoms, or take it, at constant momentum",
          .details =
              "At multiples of N steps the velocities of the group's atoms (with `region`, of those that are in it at "
-             "the step) relative to that of their center of mass are scaled so that their kinetic energy grows by "
-             "rate times N timesteps. The rate (energy/time; negative to take heat) is a number or an equal-style "
-             "variable `v_name`. Two such fixes, a source and a sink of one strength, make a stationary flow of heat, "
-             "whose temperature gradient gives the thermal conductivity; use them with `fix nve`.\n\n"
+             "the step) relative to that of their center of mass are scaled so that their kinetic energy grows by rate "
+             "times N timesteps. The rate (energy/time; negative to take heat) is a number or an equal-style variable "
+             "`v_name`. Two such fixes, a source and a sink of one strength, make a stationary flow of heat, whose "
+             "temperature gradient gives the thermal conductivity; use them with `fix nve`.\n\n"
              "The scalar `f_ID` is the factor on the velocities of the latest step. More heat than the atoms have "
              "cannot be taken: that stops the run.",
          .reference = "T. Ikeshoji, B. Hafskjold, Mol. Phys. 81, 251 (1994), doi:10.1080/00268979400100171",

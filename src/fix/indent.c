@@ -98,11 +98,10 @@ static hs_status check_axis(const hs_fix *fix, hs_error *err)
     const hs_box *box = fix->env->box;
     for (int k = 0; k < 3 && state->shape == INDENT_CYLINDER; ++k)
         if (hs_tilt_second(k) == state->axis && box->tilt[k] != 0.0)
-            return hs_fail(
-                err, HS_ERROR_INPUT,
-                "fix '%s' (indent): a cylinder along %c does not meet its own images in a box with the tilt %s "
-                "(%g); one along x always does",
-                fix->id, "xyz"[state->axis], hs_tilt_names[k], box -> tilt[k]);
+            return hs_fail(err, HS_ERROR_INPUT,
+                           "fix '%s' (indent): a cylinder along %c does not meet its own images in a box with the tilt "
+                           "%s (%g); one along x always does",
+                           fix->id, "xyz"[state->axis], hs_tilt_names[k], box -> tilt[k]);
     return HS_OK;
 }
 
@@ -220,25 +219,23 @@ static hs_status post_force(hs_fix *fix, hs_error *err)
 }
 
 const hs_fix_style hs_fix_style_indent = {
-    .about =
-        {.name = "indent",
-         .syntax = {.usage = "<K> sphere|cylinder|plane <words> [keyword value ...]",
-                    .n_min = 1,
-                    .n_max = 1,
-                    .keywords = keywords},
-         .summary = "a sphere, cylinder or plane that pushes atoms away",
-         .details =
-             "An atom that is within the indenter by a depth d feels the force K d^2 away from its center (axis, "
-             "plane); the energy is K d^3/3; K has units of force/distance^2. With `side in` the indenter is a "
-             "container, which pushes atoms inward that are outside of it. `plane <axis> <position> hi` pushes atoms "
-             "above the position down, `lo` atoms below it up. Places and radius may be equal-style variables "
-             "`v_name`, evaluated at each step, so that the indenter moves; their values are in distance units. In a "
-             "tilted box a cylinder is along an edge: along x, along y unless there is a tilt xy, along z unless there "
-             "are xz or yz.\n\n"
-             "The scalar `f_ID` is the energy, the vector `f_ID[1]` to `f_ID[3]` the force on the indenter. "
-             "`fix_modify energy yes` adds the energy to the potential energy.",
-         .example = "variable y equal 13.0-0.02*step*dt\nfix 4 all indent 1000.0 sphere 10 v_y 0 5.0\n"
-                    "fix 5 all indent 10.0 cylinder z 10 10 8.0 side in units box"},
+    .about = {.name = "indent",
+              .syntax = {.usage = "<K> sphere|cylinder|plane <words> [keyword value ...]",
+                         .n_min = 1,
+                         .n_max = 1,
+                         .keywords = keywords},
+              .summary = "a sphere, cylinder or plane that pushes atoms away",
+              .details = "An atom that is within the indenter by a depth d feels the force K d^2 away from its center "
+                         "(axis, plane); the energy is K d^3/3; K has units of force/distance^2. With `side in` the "
+                         "indenter is a container, which pushes atoms inward that are outside of it. `plane <axis> "
+                         "<position> hi` pushes atoms above the position down, `lo` atoms below it up. Places and "
+                         "radius may be equal-style variables `v_name`, evaluated at each step, so that the indenter "
+                         "moves; their values are in distance units. In a tilted box a cylinder is along an edge: "
+                         "along x, along y unless there is a tilt xy, along z unless there are xz or yz.\n\n"
+                         "The scalar `f_ID` is the energy, the vector `f_ID[1]` to `f_ID[3]` the force on the "
+                         "indenter. `fix_modify energy yes` adds the energy to the potential energy.",
+              .example = "variable y equal 13.0-0.02*step*dt\nfix 4 all indent 1000.0 sphere 10 v_y 0 5.0\n"
+                         "fix 5 all indent 10.0 cylinder z 10 10 8.0 side in units box"},
     .state_size = sizeof(indent_state),
     .create = create,
     .destroy = destroy,

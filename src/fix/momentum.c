@@ -178,17 +178,17 @@ static hs_status end_of_step(hs_fix *fix, hs_error *err)
 }
 
 const hs_fix_style hs_fix_style_momentum = {
-    .about =
-        {.name = "momentum",
-         .syntax =
-             {.usage = "<N> [linear <x> <y> <z>] [angular] [rescale]", .n_min = 1, .n_max = 1, .keywords = keywords},
-         .summary = "take off the momentum of a group from time to time",
-         .details =
-             "At every step that is a multiple of N: `linear 1 1 1` subtracts the velocity of the center of mass (1 or "
-             "0 for each direction), `angular` the rigid rotation about it, with unwrapped coordinates; at least one "
-             "of the two is needed. `rescale` then scales the group's velocities so that its kinetic energy is what it "
-             "was.",
-         .example = "fix 1 all momentum 100 linear 1 1 1\nfix 1 drop momentum 10 linear 1 1 1 angular rescale"},
+    .about = {.name = "momentum",
+              .syntax = {.usage = "<N> [linear <x> <y> <z>] [angular] [rescale]",
+                         .n_min = 1,
+                         .n_max = 1,
+                         .keywords = keywords},
+              .summary = "take off the momentum of a group from time to time",
+              .details = "At every step that is a multiple of N: `linear 1 1 1` subtracts the velocity of the center "
+                         "of mass (1 or 0 for each direction), `angular` the rigid rotation about it, with unwrapped "
+                         "coordinates; at least one of the two is needed. `rescale` then scales the group's velocities "
+                         "so that its kinetic energy is what it was.",
+              .example = "fix 1 all momentum 100 linear 1 1 1\nfix 1 drop momentum 10 linear 1 1 1 angular rescale"},
     .state_size = sizeof(momentum_state),
     .create = create,
     .end_of_step = end_of_step,

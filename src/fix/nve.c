@@ -118,8 +118,8 @@ const hs_fix_style hs_fix_style_nve = {
     .about = {.name = "nve",
               .syntax = {.usage = "", .n_min = 0, .n_max = 0},
               .summary = "integrate the equations of motion at constant energy",
-              .details = "Velocity Verlet: half kick, drift, forces, half kick, with the timestep of `timestep`. "
-                         "Atoms outside the group stay where they are.",
+              .details = "Velocity Verlet: half kick, drift, forces, half kick, with the timestep of `timestep`. Atoms "
+                         "outside the group stay where they are.",
               .reference = "W. C. Swope et al., J. Chem. Phys. 76, 637 (1982), doi:10.1063/1.442716",
               .example = "fix 1 all nve"},
     .state_size = sizeof(nve_state),

@@ -12,17 +12,15 @@ static hs_status init(hs_fix *fix, hs_error *err)
 {
     const hs_box_flow *flow = fix->env->box_flow;
     if (flow == NULL)
-        return hs_fail(
-            err, HS_ERROR_INPUT,
-            "fix '%s' (nvt/sllod): there is no fix deform whose change of the box would be the flow; fix nvt is for "
-            "fluids at rest",
-            fix->id);
+        return hs_fail(err, HS_ERROR_INPUT,
+                       "fix '%s' (nvt/sllod): there is no fix deform whose change of the box would be the flow; fix "
+                       "nvt is for fluids at rest",
+                       fix->id);
     if (flow->moves_velocities == 0)
-        return hs_fail(
-            err, HS_ERROR_INPUT,
-            "fix '%s' (nvt/sllod): fix deform must have 'remap v', so that atoms which cross a face take the "
-            "velocity of their image",
-            fix->id);
+        return hs_fail(err, HS_ERROR_INPUT,
+                       "fix '%s' (nvt/sllod): fix deform must have 'remap v', so that atoms which cross a face take "
+                       "the velocity of their image",
+                       fix->id);
     return hs_nose_hoover_init(fix, err);
 }
 
@@ -50,9 +48,8 @@ const hs_fix_style hs_fix_style_nvt_sllod = {
              "A fluid that is at rest when the box begins to move is set into motion in some time; `velocity all ramp "
              "vx ... y ...` begins with the profile. `compute temp/profile`, or fix ave/chunk, shows it. Scalar and "
              "vector are those of fix nvt.",
-         .reference =
-             "D. J. Evans, G. P. Morriss, Phys. Rev. A 30, 1528 (1984), doi:10.1103/PhysRevA.30.1528; P. J. Daivis, "
-             "B. D. Todd, J. Chem. Phys. 124, 194103 (2006), doi:10.1063/1.2192775",
+         .reference = "D. J. Evans, G. P. Morriss, Phys. Rev. A 30, 1528 (1984), doi:10.1103/PhysRevA.30.1528; P. J. "
+                      "Daivis, B. D. Todd, J. Chem. Phys. 124, 194103 (2006), doi:10.1063/1.2192775",
          .example = "fix 1 all nvt/sllod temp 1.0 1.0 0.5\nfix 2 all deform 1 xy erate 0.1 remap v\nthermo_modify temp "
                     "1_temp"},
     HS_NOSE_HOOVER_HOOKS,

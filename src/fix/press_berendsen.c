@@ -40,10 +40,10 @@ static hs_status read_axis(hs_fix *fix, const hs_args *args, int i, int axis, hs
     if (axis >= box->dimension)
         return hs_fail(err, HS_ERROR_INPUT, "%s: a 2d system has no pressure along z", args->command);
     if (!box->periodic[axis])
-        return hs_fail(err, HS_ERROR_INPUT,
-                       "%s: the box is not periodic in %c, so its length cannot follow a pressure ('boundary' makes it "
-                       "periodic)",
-                       args->command, "xyz"[axis]);
+        return hs_fail(
+            err, HS_ERROR_INPUT,
+            "%s: the box is not periodic in %c, so its length cannot follow a pressure ('boundary' makes it periodic)",
+            args->command, "xyz"[axis]);
     state->moves[axis] = true;
     HS_TRY(hs_arg_double(args, i + 1, &state->start[axis], err));
     HS_TRY(hs_arg_double(args, i + 2, &state->stop[axis], err));
@@ -129,11 +129,10 @@ static hs_status init(hs_fix *fix, hs_error *err)
     HS_TRY(hs_need_upright(env, "fix press/berendsen", err));
     for (int axis = 0; axis < 3; ++axis)
         if (state->moves[axis] && env->box_flow != NULL && env->box_flow->sets_length[axis])
-            return hs_fail(
-                err, HS_ERROR_INPUT,
-                "fix '%s' (press/berendsen): the length in %c is what fix deform makes it, and cannot follow a "
-                "pressure, too",
-                fix->id, "xyz"[axis]);
+            return hs_fail(err, HS_ERROR_INPUT,
+                           "fix '%s' (press/berendsen): the length in %c is what fix deform makes it, and cannot "
+                           "follow a pressure, too",
+                           fix->id, "xyz"[axis]);
     return hs_barometer_init(fix, &state->barometer, err);
 }
 
@@ -153,11 +152,10 @@ static hs_status end_of_step(hs_fix *fix, hs_error *err)
                      growth = 1.0 - env->dt / state->damping[axis] * (wanted - p[axis]) / state->modulus,
                      center = 0.5 * (lo[axis] + hi[axis]);
         if (!(growth > 0.0))
-            return hs_fail(
-                err, HS_ERROR_RUN,
-                "fix '%s' (press/berendsen): at step %lld the pressure along %c, %g, is so far from %g that the "
-                "box would vanish; a longer damping time or a larger modulus is needed",
-                fix->id, (long long)env->step, "xyz"[axis], p[axis], wanted);
+            return hs_fail(err, HS_ERROR_RUN,
+                           "fix '%s' (press/berendsen): at step %lld the pressure along %c, %g, is so far from %g that "
+                           "the box would vanish; a longer damping time or a larger modulus is needed",
+                           fix->id, (long long)env->step, "xyz"[axis], p[axis], wanted);
         lo[axis] = center + cbrt(growth) * (lo[axis] - center);
         hi[axis] = center + cbrt(growth) * (hi[axis] - center);
     }
@@ -173,27 +171,24 @@ static bool needs_energy(const hs_fix *fix, int64_t step)
 }
 
 const hs_fix_style hs_fix_style_press_berendsen = {
-    .about =
-        {.name = "press/berendsen",
-         .syntax = {"<iso|aniso|x|y|z> <Pstart> <Pstop> <Pdamp> [keyword value ...]", 0, 0, keywords},
-         .summary = "Berendsen's barostat: let the pressure decay to a wanted one",
-         .details =
-             "At the end of every step the lengths of the box are scaled by the third root of 1 - (dt/Pdamp) (P - "
-             "p)/modulus, with the pressure p measured and P wanted (a ramp over the run), and the atoms with them, as "
-             "their fractions "
-             "of it. `iso` changes all lengths alike, by the scalar pressure; `aniso` and `x`, `y`, `z` each by its "
-             "own; `couple` gives some the mean of theirs. It moves no atoms otherwise: fix nve, or another that does, "
-             "stands beside it. "
-             "The pressure relaxes in about Pdamp, a time, if `modulus` is the bulk modulus of "
-             "the system; 10 is right for a Lennard-Jones liquid only. The fluctuations of the volume are those of no "
-             "ensemble: for "
-             "equilibration, not for measuring them (fix npt). The box must be orthogonal and periodic along the axes "
-             "that "
-             "change.\n\nThe fix makes the computes `ID_temp` and `ID_press`, both of all atoms; `fix_modify temp` and "
-             "`press` take others. Energies and virials are computed at every step.",
-         .reference = "H. J. C. Berendsen, J. P. M. Postma, W. F. van Gunsteren, A. DiNola, J. R. Haak, "
-                      "J. Chem. Phys. 81, 3684 (1984), doi:10.1063/1.448118",
-         .example = "fix 1 all nve\nfix 2 all temp/berendsen 1.0 1.0 0.5\nfix 3 all press/berendsen iso 0.5 0.5 5.0"},
+    .about = {.name = "press/berendsen",
+              .syntax = {"<iso|aniso|x|y|z> <Pstart> <Pstop> <Pdamp> [keyword value ...]", 0, 0, keywords},
+              .summary = "Berendsen's barostat: let the pressure decay to a wanted one",
+              .details =
+                  "At the end of every step the lengths of the box are scaled by the third root of 1 - (dt/Pdamp) (P - "
+                  "p)/modulus, with the pressure p measured and P wanted (a ramp over the run), and the atoms with "
+                  "them, as their fractions of it. `iso` changes all lengths alike, by the scalar pressure; `aniso` "
+                  "and `x`, `y`, `z` each by its own; `couple` gives some the mean of theirs. It moves no atoms "
+                  "otherwise: fix nve, or another that does, stands beside it. The pressure relaxes in about Pdamp, a "
+                  "time, if `modulus` is the bulk modulus of the system; 10 is right for a Lennard-Jones liquid only. "
+                  "The fluctuations of the volume are those of no ensemble: for equilibration, not for measuring them "
+                  "(fix npt). The box must be orthogonal and periodic along the axes that change.\n\nThe fix makes the "
+                  "computes `ID_temp` and `ID_press`, both of all atoms; `fix_modify temp` and `press` take others. "
+                  "Energies and virials are computed at every step.",
+              .reference = "H. J. C. Berendsen, J. P. M. Postma, W. F. van Gunsteren, A. DiNola, J. R. Haak, J. Chem. "
+                           "Phys. 81, 3684 (1984), doi:10.1063/1.448118",
+              .example =
+                  "fix 1 all nve\nfix 2 all temp/berendsen 1.0 1.0 0.5\nfix 3 all press/berendsen iso 0.5 0.5 5.0"},
     .state_size = sizeof(press_state),
     .create = create,
     .destroy = destroy,

@@ -72,11 +72,10 @@ static hs_status find_next(hs_fix *fix, hs_error *err)
     }
     HS_TRY(env->variable_value(env->deck, state->every_variable, &next, err));
     if (!(next > (double)env->step))
-        return hs_fail(
-            err, HS_ERROR_INPUT,
-            "fix '%s' (print): the variable '%s' gave %g as the step of the next line, which must be greater "
-            "than the present step, %lld",
-            fix->id, state->every_variable, next, (long long)env->step);
+        return hs_fail(err, HS_ERROR_INPUT,
+                       "fix '%s' (print): the variable '%s' gave %g as the step of the next line, which must be "
+                       "greater than the present step, %lld",
+                       fix->id, state->every_variable, next, (long long)env->step);
     state->next = next < 9e18 ? (int64_t)next : INT64_MAX; /* stride() and the like say "never" with 2^63 */
     return HS_OK;
 }
@@ -133,18 +132,17 @@ static hs_status keep_state(hs_fix *fix, hs_state *kept, hs_error *err)
 }
 
 const hs_fix_style hs_fix_style_print = {
-    .about = {.name = "print",
-              .syntax = {.usage = "<N> \"<text>\" [keyword value ...]", .n_min = 2, .n_max = 2, .keywords = keywords},
-              .summary = "print a line of text every N steps",
-              .details =
-                  "At steps that are multiples of N, and at the start of a run if that is one, the text is printed "
-                  "with its variables replaced: `$x`, `${name}`, `$(formula)` and `$(formula:%format)` have their "
-                  "values of that step. Quotes keep them from being replaced when the deck is read. In the place of "
-                  "N, `v_name` is an equal-style variable that gives the next step to print at, for example "
-                  "`stride(100,1000,50)` or `logfreq(10,3,10)`. The group has no meaning.",
-              .example =
-                  "variable t equal temp\nfix say all print 100 \"T = $t, pressure $(press:%.4f)\" file said.txt "
-                  "screen no"},
+    .about =
+        {.name = "print",
+         .syntax = {.usage = "<N> \"<text>\" [keyword value ...]", .n_min = 2, .n_max = 2, .keywords = keywords},
+         .summary = "print a line of text every N steps",
+         .details = "At steps that are multiples of N, and at the start of a run if that is one, the text is printed "
+                    "with its variables replaced: `$x`, `${name}`, `$(formula)` and `$(formula:%format)` have their "
+                    "values of that step. Quotes keep them from being replaced when the deck is read. In the place of "
+                    "N, `v_name` is an equal-style variable that gives the next step to print at, for example "
+                    "`stride(100,1000,50)` or `logfreq(10,3,10)`. The group has no meaning.",
+         .example =
+             "variable t equal temp\nfix say all print 100 \"T = $t, pressure $(press:%.4f)\" file said.txt screen no"},
     .state_size = sizeof(print_state),
     .create = create,
     .destroy = destroy,

@@ -132,18 +132,17 @@ const hs_fix_style hs_fix_style_property_atom = {
         {.name = "property/atom",
          .syntax = {.usage = "i_<name>|d_<name> ... [ghost yes|no]", .n_min = 1, .n_max = -1, .keywords = keywords},
          .summary = "give atoms values of your own",
-         .details =
-             "Every atom gets the values named: `i_<name>` a whole number of 32 bits, `d_<name>` a real one, both 0 at "
-             "first. They stay with their atom wherever it goes, and are kept in checkpoints and restart files; a fix "
-             "with the same ID and words after `read_restart` gets them back. The group does not matter: all atoms "
-             "have them.\n\n"
-             "`set` gives values (`set group hot d_dose 1.5`, or from an atom-style variable), and `balance` with "
-             "`weight store`. Wherever a value per atom can be named, `i_<name>` and `d_<name>` can: in dump custom, "
-             "compute property/atom, compute reduce, fix ave/histo, fix ave/chunk and the formulas of atom-style "
-             "variables. With `ghost yes` the copies of atoms near the borders between ranks have them as well; "
-             "nothing that comes with Halfshell reads them there. `write_data` writes them into a section with the "
-             "fix's ID, from which `read_data ... fix ID NULL ID` reads them. LAMMPS's `mol`, `q` and `rmass` are "
-             "refused.",
+         .details = "Every atom gets the values named: `i_<name>` a whole number of 32 bits, `d_<name>` a real one, "
+                    "both 0 at first. They stay with their atom wherever it goes, and are kept in checkpoints and "
+                    "restart files; a fix with the same ID and words after `read_restart` gets them back. The group "
+                    "does not matter: all atoms have them.\n\n"
+                    "`set` gives values (`set group hot d_dose 1.5`, or from an atom-style variable), and `balance` "
+                    "with `weight store`. Wherever a value per atom can be named, `i_<name>` and `d_<name>` can: in "
+                    "dump custom, compute property/atom, compute reduce, fix ave/histo, fix ave/chunk and the formulas "
+                    "of atom-style variables. With `ghost yes` the copies of atoms near the borders between ranks have "
+                    "them as well; nothing that comes with Halfshell reads them there. `write_data` writes them into a "
+                    "section with the fix's ID, from which `read_data ... fix ID NULL ID` reads them. LAMMPS's `mol`, "
+                    "`q` and `rmass` are refused.",
          .example = "fix p all property/atom i_origin d_dose\nset region left i_origin 1\n"
                     "dump 1 all custom 100 traj.dump id x y z i_origin d_dose"},
     .state_size = sizeof(property_state),

@@ -134,21 +134,19 @@ static hs_status keep_state(hs_fix *fix, hs_state *kept, hs_error *err)
 }
 
 const hs_fix_style hs_fix_style_recenter = {
-    .about =
-        {.name = "recenter",
-         .syntax = {.usage = "<x> <y> <z> [shift <group-ID>] [units lattice|box|fraction]",
-                    .n_min = 3,
-                    .n_max = 3,
-                    .keywords = keywords},
-         .summary = "hold the center of mass of a group at a place",
-         .details =
-             "In its turn among the fixes that integrate (so it should come after them), the atoms are shifted so that "
-             "the group's center of mass (unwrapped) is at x, y, z. "
-             "`NULL` leaves a direction free, `INIT` is where the center is at the start of a run. `shift` moves "
-             "another group, for example all. Numbers are in lattice spacings (default), distance units (`units box`) "
-             "or fractions of the box. Velocities are not changed.\n\nThe scalar `f_ID` is the length of the last "
-             "shift, the vector `f_ID[1]` ... `f_ID[3]` the shift (distance).",
-         .example = "fix 1 all recenter INIT INIT NULL\nfix 1 drop recenter 0.5 0.5 0.5 units fraction shift all"},
+    .about = {.name = "recenter",
+              .syntax = {.usage = "<x> <y> <z> [shift <group-ID>] [units lattice|box|fraction]",
+                         .n_min = 3,
+                         .n_max = 3,
+                         .keywords = keywords},
+              .summary = "hold the center of mass of a group at a place",
+              .details = "In its turn among the fixes that integrate (so it should come after them), the atoms are "
+                         "shifted so that the group's center of mass (unwrapped) is at x, y, z. `NULL` leaves a "
+                         "direction free, `INIT` is where the center is at the start of a run. `shift` moves another "
+                         "group, for example all. Numbers are in lattice spacings (default), distance units (`units "
+                         "box`) or fractions of the box. Velocities are not changed.\n\nThe scalar `f_ID` is the "
+                         "length of the last shift, the vector `f_ID[1]` ... `f_ID[3]` the shift (distance).",
+              .example = "fix 1 all recenter INIT INIT NULL\nfix 1 drop recenter 0.5 0.5 0.5 units fraction shift all"},
     .state_size = sizeof(recenter_state),
     .create = create,
     .init = init,

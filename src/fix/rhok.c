@@ -115,17 +115,13 @@ const hs_fix_style hs_fix_style_rhok = {
               .syntax = {.usage = "<nx> <ny> <nz> <K> <a>", .n_min = 5, .n_max = 5},
               .summary = "a bias on a Fourier mode of the density",
               .details = "Adds the energy K/2 (|rho_k| - a)^2, where rho_k is the sum of exp(-i k r) over the N atoms "
-                         "of the group, divided by "
-                         "the root of N, and k = 2 pi (nx/Lx, ny/Ly, nz/Lz) follows the box. In a crystal that has k "
-                         "in its reciprocal "
-                         "lattice |rho_k| is of the order of the root of N, in a liquid of order 1: the bias pins a "
-                         "half-molten system there (interface pinning), or measures with K = 0. The box must be "
-                         "orthogonal, and periodic along "
-                         "the wave.\n\nThe scalar `f_ID` is the energy; `f_ID[1]` and `f_ID[2]` are the real and "
-                         "imaginary part of rho_k, "
+                         "of the group, divided by the root of N, and k = 2 pi (nx/Lx, ny/Ly, nz/Lz) follows the box. "
+                         "In a crystal that has k in its reciprocal lattice |rho_k| is of the order of the root of N, "
+                         "in a liquid of order 1: the bias pins a half-molten system there (interface pinning), or "
+                         "measures with K = 0. The box must be orthogonal, and periodic along the wave.\n\nThe scalar "
+                         "`f_ID` is the energy; `f_ID[1]` and `f_ID[2]` are the real and imaginary part of rho_k, "
                          "`f_ID[3]` its length; none is divided by the number of atoms under `thermo_modify norm yes`. "
-                         "`fix_modify energy yes` adds the energy to the potential energy. Acts "
-                         "in minimisations, too.",
+                         "`fix_modify energy yes` adds the energy to the potential energy. Acts in minimisations, too.",
               .reference = "U. R. Pedersen, J. Chem. Phys. 139, 104102 (2013), doi:10.1063/1.4818747",
               .example = "fix bias all rhok 16 0 0 4.0 26.0\nthermo_style custom step temp pe f_bias f_bias[3]"},
     .state_size = sizeof(rhok_state),

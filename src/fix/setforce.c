@@ -37,13 +37,12 @@ const hs_fix_style hs_fix_style_setforce = {
                          .n_max = 3,
                          .keywords = hs_replaced_force_keywords},
               .summary = "set the forces on a group",
-              .details =
-                  "At every step, after all forces and after the fixes defined before, the force on each atom of the "
-                  "group becomes fx, fy, fz (force units). `NULL` leaves a component as it is; `v_name` is an "
-                  "equal-style variable, evaluated at every step, or an atom-style one. With `region` only atoms that "
-                  "are in the region at the step are concerned. Atoms with no force and no velocity stay where they "
-                  "are: `setforce 0 0 0` holds a wall.\n\nThe vector `f_ID[1]` ... `f_ID[3]` is the sum of the forces "
-                  "on these atoms before they were set.",
+              .details = "At every step, after all forces and after the fixes defined before, the force on each atom "
+                         "of the group becomes fx, fy, fz (force units). `NULL` leaves a component as it is; `v_name` "
+                         "is an equal-style variable, evaluated at every step, or an atom-style one. With `region` "
+                         "only atoms that are in the region at the step are concerned. Atoms with no force and no "
+                         "velocity stay where they are: `setforce 0 0 0` holds a wall.\n\nThe vector `f_ID[1]` ... "
+                         "`f_ID[3]` is the sum of the forces on these atoms before they were set.",
               .example =
                   "velocity wall set 0 0 0\nfix hold wall setforce 0.0 0.0 0.0\nfix 1 edge setforce NULL 0.0 v_f"},
     .state_size = sizeof(hs_replaced_force),

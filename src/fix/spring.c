@@ -115,19 +115,14 @@ const hs_fix_style hs_fix_style_spring = {
                     .n_min = 6,
                     .n_max = 7},
          .summary = "a spring on the center of mass of a group",
-         .details =
-             "`tether` pulls the center of mass of the group to the place (x, y, z), in distance units, by K (r - R0) "
-             "at "
-             "the distance r, K in units of force/distance; `couple` pulls the centers of mass of two groups together, "
-             "where the "
-             "other's should be (x, y, z) away. A direction that is NULL counts for nothing. Each atom feels the part "
-             "of "
-             "the force that its mass is of the group's, so that a group is moved as a whole; places are unwrapped "
-             "ones.\n\n"
-             "The scalar `f_ID` is the energy K (r - R0)^2/2; `f_ID[1]` to `f_ID[3]` are the force on the group, "
-             "`f_ID[4]` "
-             "is K (r - R0), positive where the spring pulls. `fix_modify energy yes` adds the energy to the potential "
-             "energy. Acts in minimisations, too.",
+         .details = "`tether` pulls the center of mass of the group to the place (x, y, z), in distance units, by K (r "
+                    "- R0) at the distance r, K in units of force/distance; `couple` pulls the centers of mass of two "
+                    "groups together, where the other's should be (x, y, z) away. A direction that is NULL counts for "
+                    "nothing. Each atom feels the part of the force that its mass is of the group's, so that a group "
+                    "is moved as a whole; places are unwrapped ones.\n\n"
+                    "The scalar `f_ID` is the energy K (r - R0)^2/2; `f_ID[1]` to `f_ID[3]` are the force on the "
+                    "group, `f_ID[4]` is K (r - R0), positive where the spring pulls. `fix_modify energy yes` adds the "
+                    "energy to the potential energy. Acts in minimisations, too.",
          .example =
              "fix pull ball spring tether 50.0 10 NULL NULL 0.0\nfix pair left spring couple right 100.0 3 0 0 0.0"},
     .state_size = sizeof(spring_state),

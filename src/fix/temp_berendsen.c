@@ -35,11 +35,10 @@ const hs_fix_style hs_fix_style_temp_berendsen = {
     .about = {.name = "temp/berendsen",
               .syntax = {.usage = "<Tstart> <Tstop> <Tdamp>", .n_min = 3, .n_max = 3},
               .summary = "Berendsen's thermostat: let the temperature decay to a wanted one",
-              .details =
-                  "At every step the velocities of the group are scaled so that the temperature comes nearer to the "
-                  "wanted one by the fraction dt/Tdamp of the difference; Tdamp is a time. " SCALING_DETAILS,
-              .reference = "H. J. C. Berendsen, J. P. M. Postma, W. F. van Gunsteren, A. DiNola, J. R. Haak, "
-                           "J. Chem. Phys. 81, 3684 (1984), doi:10.1063/1.448118",
+              .details = "At every step the velocities of the group are scaled so that the temperature comes nearer to "
+                         "the wanted one by the fraction dt/Tdamp of the difference; Tdamp is a time. " SCALING_DETAILS,
+              .reference = "H. J. C. Berendsen, J. P. M. Postma, W. F. van Gunsteren, A. DiNola, J. R. Haak, J. Chem. "
+                           "Phys. 81, 3684 (1984), doi:10.1063/1.448118",
               .example = "fix 1 all nve\nfix 2 all temp/berendsen 1.0 1.5 0.5"},
     .state_size = sizeof(berendsen_state),
     .create = create,

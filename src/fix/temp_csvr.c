@@ -64,20 +64,14 @@ const hs_fix_style hs_fix_style_temp_csvr = {
          .details =
              "At every step the velocities of the group are scaled by a factor with a random part, so that the kinetic "
              "energy has the canonical distribution of the wanted temperature and forgets its past in Tdamp, a time. "
-             "Unlike "
-             "temp/berendsen it gives the canonical ensemble; and as one factor scales all velocities, "
-             "it disturbs the dynamics of single atoms little.\n\nThe wanted temperature goes from Tstart to Tstop "
-             "over the run (or from `run start` to "
-             "`run stop`); Tstart may be an equal-style variable `v_name`, which then is the temperature at every "
-             "step. The "
-             "fix moves nothing: use it with `fix nve`. The temperature is that of the group, the compute `ID_temp` "
-             "that the "
-             "fix makes, or that of `fix_modify temp`; of a temperature that leaves out a part of the velocities only "
-             "the "
-             "thermal part is scaled. The random numbers are functions of seed, ID and step: any threads, ranks and "
-             "restarts give the same. "
-             "The scalar `f_ID` is the energy taken from the atoms so far: with theirs it is constant but for the "
-             "integrator's error.",
+             "Unlike temp/berendsen it gives the canonical ensemble; and as one factor scales all velocities, it "
+             "disturbs the dynamics of single atoms little.\n\nThe wanted temperature goes from Tstart to Tstop over "
+             "the run (or from `run start` to `run stop`); Tstart may be an equal-style variable `v_name`, which then "
+             "is the temperature at every step. The fix moves nothing: use it with `fix nve`. The temperature is that "
+             "of the group, the compute `ID_temp` that the fix makes, or that of `fix_modify temp`; of a temperature "
+             "that leaves out a part of the velocities only the thermal part is scaled. The random numbers are "
+             "functions of seed, ID and step: any threads, ranks and restarts give the same. The scalar `f_ID` is the "
+             "energy taken from the atoms so far: with theirs it is constant but for the integrator's error.",
          .reference = "G. Bussi, D. Donadio, M. Parrinello, J. Chem. Phys. 126, 014101 (2007), doi:10.1063/1.2408420",
          .example = "fix 1 all nve\nfix 2 all temp/csvr 1.0 1.0 0.1 4711"},
     .state_size = sizeof(csvr_state),

@@ -67,22 +67,20 @@ static hs_status keep_state(hs_fix *fix, hs_state *kept, hs_error *err)
 }
 
 const hs_fix_style hs_fix_style_thermal_conductivity = {
-    .about =
-        {.name = "thermal/conductivity",
-         .syntax = {.usage = "<N> x|y|z <N bins> [swap <N>]", .n_min = 3, .n_max = 3, .keywords = keywords},
-         .summary = "make heat flow between two layers, to measure the thermal conductivity",
-         .details =
-             "The box is cut into an even number of layers along the axis. At multiples of N steps the hottest atom of "
-             "the lowest layer and the coldest one of the middle layer (number N bins/2 + 1) exchange their "
-             "velocities; atoms of different mass make an elastic collision. Energy and momentum are conserved, and a "
-             "stationary profile of the temperature builds up, which `fix ave/chunk` over a `chunk/atom` of such "
-             "layers shows.\n\n"
-             "The scalar `f_ID` is the kinetic energy that has gone from the lowest to the middle layer since the fix "
-             "was defined. The conductivity is (f_ID/(2 t A))/(dT/dz) with A the area of a layer's face: heat flows "
-             "both ways, through the upper and the lower half of the box. Use it with `fix nve`; the choice of atoms "
-             "does not depend on ranks or threads.",
-         .reference = "F. Müller-Plathe, J. Chem. Phys. 106, 6082 (1997), doi:10.1063/1.473271",
-         .example = "fix flow all thermal/conductivity 100 z 20"},
+    .about = {.name = "thermal/conductivity",
+              .syntax = {.usage = "<N> x|y|z <N bins> [swap <N>]", .n_min = 3, .n_max = 3, .keywords = keywords},
+              .summary = "make heat flow between two layers, to measure the thermal conductivity",
+              .details = "The box is cut into an even number of layers along the axis. At multiples of N steps the "
+                         "hottest atom of the lowest layer and the coldest one of the middle layer (number N bins/2 + "
+                         "1) exchange their velocities; atoms of different mass make an elastic collision. Energy and "
+                         "momentum are conserved, and a stationary profile of the temperature builds up, which `fix "
+                         "ave/chunk` over a `chunk/atom` of such layers shows.\n\n"
+                         "The scalar `f_ID` is the kinetic energy that has gone from the lowest to the middle layer "
+                         "since the fix was defined. The conductivity is (f_ID/(2 t A))/(dT/dz) with A the area of a "
+                         "layer's face: heat flows both ways, through the upper and the lower half of the box. Use it "
+                         "with `fix nve`; the choice of atoms does not depend on ranks or threads.",
+              .reference = "F. Müller-Plathe, J. Chem. Phys. 106, 6082 (1997), doi:10.1063/1.473271",
+              .example = "fix flow all thermal/conductivity 100 z 20"},
     .state_size = sizeof(conductivity_state),
     .create = create,
     .end_of_step = end_of_step,

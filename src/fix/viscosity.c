@@ -82,26 +82,24 @@ static hs_status keep_state(hs_fix *fix, hs_state *kept, hs_error *err)
 }
 
 const hs_fix_style hs_fix_style_viscosity = {
-    .about =
-        {.name = "viscosity",
-         .syntax = {.usage = "<N> x|y|z x|y|z <N bins> [swap <N>] [vtarget <v>]",
-                    .n_min = 4,
-                    .n_max = 4,
-                    .keywords = keywords},
-         .summary = "make momentum flow between two layers, to measure the shear viscosity",
-         .details =
-             "The box is cut into an even number of layers along the second axis. At multiples of N steps the atom of "
-             "the lowest layer that moves forward along the first axis the fastest, and the one of the middle layer "
-             "(number N bins/2 + 1) that moves backward the fastest, exchange that component of their velocities; "
-             "atoms of different mass make an elastic collision along it. Energy and momentum are conserved, and a "
-             "stationary profile of the velocity builds up, which `fix ave/chunk` over a `chunk/atom` of such layers "
-             "shows.\n\n"
-             "The scalar `f_ID` is the momentum that the lowest layer has gained since the fix was defined (below 0). "
-             "The viscosity is -(f_ID/(2 t A))/(dv/dz) with A the area of a layer's face: momentum flows both ways, "
-             "through the upper and the lower half of the box. Use it with `fix nve`; the choice of atoms does not "
-             "depend on ranks or threads.",
-         .reference = "F. Müller-Plathe, Phys. Rev. E 59, 4894 (1999), doi:10.1103/PhysRevE.59.4894",
-         .example = "fix flow all viscosity 100 x z 20\nfix flow all viscosity 50 x y 20 swap 2 vtarget 1.5"},
+    .about = {.name = "viscosity",
+              .syntax = {.usage = "<N> x|y|z x|y|z <N bins> [swap <N>] [vtarget <v>]",
+                         .n_min = 4,
+                         .n_max = 4,
+                         .keywords = keywords},
+              .summary = "make momentum flow between two layers, to measure the shear viscosity",
+              .details = "The box is cut into an even number of layers along the second axis. At multiples of N steps "
+                         "the atom of the lowest layer that moves forward along the first axis the fastest, and the "
+                         "one of the middle layer (number N bins/2 + 1) that moves backward the fastest, exchange that "
+                         "component of their velocities; atoms of different mass make an elastic collision along it. "
+                         "Energy and momentum are conserved, and a stationary profile of the velocity builds up, which "
+                         "`fix ave/chunk` over a `chunk/atom` of such layers shows.\n\n"
+                         "The scalar `f_ID` is the momentum that the lowest layer has gained since the fix was defined "
+                         "(below 0). The viscosity is -(f_ID/(2 t A))/(dv/dz) with A the area of a layer's face: "
+                         "momentum flows both ways, through the upper and the lower half of the box. Use it with `fix "
+                         "nve`; the choice of atoms does not depend on ranks or threads.",
+              .reference = "F. Müller-Plathe, Phys. Rev. E 59, 4894 (1999), doi:10.1103/PhysRevE.59.4894",
+              .example = "fix flow all viscosity 100 x z 20\nfix flow all viscosity 50 x y 20 swap 2 vtarget 1.5"},
     .state_size = sizeof(viscosity_state),
     .create = create,
     .end_of_step = end_of_step,

@@ -52,17 +52,17 @@ static hs_status post_force(hs_fix *fix, hs_error *err)
 }
 
 const hs_fix_style hs_fix_style_viscous = {
-    .about = {.name = "viscous",
-              .syntax = {.usage = "<gamma> [scale <type> <ratio>] ...", .n_min = 1, .n_max = 1, .keywords = keywords},
-              .summary = "friction against a resting medium",
-              .details =
-                  "Adds -gamma v to the force on each atom of the group; gamma is a force over a velocity (in lj units "
-                  "1/time times mass), and a negative one drives atoms. It takes energy out of collisions and lets "
-                  "systems come to rest; `fix langevin` adds the noise of a bath to it. `scale` sets gamma of one type "
-                  "to that many times the first number. Force over velocity is meant: gamma v must be small against "
-                  "what moves the atoms, and gamma dt/m against 1. It acts in minimisations that have velocities "
-                  "(`min_style fire`), too.",
-              .example = "fix 1 all nve\nfix 2 all viscous 0.5\nfix 3 big viscous 1.0 scale 2 2.5"},
+    .about =
+        {.name = "viscous",
+         .syntax = {.usage = "<gamma> [scale <type> <ratio>] ...", .n_min = 1, .n_max = 1, .keywords = keywords},
+         .summary = "friction against a resting medium",
+         .details =
+             "Adds -gamma v to the force on each atom of the group; gamma is a force over a velocity (in lj units "
+             "1/time times mass), and a negative one drives atoms. It takes energy out of collisions and lets systems "
+             "come to rest; `fix langevin` adds the noise of a bath to it. `scale` sets gamma of one type to that many "
+             "times the first number. Force over velocity is meant: gamma v must be small against what moves the "
+             "atoms, and gamma dt/m against 1. It acts in minimisations that have velocities (`min_style fire`), too.",
+         .example = "fix 1 all nve\nfix 2 all viscous 0.5\nfix 3 big viscous 1.0 scale 2 2.5"},
     .state_size = sizeof(viscous_state),
     .create = create,
     .destroy = destroy,

@@ -76,12 +76,11 @@ const hs_fix_style hs_fix_style_wall_reflect = {
          .summary = "flat walls that reflect",
          .details =
              "A face is xlo, xhi, ylo, yhi, zlo or zhi, its place a coordinate, `EDGE` (where the box's face is when "
-             "the fix is defined) or an "
-             "equal-style variable `v_name`; numbers and variables are in lattice spacings unless `units box` is said. "
-             "After each drift an atom of the group beyond a wall is mirrored back inside, and its velocity across the "
-             "wall changes sign. Walls must stand across directions that are not periodic; atoms that are outside at "
-             "the beginning of a run are an error. A wall gives no energy and no virial.\n\nWith fixes of overdamped "
-             "motion the mirror image is the right no-flux boundary.",
+             "the fix is defined) or an equal-style variable `v_name`; numbers and variables are in lattice spacings "
+             "unless `units box` is said. After each drift an atom of the group beyond a wall is mirrored back inside, "
+             "and its velocity across the wall changes sign. Walls must stand across directions that are not periodic; "
+             "atoms that are outside at the beginning of a run are an error. A wall gives no energy and no "
+             "virial.\n\nWith fixes of overdamped motion the mirror image is the right no-flux boundary.",
          .example = "fix box all wall/reflect xlo EDGE xhi EDGE"},
     .state_size = sizeof(reflect_state),
     .create = create,

@@ -197,9 +197,8 @@ const hs_fix_style hs_fix_style_wall_reflect_stochastic = {
          .details =
              "A face is xlo, xhi, ylo, yhi, zlo or zhi, its place a coordinate (in lattice spacings unless `units box` "
              "is said) or `EDGE`, where the box's face is when the fix is defined; T is the temperature of the wall, "
-             "(vx, vy, vz) its velocity, which "
-             "must lie in its plane. An atom of the group that crosses a wall during a step is put back to the place "
-             "and time of its collision and goes on with a new velocity:\n\n"
+             "(vx, vy, vz) its velocity, which must lie in its plane. An atom of the group that crosses a wall during "
+             "a step is put back to the place and time of its collision and goes on with a new velocity:\n\n"
              "`diffusive`: as if it came out of a gas at rest with the wall, of temperature T. `maxwell`: with the "
              "probability given as accommodation (one number for each wall, from 0 to 1) diffusive, else like from a "
              "mirror. `ccl` (also `cll`): the kernel of Cercignani and Lampis, with three accommodations from 0 to 1 "

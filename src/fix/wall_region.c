@@ -112,12 +112,11 @@ static hs_status report_outside(const hs_fix *fix, hs_error *err)
         if (atoms->mask[i] & fix->mask && !add_surfaces(fix, i, &sum) && (first < 0 || atoms->id[i] < atoms->id[first]))
             first = i;
     }
-    return hs_fail(
-        err, HS_ERROR_RUN,
-        "fix '%s' (wall/region): at step %lld atom %lld at (%g %g %g) is on the surface or outside of the region "
-        "'%s'. Place atoms inside, or use a shorter timestep or a stronger wall",
-        fix->id, (long long)fix->env->step, (long long)atoms->id[first], atoms->x[0][first], atoms->x[1][first],
-        atoms->x[2][first], ((region_wall_state *)fix->state)->where.id);
+    return hs_fail(err, HS_ERROR_RUN,
+                   "fix '%s' (wall/region): at step %lld atom %lld at (%g %g %g) is on the surface or outside of the "
+                   "region '%s'. Place atoms inside, or use a shorter timestep or a stronger wall",
+                   fix->id, (long long)fix->env->step, (long long)atoms->id[first], atoms->x[0][first],
+                   atoms->x[1][first], atoms->x[2][first], ((region_wall_state *)fix->state)->where.id);
 }
 
 /** Forces on a thread's share of the atoms; *is_inside becomes false when one is on the surface or outside. */
@@ -177,19 +176,18 @@ static hs_status vector(hs_fix *fix, int i, double *value, hs_error *err)
 }
 
 const hs_fix_style hs_fix_style_wall_region = {
-    .about =
-        {.name = "wall/region",
-         .syntax = {.usage = "<region-ID> lj93|lj126|harmonic <epsilon> <sigma> <cutoff>", .n_min = 5, .n_max = 5},
-         .summary = "the surface of a region as a wall",
-         .details =
-             "Atoms of the group, which must be inside of the region (outside of the shape with `side out`), are "
-             "pushed by the potential of `wall/lj93`, `wall/lj126` or `wall/harmonic` at their distance r from the "
-             "surface, when r is below the cutoff. In a corner every face within reach pushes. Regions of style block, "
-             "cylinder, plane and sphere can be walls; faces at INF are open. An atom on the surface or outside stops "
-             "the run.\n\n"
-             "The scalar `f_ID` is the wall's energy, `f_ID[1]` ... `f_ID[3]` the force on it. `fix_modify energy yes` "
-             "adds the energy to the potential energy, `virial yes` the virial to the pressure.",
-         .example = "region drop sphere 0 0 0 10 units box\nfix wall all wall/region drop lj126 1.0 1.0 1.12"},
+    .about = {.name = "wall/region",
+              .syntax = {.usage = "<region-ID> lj93|lj126|harmonic <epsilon> <sigma> <cutoff>", .n_min = 5, .n_max = 5},
+              .summary = "the surface of a region as a wall",
+              .details =
+                  "Atoms of the group, which must be inside of the region (outside of the shape with `side out`), are "
+                  "pushed by the potential of `wall/lj93`, `wall/lj126` or `wall/harmonic` at their distance r from "
+                  "the surface, when r is below the cutoff. In a corner every face within reach pushes. Regions of "
+                  "style block, cylinder, plane and sphere can be walls; faces at INF are open. An atom on the surface "
+                  "or outside stops the run.\n\n"
+                  "The scalar `f_ID` is the wall's energy, `f_ID[1]` ... `f_ID[3]` the force on it. `fix_modify energy "
+                  "yes` adds the energy to the potential energy, `virial yes` the virial to the pressure.",
+              .example = "region drop sphere 0 0 0 10 units box\nfix wall all wall/region drop lj126 1.0 1.0 1.12"},
     .state_size = sizeof(region_wall_state),
     .create = create,
     .destroy = destroy,

@@ -16,11 +16,10 @@ hs_status hs_schedule_init(hs_schedule *schedule, const hs_args *args, int first
                        "samples (Nevery)",
                        args->command, (long long)schedule->freq, (long long)schedule->every);
     if (schedule->repeat * schedule->every > schedule->freq)
-        return hs_fail(err, HS_ERROR_INPUT,
-                       "%s: %lld samples (Nrepeat) every %lld steps (Nevery) do not fit into windows of %lld steps "
-                       "(Nfreq)",
-                       args->command, (long long)schedule->repeat, (long long)schedule->every,
-                       (long long)schedule->freq);
+        return hs_fail(
+            err, HS_ERROR_INPUT,
+            "%s: %lld samples (Nrepeat) every %lld steps (Nevery) do not fit into windows of %lld steps (Nfreq)",
+            args->command, (long long)schedule->repeat, (long long)schedule->every, (long long)schedule->freq);
     return HS_OK;
 }
 

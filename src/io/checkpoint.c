@@ -60,11 +60,10 @@ static hs_status write_head(const hs_checkpoint *self, hs_error *err)
     const int fd = open(self->part.path, O_RDWR);
     bool is_fine = fd >= 0 && fstat(fd, &info) == 0 && digest(fd, &crc);
     if (is_fine) {
-        const int n =
-            snprintf(head, sizeof head,
-                     "%sformat %d\nbytes %lld\ncrc32 %08x\nversion %s\n\nAn HDF5 file follows. To go on from here: "
-                     "halfshell resume FILE\n",
-                     magic, HS_CHECKPOINT_FORMAT, (long long)info.st_size, crc, HALFSHELL_VERSION);
+        const int n = snprintf(head, sizeof head,
+                               "%sformat %d\nbytes %lld\ncrc32 %08x\nversion %s\n\nAn HDF5 file follows. To go on from "
+                               "here: halfshell resume FILE\n",
+                               magic, HS_CHECKPOINT_FORMAT, (long long)info.st_size, crc, HALFSHELL_VERSION);
         head[n] = ' ';
         head[HEAD_SIZE - 1] = '\n';
         is_fine = pwrite(fd, head, sizeof head, 0) == HEAD_SIZE && fsync(fd) == 0;
@@ -91,17 +90,15 @@ static hs_status check_head(const hs_checkpoint *self, int fd, hs_error *err)
     if (sscanf(head + sizeof magic - 1, "format %d\nbytes %lld\ncrc32 %x", &format, &size, &wanted) != 3 || format < 1)
         return damaged(self, "its first lines are damaged", err);
     if (format > HS_CHECKPOINT_FORMAT)
-        return hs_fail(
-            err, HS_ERROR_INPUT,
-            "'%s' has checkpoint format %d; this version reads formats up to %d. A later version of Halfshell "
-            "wrote it and is needed to read it",
-            self->path, format, HS_CHECKPOINT_FORMAT);
+        return hs_fail(err, HS_ERROR_INPUT,
+                       "'%s' has checkpoint format %d; this version reads formats up to %d. A later version of "
+                       "Halfshell wrote it and is needed to read it",
+                       self->path, format, HS_CHECKPOINT_FORMAT);
     if (format < HS_CHECKPOINT_FORMAT_OLDEST)
-        return hs_fail(
-            err, HS_ERROR_INPUT,
-            "'%s' has checkpoint format %d; this version reads formats from %d on. The version that wrote it, named "
-            "in its first lines, can go on from it",
-            self->path, format, HS_CHECKPOINT_FORMAT_OLDEST);
+        return hs_fail(err, HS_ERROR_INPUT,
+                       "'%s' has checkpoint format %d; this version reads formats from %d on. The version that wrote "
+                       "it, named in its first lines, can go on from it",
+                       self->path, format, HS_CHECKPOINT_FORMAT_OLDEST);
     if (size != (long long)info.st_size) return damaged(self, "bytes are missing or too many", err);
     if (!digest(fd, &crc) || crc != wanted) return damaged(self, "its checksum is wrong, so bytes have changed", err);
     return HS_OK;

@@ -19,11 +19,10 @@ hs_status hs_correlation_numbers(hs_fix *fix, const hs_args *args, int64_t n_min
     HS_TRY(hs_arg_int(args, 1, n_min, n_max, n, err));
     HS_TRY(hs_arg_int(args, 2, 1, INT64_MAX / 4, &c->freq, err));
     if (c->freq % c->every == 0) return HS_OK;
-    return hs_fail(
-        err, HS_ERROR_INPUT,
-        "%s: output comes every %lld steps (Nfreq), which must be a multiple of the %lld steps between samples "
-        "(Nevery)",
-        args->command, (long long)c->freq, (long long)c->every);
+    return hs_fail(err, HS_ERROR_INPUT,
+                   "%s: output comes every %lld steps (Nfreq), which must be a multiple of the %lld steps between "
+                   "samples (Nevery)",
+                   args->command, (long long)c->freq, (long long)c->every);
 }
 
 hs_status hs_correlation_values(hs_fix *fix, const hs_args *args, hs_error *err)

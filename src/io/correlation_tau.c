@@ -17,8 +17,8 @@ hs_status hs_correlation_tau_keywords(hs_fix *fix, hs_correlation_tau *t, const 
     }
     if (t->n_levels == 1 || n_lags % 2 == 0) return HS_OK;
     return hs_fail(err, HS_ERROR_INPUT,
-                   "%s: the number of lags (Nlags) must be even for 'levels %lld': each level goes on from the "
-                   "middle of its own; %lld is not",
+                   "%s: the number of lags (Nlags) must be even for 'levels %lld': each level goes on from the middle "
+                   "of its own; %lld is not",
                    args->command, (long long)t->n_levels, (long long)n_lags);
 }
 

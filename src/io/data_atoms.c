@@ -74,8 +74,7 @@ static hs_status settle(const hs_box *box, double x[3], int32_t image[3], hs_err
                      away = (place - lo) / length;
         if (!box->periodic[axis] && (place < lo || place > hi))
             return hs_fail(err, HS_ERROR_INPUT,
-                           "the atom's %c = %.10g is outside of the box, %.10g to %.10g, which is not periodic "
-                           "there",
+                           "the atom's %c = %.10g is outside of the box, %.10g to %.10g, which is not periodic there",
                            "xyz"[axis], x[axis], lo, hi);
         if (!box->periodic[axis]) continue;
         if (!(fabs(away) < far))

@@ -17,11 +17,10 @@ static hs_status check_same_shape(const hs_data_reader *reader, hs_error *err)
     bool is_same = box->is_tilted == reader->is_tilted;
     for (int k = 0; k < 3; ++k) is_same = is_same && box->tilt[k] == reader->tilt[k];
     if (is_same) return HS_OK;
-    return hs_fail(
-        err, HS_ERROR_INPUT,
-        "the file's tilts xy xz yz (%g %g %g) are not those of the present box (%g %g %g): atoms can be added "
-        "from files with the same ones only",
-        reader->tilt[0], reader->tilt[1], reader->tilt[2], box->tilt[0], box->tilt[1], box->tilt[2]);
+    return hs_fail(err, HS_ERROR_INPUT,
+                   "the file's tilts xy xz yz (%g %g %g) are not those of the present box (%g %g %g): atoms can be "
+                   "added from files with the same ones only",
+                   reader->tilt[0], reader->tilt[1], reader->tilt[2], box->tilt[0], box->tilt[1], box->tilt[2]);
 }
 
 /** Make the box and the types, or widen the box to hold the file's. */
@@ -52,8 +51,8 @@ static hs_status make_box(hs_data_reader *reader, hs_error *err)
         hs_box_say(env->out, "  ", &box);
         if (reader->n_types + options->type_offset > env->atoms->n_types)
             return hs_fail(err, HS_ERROR_INPUT,
-                           "the file has %lld atom types (offset %d), but the system has %d; 'extra/atom/types' "
-                           "of the first read_data makes room for more",
+                           "the file has %lld atom types (offset %d), but the system has %d; 'extra/atom/types' of the "
+                           "first read_data makes room for more",
                            (long long)reader->n_types, options->type_offset, env->atoms->n_types);
     } else {
         const int64_t n_types = reader->n_types + options->n_extra_types + options->type_offset;
@@ -115,8 +114,8 @@ static hs_status read_coefficients(hs_data_reader *reader, bool is_ij, hs_error 
     const int64_t n = is_ij ? reader->n_types * (reader->n_types + 1) / 2 : reader->n_types;
     if (!options->no_coeffs && options->pair_style == NULL)
         return hs_fail(err, HS_ERROR_INPUT,
-                       "the section %s needs a pair style: give pair_style before read_data, or the keyword "
-                       "nocoeff to pass over the coefficients",
+                       "the section %s needs a pair style: give pair_style before read_data, or the keyword nocoeff to "
+                       "pass over the coefficients",
                        section);
     if (!options->no_coeffs && lines->comment[0] != '\0' && strcmp(lines->comment, options->pair_style) != 0)
         hs_warn(reader->env->out, "%s:%ld: the coefficients are for pair style '%s' but the present one is '%s'",
@@ -180,8 +179,8 @@ static hs_status read_section(hs_data_reader *reader, hs_error *err)
         return hs_fail(err, HS_ERROR_INPUT, "the section '%s' is not for atoms of the supported styles", name);
     if (strchr("0123456789+-.", name[0]) != NULL)
         return hs_fail(err, HS_ERROR_INPUT,
-                       "a section name was expected, not '%s': the section before has more lines than the "
-                       "header says, or this one has no name",
+                       "a section name was expected, not '%s': the section before has more lines than the header says, "
+                       "or this one has no name",
                        name);
     const char *nearest = hs_text_nearest(name, sections, N_SECTIONS);
     if (nearest != NULL) return hs_fail(err, HS_ERROR_INPUT, "unknown section '%s'; did you mean '%s'?", name, nearest);

@@ -238,8 +238,8 @@ static hs_status read_vector(hs_frames *frames, const char *name, int64_t frame,
     H5Dclose(dataset);
     return is_fine ? HS_OK
                    : fail(frames,
-                          "the box has no finite edges of which the first lies along x and the second in the plane "
-                          "of x and y",
+                          "the box has no finite edges of which the first lies along x and the second in the plane of "
+                          "x and y",
                           err);
 }
 

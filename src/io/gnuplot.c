@@ -90,9 +90,9 @@ static hs_status run(const streams *s, hs_text *output, hs_error *err)
     int status;
     const int code = spawn(s, &child);
     if (code == ENOENT)
-        return hs_fail(err, HS_ERROR_RUN,
-                       "gnuplot, which draws the plots, is not on the PATH; on Debian or Ubuntu: apt-get install "
-                       "gnuplot-nox");
+        return hs_fail(
+            err, HS_ERROR_RUN,
+            "gnuplot, which draws the plots, is not on the PATH; on Debian or Ubuntu: apt-get install gnuplot-nox");
     if (code != 0) return hs_fail(err, HS_ERROR_RUN, "gnuplot could not be started: %s", strerror(code));
     while (waitpid(child, &status, 0) < 0)
         if (errno != EINTR) return hs_fail(err, HS_ERROR_RUN, "gnuplot was lost: %s", strerror(errno));

@@ -62,10 +62,9 @@ static hs_status take_tilts(const reading *self, hs_error *err)
     if (!self->options->box) return HS_OK;
     const bool has_tilts = snapshot->tilt[0] != 0.0 || snapshot->tilt[1] != 0.0 || snapshot->tilt[2] != 0.0;
     if (!box->is_tilted && has_tilts)
-        return hs_fail(
-            err, HS_ERROR_INPUT,
-            "the snapshot has a tilted box, the simulation an orthogonal one: 'change_box all triclinic' makes it "
-            "one that can be tilted, 'box no' keeps it");
+        return hs_fail(err, HS_ERROR_INPUT,
+                       "the snapshot has a tilted box, the simulation an orthogonal one: 'change_box all triclinic' "
+                       "makes it one that can be tilted, 'box no' keeps it");
     memcpy(box->tilt, snapshot->tilt, sizeof box->tilt);
     return hs_box_check_tilt(box, "read_dump", err);
 }
@@ -141,8 +140,7 @@ static hs_status place_atom(const reading *self, const hs_frame_rows *rows, int 
                            (long long)rows->id[k], "xyz"[axis], x[axis], farthest);
         if (is_fixed && (x[axis] < lo || x[axis] > box->hi[axis]))
             return hs_fail(err, HS_ERROR_INPUT,
-                           "atom %lld has %c = %.10g, outside of the box, %.10g to %.10g, which is not "
-                           "periodic there",
+                           "atom %lld has %c = %.10g, outside of the box, %.10g to %.10g, which is not periodic there",
                            (long long)rows->id[k], "xyz"[axis], x[axis], lo, box -> hi[axis]);
     }
     hs_box_wrap(box, x, image);

@@ -65,12 +65,11 @@ const hs_pair_style hs_pair_style_buck = {
     .about = {.name = "buck",
               .syntax = {.usage = "<cutoff>", .n_min = 1, .n_max = 1},
               .summary = "Buckingham potential: exponential repulsion and dispersion",
-              .details =
-                  "U(r) = A exp(-r/rho) - C/r^6 for r < cutoff, 0 beyond.\n\n"
-                  "`pair_coeff I J <A> <rho> <C> [<cutoff>]`: A (energy), rho (distance, above zero), C (energy x "
-                  "distance^6). At small r the potential falls without bound: atoms that come there fuse. `pair_modify "
-                  "shift yes` makes the energy zero at the cutoff; `tail yes` adds the long-range part. Unlike pairs "
-                  "are not mixed: every pair of types must be given.",
+              .details = "U(r) = A exp(-r/rho) - C/r^6 for r < cutoff, 0 beyond.\n\n"
+                         "`pair_coeff I J <A> <rho> <C> [<cutoff>]`: A (energy), rho (distance, above zero), C (energy "
+                         "x distance^6). At small r the potential falls without bound: atoms that come there fuse. "
+                         "`pair_modify shift yes` makes the energy zero at the cutoff; `tail yes` adds the long-range "
+                         "part. Unlike pairs are not mixed: every pair of types must be given.",
               .reference = "R. A. Buckingham, Proc. R. Soc. Lond. A 168, 264 (1938), doi:10.1098/rspa.1938.0173",
               .example = "pair_style buck 2.5\npair_coeff * * 100.0 0.35 1.0"},
     .coeff_syntax = {.usage = "<A> <rho> <C> [<cutoff>]", .n_min = 3, .n_max = 4},

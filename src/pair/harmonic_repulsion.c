@@ -38,20 +38,18 @@ static void params(const hs_pair *pair, int i, int j, double *cutoff, double *p)
 }
 
 const hs_pair_style hs_pair_style_harmonic_repulsion = {
-    .about =
-        {.name = "harmonic/repulsion",
-         .syntax = {.usage = "", .n_min = 0, .n_max = 0},
-         .summary = "harmonic repulsion (k/2) (1 - r/r0)^2 of soft spheres that touch at r0",
-         .details =
-             "U(r) = (k/2) (1 - r/r0)^2 for r < r0, 0 beyond: the soft spheres of work on jamming, foams and "
-             "grains without friction.\n\n"
-             "`pair_coeff I J <k> <r0>`: k (energy, above or at zero) and r0 (distance), the sum of the two radii. "
-             "Energy and force are zero at r0. Unlike pairs are mixed: k by the geometric mean, r0 always by "
-             "the arithmetic mean, as sums of radii are. (LAMMPS's `harmonic/cut` is the same with k/(2 r0^2) for its "
-             "constant.)",
-         .reference = "C. S. O'Hern, L. E. Silbert, A. J. Liu, S. R. Nagel, Phys. Rev. E 68, 011306 (2003), "
-                      "doi:10.1103/PhysRevE.68.011306",
-         .example = "pair_style harmonic/repulsion\npair_coeff 1 1 100.0 1.0\npair_coeff 2 2 100.0 1.4"},
+    .about = {.name = "harmonic/repulsion",
+              .syntax = {.usage = "", .n_min = 0, .n_max = 0},
+              .summary = "harmonic repulsion (k/2) (1 - r/r0)^2 of soft spheres that touch at r0",
+              .details = "U(r) = (k/2) (1 - r/r0)^2 for r < r0, 0 beyond: the soft spheres of work on jamming, foams "
+                         "and grains without friction.\n\n"
+                         "`pair_coeff I J <k> <r0>`: k (energy, above or at zero) and r0 (distance), the sum of the "
+                         "two radii. Energy and force are zero at r0. Unlike pairs are mixed: k by the geometric mean, "
+                         "r0 always by the arithmetic mean, as sums of radii are. (LAMMPS's `harmonic/cut` is the same "
+                         "with k/(2 r0^2) for its constant.)",
+              .reference = "C. S. O'Hern, L. E. Silbert, A. J. Liu, S. R. Nagel, Phys. Rev. E 68, 011306 (2003), "
+                           "doi:10.1103/PhysRevE.68.011306",
+              .example = "pair_style harmonic/repulsion\npair_coeff 1 1 100.0 1.0\npair_coeff 2 2 100.0 1.4"},
     .coeff_syntax = {.usage = "<k> <r0>", .n_min = 2, .n_max = 2},
     .adaptable = (const hs_pair_adaptable[]){{"k", 0}, {NULL, 0}},
     .state_size = sizeof(hs_pair_coeffs),

@@ -65,10 +65,9 @@ static hs_status init(hs_pair *pair, hs_error *err)
     sphere_state *state = pair->state;
     const hs_atoms *atoms = pair->env->atoms;
     if (atoms->radius == NULL)
-        return hs_fail(
-            err, HS_ERROR_INPUT,
-            "run: pair_style harmonic/sphere needs atoms with diameters: 'atom_style sphere' before the box; "
-            "for one size per type there is harmonic/repulsion");
+        return hs_fail(err, HS_ERROR_INPUT,
+                       "run: pair_style harmonic/sphere needs atoms with diameters: 'atom_style sphere' before the "
+                       "box; for one size per type there is harmonic/repulsion");
     /* the place of type 0, which no atom has, is for the ID of an atom without a size */
     for (int type = 0; type <= pair->n_types; ++type) state->largest[type] = 0.0;
     for (int i = 0; i < atoms->n_local; ++i) {
@@ -79,11 +78,10 @@ static hs_status init(hs_pair *pair, hs_error *err)
     }
     hs_parallel_max_double(pair->env->parallel, state->largest, pair->n_types + 1);
     if (state->largest[0] == 0.0) return HS_OK;
-    return hs_fail(
-        err, HS_ERROR_INPUT,
-        "run: pair_style harmonic/sphere: atom %.0f has the diameter 0 and would touch no other of its size; "
-        "'set ... diameter' gives it one, and a coefficient of 0 leaves its type out",
-        state->largest[0]);
+    return hs_fail(err, HS_ERROR_INPUT,
+                   "run: pair_style harmonic/sphere: atom %.0f has the diameter 0 and would touch no other of its "
+                   "size; 'set ... diameter' gives it one, and a coefficient of 0 leaves its type out",
+                   state->largest[0]);
 }
 
 static void params(const hs_pair *pair, int i, int j, double *cutoff, double *p)
@@ -97,20 +95,18 @@ static void params(const hs_pair *pair, int i, int j, double *cutoff, double *p)
 }
 
 const hs_pair_style hs_pair_style_harmonic_sphere = {
-    .about =
-        {.name = "harmonic/sphere",
-         .syntax = {.usage = "", .n_min = 0, .n_max = 0},
-         .summary = "harmonic repulsion of spheres that touch at the mean of their diameters",
-         .details =
-             "U(r) = (k/2) (1 - r/s)^2 for r < s, 0 beyond, where s = (d_i + d_j)/2 is the mean of the two atoms' "
-             "diameters: polydisperse grains, foams and emulsions without friction.\n\n"
-             "`pair_coeff I J <k>`: k (energy, above or at zero). The diameters are those of `atom_style sphere`, "
-             "which `set ... diameter` or a data file give. The largest diameters at the beginning of a run make the "
-             "cutoff. Unlike pairs are mixed by the geometric mean of k. Where all atoms of a type have one size, "
-             "harmonic/repulsion does the same and needs no diameters.",
-         .reference = "C. S. O'Hern, L. E. Silbert, A. J. Liu, S. R. Nagel, Phys. Rev. E 68, 011306 (2003), "
-                      "doi:10.1103/PhysRevE.68.011306",
-         .example = "atom_style sphere\npair_style harmonic/sphere\npair_coeff * * 1000.0"},
+    .about = {.name = "harmonic/sphere",
+              .syntax = {.usage = "", .n_min = 0, .n_max = 0},
+              .summary = "harmonic repulsion of spheres that touch at the mean of their diameters",
+              .details = "U(r) = (k/2) (1 - r/s)^2 for r < s, 0 beyond, where s = (d_i + d_j)/2 is the mean of the two "
+                         "atoms' diameters: polydisperse grains, foams and emulsions without friction.\n\n"
+                         "`pair_coeff I J <k>`: k (energy, above or at zero). The diameters are those of `atom_style "
+                         "sphere`, which `set ... diameter` or a data file give. The largest diameters at the "
+                         "beginning of a run make the cutoff. Unlike pairs are mixed by the geometric mean of k. Where "
+                         "all atoms of a type have one size, harmonic/repulsion does the same and needs no diameters.",
+              .reference = "C. S. O'Hern, L. E. Silbert, A. J. Liu, S. R. Nagel, Phys. Rev. E 68, 011306 (2003), "
+                           "doi:10.1103/PhysRevE.68.011306",
+              .example = "atom_style sphere\npair_style harmonic/sphere\npair_coeff * * 1000.0"},
     .coeff_syntax = {.usage = "<k>", .n_min = 1, .n_max = 1},
     .adaptable = (const hs_pair_adaptable[]){{"k", 0}, {NULL, 0}},
     .state_size = sizeof(sphere_state),

@@ -26,12 +26,11 @@ const hs_pair_style hs_pair_style_lj_cubic = {
     .about = {.name = "lj/cubic",
               .syntax = {.usage = "", .n_min = 0, .n_max = 0},
               .summary = "Lennard-Jones potential with a cubic end, for solids under shock",
-              .details =
-                  "U(r) = 4 epsilon [(sigma/r)^12 - (sigma/r)^6] up to the inflection point r_s = (26/7)^(1/6) sigma; "
-                  "beyond it a cubic in r, which continues energy, force and slope of the force, and ends with energy "
-                  "and force zero at (67/48) r_s = 1.737 sigma.\n\n"
-                  "`pair_coeff I J <epsilon> <sigma>`: energy and distance; the minimum is at 2^(1/6) sigma. There is "
-                  "nothing to shift, and no long-range part. Unlike pairs are mixed as in lj/cut.",
+              .details = "U(r) = 4 epsilon [(sigma/r)^12 - (sigma/r)^6] up to the inflection point r_s = (26/7)^(1/6) "
+                         "sigma; beyond it a cubic in r, which continues energy, force and slope of the force, and "
+                         "ends with energy and force zero at (67/48) r_s = 1.737 sigma.\n\n"
+                         "`pair_coeff I J <epsilon> <sigma>`: energy and distance; the minimum is at 2^(1/6) sigma. "
+                         "There is nothing to shift, and no long-range part. Unlike pairs are mixed as in lj/cut.",
               .reference = "B. L. Holian, R. Ravelo, Phys. Rev. B 51, 11275 (1995), doi:10.1103/PhysRevB.51.11275",
               .example = "pair_style lj/cubic\npair_coeff * * 1.0 0.8908987"},
     .coeff_syntax = {.usage = "<epsilon> <sigma>", .n_min = 2, .n_max = 2},

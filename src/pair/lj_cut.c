@@ -44,13 +44,12 @@ const hs_pair_style hs_pair_style_lj_cut = {
     .about = {.name = "lj/cut",
               .syntax = {.usage = "<cutoff>", .n_min = 1, .n_max = 1},
               .summary = "Lennard-Jones 12-6 potential, truncated at a cutoff",
-              .details =
-                  "U(r) = 4 epsilon [(sigma/r)^12 - (sigma/r)^6] for r < cutoff, 0 beyond.\n\n"
-                  "`pair_style lj/cut <cutoff>` sets the cutoff (distance) of all pairs of types. `pair_coeff I J "
-                  "<epsilon> <sigma> [<cutoff>]` sets the energy and length of a pair of types, and a cutoff of its "
-                  "own. Pairs of different types that are not given are mixed from their like pairs (`pair_modify "
-                  "mix`). `pair_modify shift yes` makes the energy zero at the cutoff; `pair_modify tail yes` adds the "
-                  "long-range part to energy and pressure.",
+              .details = "U(r) = 4 epsilon [(sigma/r)^12 - (sigma/r)^6] for r < cutoff, 0 beyond.\n\n"
+                         "`pair_style lj/cut <cutoff>` sets the cutoff (distance) of all pairs of types. `pair_coeff I "
+                         "J <epsilon> <sigma> [<cutoff>]` sets the energy and length of a pair of types, and a cutoff "
+                         "of its own. Pairs of different types that are not given are mixed from their like pairs "
+                         "(`pair_modify mix`). `pair_modify shift yes` makes the energy zero at the cutoff; "
+                         "`pair_modify tail yes` adds the long-range part to energy and pressure.",
               .reference = "J. E. Lennard-Jones, Proc. Phys. Soc. 43, 461 (1931), doi:10.1088/0959-5309/43/5/301",
               .example = "pair_style lj/cut 2.5\npair_coeff * * 1.0 1.0\npair_coeff 1 2 0.8 1.1 2.8"},
     .coeff_syntax = {.usage = "<epsilon> <sigma> [<cutoff>]", .n_min = 2, .n_max = 3},

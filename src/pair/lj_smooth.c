@@ -97,20 +97,19 @@ static void params(const hs_pair *pair, int i, int j, double *cutoff, double *p)
 }
 
 const hs_pair_style hs_pair_style_lj_smooth = {
-    .about =
-        {.name = "lj/smooth",
-         .syntax = {.usage = "<inner> <cutoff>", .n_min = 2, .n_max = 2},
-         .summary = "Lennard-Jones potential whose force is led smoothly to zero between two distances",
-         .details =
-             "U(r) = 4 epsilon [(sigma/r)^12 - (sigma/r)^6] for r < inner; between inner and cutoff the force is a "
-             "cubic polynomial in r, which continues the Lennard-Jones force and its slope and ends at the cutoff with "
-             "force and slope zero.\n\n"
-             "`pair_style lj/smooth <inner> <cutoff>`: distances of all pairs that are given none of their own. "
-             "`pair_coeff I J <epsilon> <sigma> [<inner> <cutoff>]`. `pair_modify shift yes` makes the energy zero at "
-             "the cutoff; without it the energy is the Lennard-Jones energy below inner, and steps to zero at the "
-             "cutoff. Unlike pairs are mixed as in lj/cut, both distances like sigma.",
-         .reference = NULL,
-         .example = "pair_style lj/smooth 2.0 2.5\npair_coeff * * 1.0 1.0\npair_coeff 1 2 1.0 1.0 1.8 2.2"},
+    .about = {.name = "lj/smooth",
+              .syntax = {.usage = "<inner> <cutoff>", .n_min = 2, .n_max = 2},
+              .summary = "Lennard-Jones potential whose force is led smoothly to zero between two distances",
+              .details =
+                  "U(r) = 4 epsilon [(sigma/r)^12 - (sigma/r)^6] for r < inner; between inner and cutoff the force is "
+                  "a cubic polynomial in r, which continues the Lennard-Jones force and its slope and ends at the "
+                  "cutoff with force and slope zero.\n\n"
+                  "`pair_style lj/smooth <inner> <cutoff>`: distances of all pairs that are given none of their own. "
+                  "`pair_coeff I J <epsilon> <sigma> [<inner> <cutoff>]`. `pair_modify shift yes` makes the energy "
+                  "zero at the cutoff; without it the energy is the Lennard-Jones energy below inner, and steps to "
+                  "zero at the cutoff. Unlike pairs are mixed as in lj/cut, both distances like sigma.",
+              .reference = NULL,
+              .example = "pair_style lj/smooth 2.0 2.5\npair_coeff * * 1.0 1.0\npair_coeff 1 2 1.0 1.0 1.8 2.2"},
     .coeff_syntax = {.usage = "<epsilon> <sigma> [<inner> <cutoff>]", .n_min = 2, .n_max = 4},
     .adaptable = (const hs_pair_adaptable[]){{"epsilon", EPSILON}, {"sigma", SIGMA}, {NULL, 0}},
     .state_size = sizeof(smooth_state),

@@ -39,11 +39,11 @@ const hs_pair_style hs_pair_style_soft = {
     .about = {.name = "soft",
               .syntax = {.usage = "<cutoff>", .n_min = 1, .n_max = 1},
               .summary = "soft cosine repulsion, which lets overlapping atoms be pushed apart",
-              .details = "U(r) = A [1 + cos(pi r/cutoff)] for r < cutoff, 0 beyond.\n\n"
-                         "`pair_coeff I J <A> [<cutoff>]`: A (energy) is the half of the energy at r = 0. Energy and "
-                         "force are finite at every distance and zero at the cutoff (there is nothing to shift). "
-                         "Unlike pairs are mixed: A by the geometric mean, the cutoff as a distance (`pair_modify "
-                         "mix`).",
+              .details =
+                  "U(r) = A [1 + cos(pi r/cutoff)] for r < cutoff, 0 beyond.\n\n"
+                  "`pair_coeff I J <A> [<cutoff>]`: A (energy) is the half of the energy at r = 0. Energy and force "
+                  "are finite at every distance and zero at the cutoff (there is nothing to shift). Unlike pairs are "
+                  "mixed: A by the geometric mean, the cutoff as a distance (`pair_modify mix`).",
               .reference = NULL,
               .example = "pair_style soft 1.12\npair_coeff * * 10.0\npair_coeff 1 2 5.0 1.5"},
     .coeff_syntax = {.usage = "<A> [<cutoff>]", .n_min = 1, .n_max = 2},

@@ -27,10 +27,9 @@ const hs_pair_style hs_pair_style_wca = {
     .about = {.name = "wca",
               .syntax = {.usage = "", .n_min = 0, .n_max = 0},
               .summary = "Weeks-Chandler-Andersen potential: purely repulsive Lennard-Jones",
-              .details =
-                  "U(r) = 4 epsilon [(sigma/r)^12 - (sigma/r)^6] + epsilon for r < 2^(1/6) sigma, 0 beyond.\n\n"
-                  "`pair_coeff I J <epsilon> <sigma>`. In LAMMPS the same is written `pair_style lj/cut 1.122462` with "
-                  "`pair_modify shift yes`.",
+              .details = "U(r) = 4 epsilon [(sigma/r)^12 - (sigma/r)^6] + epsilon for r < 2^(1/6) sigma, 0 beyond.\n\n"
+                         "`pair_coeff I J <epsilon> <sigma>`. In LAMMPS the same is written `pair_style lj/cut "
+                         "1.122462` with `pair_modify shift yes`.",
               .reference =
                   "J. D. Weeks, D. Chandler, H. C. Andersen, J. Chem. Phys. 54, 5237 (1971), doi:10.1063/1.1674820",
               .example = "pair_style wca\npair_coeff * * 1.0 1.0"},

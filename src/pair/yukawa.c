@@ -46,17 +46,18 @@ static void params(const hs_pair *pair, int i, int j, double *cutoff, double *p)
 }
 
 const hs_pair_style hs_pair_style_yukawa = {
-    .about = {.name = "yukawa",
-              .syntax = {.usage = "<kappa> <cutoff>", .n_min = 2, .n_max = 2},
-              .summary = "Yukawa potential: Coulomb repulsion screened by an electrolyte",
-              .details = "U(r) = A exp(-kappa r)/r for r < cutoff, 0 beyond.\n\n"
-                         "`pair_style yukawa <kappa> <cutoff>`: kappa (1/distance) is the inverse screening length of "
-                         "all pairs, cutoff (distance) that of pairs that are given none of their own. `pair_coeff I J "
-                         "<A> [<cutoff>]`: A (energy x distance), of either sign. `pair_modify shift yes` makes the "
-                         "energy zero at the cutoff. Unlike pairs are mixed: A by the geometric mean, the cutoff as a "
-                         "distance (`pair_modify mix`).",
-              .reference = "H. Yukawa, Proc. Phys.-Math. Soc. Japan 17, 48 (1935), doi:10.11429/ppmsj1919.17.0_48",
-              .example = "pair_style yukawa 2.0 2.5\npair_coeff * * 100.0\npair_coeff 1 2 50.0 3.0"},
+    .about =
+        {.name = "yukawa",
+         .syntax = {.usage = "<kappa> <cutoff>", .n_min = 2, .n_max = 2},
+         .summary = "Yukawa potential: Coulomb repulsion screened by an electrolyte",
+         .details =
+             "U(r) = A exp(-kappa r)/r for r < cutoff, 0 beyond.\n\n"
+             "`pair_style yukawa <kappa> <cutoff>`: kappa (1/distance) is the inverse screening length of all pairs, "
+             "cutoff (distance) that of pairs that are given none of their own. `pair_coeff I J <A> [<cutoff>]`: A "
+             "(energy x distance), of either sign. `pair_modify shift yes` makes the energy zero at the cutoff. Unlike "
+             "pairs are mixed: A by the geometric mean, the cutoff as a distance (`pair_modify mix`).",
+         .reference = "H. Yukawa, Proc. Phys.-Math. Soc. Japan 17, 48 (1935), doi:10.11429/ppmsj1919.17.0_48",
+         .example = "pair_style yukawa 2.0 2.5\npair_coeff * * 100.0\npair_coeff 1 2 50.0 3.0"},
     .coeff_syntax = {.usage = "<A> [<cutoff>]", .n_min = 1, .n_max = 2},
     .adaptable = (const hs_pair_adaptable[]){{"a", 0}, {NULL, 0}},
     .state_size = sizeof(yukawa_state),

@@ -45,12 +45,11 @@ const hs_region_style hs_region_style_block = {
             .name = "block",
             .syntax = {"<xlo> <xhi> <ylo> <yhi> <zlo> <zhi> [side in|out] [units lattice|box]", 6, 6, NULL},
             .summary = "Box with faces across x, y and z",
-            .details =
-                "`xlo xhi ylo yhi zlo zhi` are the bounds, each a length, `INF` (1e20, beyond any atom) or `EDGE` (the "
-                "face of the\n"
-                "simulation box at the time of the command). `INF` and `EDGE` need a box. Lengths are in lattice "
-                "spacings of their\n"
-                "axis, or in distance units after `units box`. The faces belong to the block.\n",
+            .details = "`xlo xhi ylo yhi zlo zhi` are the bounds, each a length, `INF` (1e20, beyond any atom) or "
+                       "`EDGE` (the face of the\n"
+                       "simulation box at the time of the command). `INF` and `EDGE` need a box. Lengths are in "
+                       "lattice spacings of their\n"
+                       "axis, or in distance units after `units box`. The faces belong to the block.\n",
             .example = "region box block 0 20 0 20 0 20\nregion left block INF 5.0 INF INF INF INF units box",
         },
     .create = create,

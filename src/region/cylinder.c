@@ -77,15 +77,14 @@ const hs_region_style hs_region_style_cylinder = {
             .name = "cylinder",
             .syntax = {"x|y|z <c1> <c2> <radius> <lo> <hi> [side in|out] [units lattice|box]", 6, 6, NULL},
             .summary = "Circular cylinder along x, y or z, with flat ends",
-            .details =
-                "`x|y|z` is the axis; `c1 c2` its place in the other two coordinates (y z, x z or x y); `radius` is "
-                "greater than 0;\n"
-                "`lo hi` are the ends: lengths, `INF` (1e20) or `EDGE` (the face of the simulation box at the time of "
-                "the command).\n"
-                "Lengths are in lattice spacings of their axis (the radius: of y for an axis along x, else of x), or "
-                "in distance\n"
-                "units after `units box`. The surface belongs to the cylinder. A radius that follows a variable is "
-                "refused.\n",
+            .details = "`x|y|z` is the axis; `c1 c2` its place in the other two coordinates (y z, x z or x y); "
+                       "`radius` is greater than 0;\n"
+                       "`lo hi` are the ends: lengths, `INF` (1e20) or `EDGE` (the face of the simulation box at the "
+                       "time of the command).\n"
+                       "Lengths are in lattice spacings of their axis (the radius: of y for an axis along x, else of "
+                       "x), or in distance\n"
+                       "units after `units box`. The surface belongs to the cylinder. A radius that follows a variable "
+                       "is refused.\n",
             .example = "region pore cylinder z 10 10 4 INF INF\nregion rod cylinder x 0 0 2.5 -5 5 units box",
         },
     .state_size = sizeof(cylinder),

@@ -45,12 +45,11 @@ const hs_region_style hs_region_style_sphere = {
             .name = "sphere",
             .syntax = {"<x> <y> <z> <radius> [side in|out] [units lattice|box]", 4, 4, NULL},
             .summary = "Ball",
-            .details =
-                "`x y z` is the center and `radius` the radius, 0 or more. Lengths are in lattice spacings (the radius "
-                "in that of\n"
-                "x), or in distance units after `units box`. The surface belongs to the ball. A radius that follows a "
-                "variable\n"
-                "(`v_name`) is refused.\n",
+            .details = "`x y z` is the center and `radius` the radius, 0 or more. Lengths are in lattice spacings (the "
+                       "radius in that of\n"
+                       "x), or in distance units after `units box`. The surface belongs to the ball. A radius that "
+                       "follows a variable\n"
+                       "(`v_name`) is refused.\n",
             .example = "region drop sphere 10 10 10 4.5\nregion hole sphere 0 0 0 2 side out units box",
         },
     .state_size = sizeof(sphere),

@@ -40,12 +40,11 @@ const hs_region_style hs_region_style_union = {
             .name = "union",
             .syntax = {"<N> <region-ID> <region-ID> ... [side in|out] [units lattice|box]", 3, -1, NULL},
             .summary = "What lies in at least one of several regions",
-            .details =
-                "`N` is the number of regions, 2 or more, and is followed by their IDs. Their own `side` counts: a "
-                "member with `side out`\n"
-                "adds what lies outside of its shape. A region that is part of a union cannot be deleted before the "
-                "union. `units`\n"
-                "changes nothing, since a union has no lengths of its own.\n",
+            .details = "`N` is the number of regions, 2 or more, and is followed by their IDs. Their own `side` "
+                       "counts: a member with `side out`\n"
+                       "adds what lies outside of its shape. A region that is part of a union cannot be deleted before "
+                       "the union. `units`\n"
+                       "changes nothing, since a union has no lengths of its own.\n",
             .example = "region both union 2 left right",
         },
     .state_size = sizeof(hs_region_members),

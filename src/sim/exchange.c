@@ -153,14 +153,13 @@ static hs_status report_lost(const hs_sim *sim, int i, hs_error *err)
     const double *tilt = sim->box.tilt;
     char tilts[96] = "";
     if (sim->box.is_tilted) snprintf(tilts, sizeof tilts, ", tilted by xy %g, xz %g, yz %g", tilt[0], tilt[1], tilt[2]);
-    return hs_fail(
-        err, HS_ERROR_ATOMS,
-        "at step %lld atom %lld at (%g %g %g), velocity (%g %g %g), has left the box (%g %g) x (%g %g) x (%g %g)%s. "
-        "Usually the timestep is too long, atoms overlap, or a fixed boundary needs a wall ('thermo_modify lost "
-        "ignore' lets atoms go)",
-        (long long)sim->env.step, (long long)atoms->id[i], atoms->x[0][i], atoms->x[1][i], atoms->x[2][i],
-        atoms->v[0][i], atoms->v[1][i], atoms->v[2][i], sim->box.lo[0], sim->box.hi[0], sim->box.lo[1], sim->box.hi[1],
-        sim->box.lo[2], sim->box.hi[2], tilts);
+    return hs_fail(err, HS_ERROR_ATOMS,
+                   "at step %lld atom %lld at (%g %g %g), velocity (%g %g %g), has left the box (%g %g) x (%g %g) x "
+                   "(%g %g)%s. Usually the timestep is too long, atoms overlap, or a fixed boundary needs a wall "
+                   "('thermo_modify lost ignore' lets atoms go)",
+                   (long long)sim->env.step, (long long)atoms->id[i], atoms->x[0][i], atoms->x[1][i], atoms->x[2][i],
+                   atoms->v[0][i], atoms->v[1][i], atoms->v[2][i], sim->box.lo[0], sim->box.hi[0], sim->box.lo[1],
+                   sim->box.hi[1], sim->box.lo[2], sim->box.hi[2], tilts);
 }
 
 /** Atoms beyond a fixed face, or too far away to be wrapped, are lost: an error, or (thermo_modify lost warn|ignore)

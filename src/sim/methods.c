@@ -247,25 +247,23 @@ const hs_method hs_methods[HS_N_METHODS] = {
                         .renew = renew_hash,
                         .update = update_hash,
                         .forces = forces_chains},
-    [HS_METHOD_CELL] = {.help =
-                            "atoms are sorted into Morton-ordered cells and pairs searched at every step; no list is "
-                            "kept",
-                        .options = COLUMN_OPTIONS,
-                        .renew = renew_cell,
-                        .update = update_cell,
-                        .forces = forces_cell},
-    [HS_METHOD_VERLET] = {.help =
-                              "lists of the neighbors of each atom, made from the same cells and kept until atoms have "
-                              "moved too far",
-                          .options = COLUMN_OPTIONS,
-                          .renew = renew_verlet,
-                          .forces = forces_verlet},
-    [HS_METHOD_CLUSTER] = {.help =
-                               "lists of pairs of four-atom clusters from the same cells, kept until atoms have moved "
-                               "too far",
-                           .options = COLUMN_OPTIONS,
-                           .renew = renew_cluster,
-                           .forces = forces_cluster},
+    [HS_METHOD_CELL] =
+        {.help = "atoms are sorted into Morton-ordered cells and pairs searched at every step; no list is kept",
+         .options = COLUMN_OPTIONS,
+         .renew = renew_cell,
+         .update = update_cell,
+         .forces = forces_cell},
+    [HS_METHOD_VERLET] =
+        {.help =
+             "lists of the neighbors of each atom, made from the same cells and kept until atoms have moved too far",
+         .options = COLUMN_OPTIONS,
+         .renew = renew_verlet,
+         .forces = forces_verlet},
+    [HS_METHOD_CLUSTER] =
+        {.help = "lists of pairs of four-atom clusters from the same cells, kept until atoms have moved too far",
+         .options = COLUMN_OPTIONS,
+         .renew = renew_cluster,
+         .forces = forces_cluster},
     [HS_METHOD_AUTO] = {.help = "cluster or verlet, whichever is faster: longer runs try both",
                         .options = COLUMN_OPTIONS},
 };

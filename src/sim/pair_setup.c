@@ -155,8 +155,8 @@ hs_status hs_sim_setup_pair(hs_sim *sim, hs_error *err)
     HS_TRY(count_types(sim, err));
     if (n_groups > 10 || (sim->atoms.n_types + 1) << n_groups > KERNEL_TYPES_MAX)
         return hs_fail(err, HS_ERROR_INPUT,
-                       "neigh_modify exclude: %d groups and %d atom types are too many together; give the "
-                       "atoms types of their own and exclude those",
+                       "neigh_modify exclude: %d groups and %d atom types are too many together; give the atoms types "
+                       "of their own and exclude those",
                        n_groups, sim->atoms.n_types);
     if (n_groups > 0 && sim->kernel_type == NULL) {
         HS_TRY(hs_atoms_add_field(&sim->atoms, "kernel type", (void **)&sim->kernel_type, sizeof(int32_t), true, err));

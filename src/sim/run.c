@@ -252,13 +252,12 @@ static void warn_of_late_lists(hs_sim *sim)
 {
     const hs_neighbor *neighbor = &sim->neighbor;
     if (neighbor->counters.n_late_steps == 0 || neighbor->settings.exact || sim->pair->cutoff_max <= 0.0) return;
-    hs_warn(
-        sim->env.out,
-        "on %lld steps (the first is %lld) atoms had moved more than half the skin before neigh_modify's schedule "
-        "allowed new lists. As in LAMMPS, pairs that came within the cutoff meanwhile were not counted, and energy may "
-        "drift. 'neigh_modify every 1 delay 0 check yes' or 'neighbor_method %s pairs exact' counts every pair",
-        (long long)neighbor->counters.n_late_steps, (long long)neighbor->counters.first_late_step,
-        hs_neighbor_methods[neighbor->settings.method]);
+    hs_warn(sim->env.out,
+            "on %lld steps (the first is %lld) atoms had moved more than half the skin before neigh_modify's schedule "
+            "allowed new lists. As in LAMMPS, pairs that came within the cutoff meanwhile were not counted, and energy "
+            "may drift. 'neigh_modify every 1 delay 0 check yes' or 'neighbor_method %s pairs exact' counts every pair",
+            (long long)neighbor->counters.n_late_steps, (long long)neighbor->counters.first_late_step,
+            hs_neighbor_methods[neighbor->settings.method]);
 }
 
 /** A run that failed leaves a picture of what went wrong, and can go on from the last checkpoint, perhaps with other
@@ -279,8 +278,8 @@ static hs_status tell_what_is_left(hs_sim *sim, hs_status status, hs_error *err)
                  (long long)saving->last_step, path);
     else /* it would end in the same way */
         snprintf(end, n,
-                 ". The last checkpoint is '%s', of step %lld: a deck with 'read_restart %s' goes on from there "
-                 "with other settings",
+                 ". The last checkpoint is '%s', of step %lld: a deck with 'read_restart %s' goes on from there with "
+                 "other settings",
                  path, (long long)saving->last_step, path);
     return status;
 }

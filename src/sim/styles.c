@@ -144,10 +144,10 @@ hs_status hs_sim_pair_coeff(hs_sim *sim, const hs_args *args, hs_error *err)
             ++n_set;
         }
     if (n_set == 0)
-        return hs_fail(err, HS_ERROR_INPUT,
-                       "pair_coeff: '%s %s' names no pair with the first type not above the second; write the smaller "
-                       "type first",
-                       args->word[0], args->word[1]);
+        return hs_fail(
+            err, HS_ERROR_INPUT,
+            "pair_coeff: '%s %s' names no pair with the first type not above the second; write the smaller type first",
+            args->word[0], args->word[1]);
     sim->is_initialized = false;
     return HS_OK;
 }

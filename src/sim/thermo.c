@@ -72,8 +72,8 @@ hs_status hs_thermo_set_style(hs_thermo *thermo, const char *style, const hs_arg
                        args->word[0]);
     if (which == HS_THERMO_STYLE_CUSTOM && args->n == 0)
         return hs_fail(err, HS_ERROR_INPUT,
-                       "thermo_style custom: at least one keyword must follow, for example: thermo_style "
-                       "custom step temp pe press");
+                       "thermo_style custom: at least one keyword must follow, for example: thermo_style custom step "
+                       "temp pe press");
     if (thermo->is_modified)
         hs_warn(thermo->sim->env.out, "thermo_style sets everything back that thermo_modify has set before");
     thermo->style = which;
@@ -168,12 +168,11 @@ static hs_status check_lost(hs_thermo *thermo, hs_error *err)
     if (n == n_expected || thermo->lost == HS_LOST_IGNORE || (thermo->lost == HS_LOST_WARN && thermo->lost_warned))
         return HS_OK;
     if (thermo->lost == HS_LOST_ERROR)
-        return hs_fail(
-            err, HS_ERROR_ATOMS,
-            "Lost atoms: original %lld current %lld, at step %lld. They left the box through a face that is not "
-            "periodic, or moved too far in one step: use a shorter timestep, periodic or shrink-wrapped boundaries, or "
-            "walls; 'thermo_modify lost ignore' goes on without them",
-            (long long)n_expected, (long long)n, (long long)sim->env.step);
+        return hs_fail(err, HS_ERROR_ATOMS,
+                       "Lost atoms: original %lld current %lld, at step %lld. They left the box through a face that is "
+                       "not periodic, or moved too far in one step: use a shorter timestep, periodic or shrink-wrapped "
+                       "boundaries, or walls; 'thermo_modify lost ignore' goes on without them",
+                       (long long)n_expected, (long long)n, (long long)sim->env.step);
     hs_warn(sim->env.out, "Lost atoms: original %lld current %lld", (long long)n_expected, (long long)n);
     sim->atoms.n_all = n;
     thermo->lost_warned = true;

@@ -67,13 +67,13 @@ hs_status hs_sim_report_overlap(hs_sim *sim, hs_error *err)
         (void)hs_fail(err, HS_ERROR_ATOMS, "at step %lld the force between two atoms is infinite",
                       (long long)sim->env.step);
     else if (pair.r2 == least2)
-        (void)hs_fail(err, HS_ERROR_ATOMS,
-                      "at step %lld the force between two atoms is infinite: %lld at (%g %g %g) and %lld at (%g %g %g) "
-                      "are %g apart. Usually atoms were created twice or overlap at the start: check create_atoms and "
-                      "read_data",
-                      (long long)sim->env.step, (long long)atoms->id[pair.i], atoms->x[0][pair.i], atoms->x[1][pair.i],
-                      atoms->x[2][pair.i], (long long)atoms->id[pair.j], atoms->x[0][pair.j], atoms->x[1][pair.j],
-                      atoms->x[2][pair.j], sqrt(pair.r2));
+        (void)hs_fail(
+            err, HS_ERROR_ATOMS,
+            "at step %lld the force between two atoms is infinite: %lld at (%g %g %g) and %lld at (%g %g %g) are %g "
+            "apart. Usually atoms were created twice or overlap at the start: check create_atoms and read_data",
+            (long long)sim->env.step, (long long)atoms->id[pair.i], atoms->x[0][pair.i], atoms->x[1][pair.i],
+            atoms->x[2][pair.i], (long long)atoms->id[pair.j], atoms->x[0][pair.j], atoms->x[1][pair.j],
+            atoms->x[2][pair.j], sqrt(pair.r2));
     return hs_parallel_agree(&sim->parallel, err);
 }
 

@@ -163,8 +163,7 @@ static hs_status check_coupling(const hs_fix *fix, const hs_args *args, hs_error
         if (!is_coupled[axis]) continue;
         if (!nh->axis[axis])
             return hs_fail(err, HS_ERROR_INPUT,
-                           "%s: the coupled axis %c has no pressure; '%c <Pstart> <Pstop> <Pdamp>' "
-                           "gives it one",
+                           "%s: the coupled axis %c has no pressure; '%c <Pstart> <Pstop> <Pdamp>' gives it one",
                            args->command, "xyz"[axis], "xyz"[axis]);
         if (first < 0) first = axis;
         if (nh->p_start[axis] != nh->p_start[first] || nh->p_stop[axis] != nh->p_stop[first] ||
@@ -187,8 +186,8 @@ static hs_status check_axes(const hs_fix *fix, const hs_args *args, hs_error *er
             return hs_fail(err, HS_ERROR_INPUT, "%s: a 2d system has no pressure along z", args->command);
         if (!box->periodic[axis])
             return hs_fail(err, HS_ERROR_INPUT,
-                           "%s: the box is not periodic in %c, so its length cannot follow a "
-                           "pressure ('boundary' makes it periodic)",
+                           "%s: the box is not periodic in %c, so its length cannot follow a pressure ('boundary' "
+                           "makes it periodic)",
                            args->command, "xyz"[axis]);
     }
     HS_TRY(check_coupling(fix, args, err));

@@ -63,10 +63,10 @@ const hs_region_style *hs_region_style_find(const char *name)
 static hs_status refuse_style(const char *command, const char *style, hs_error *err)
 {
     if (strcmp(style, "cone") == 0)
-        return hs_fail(err, HS_ERROR_INPUT,
-                       "%s: the style 'cone' is not supported; block, cylinder, plane, prism, sphere, union and "
-                       "intersect are",
-                       command);
+        return hs_fail(
+            err, HS_ERROR_INPUT,
+            "%s: the style 'cone' is not supported; block, cylinder, plane, prism, sphere, union and intersect are",
+            command);
     const char *names[64];
     size_t n = 0;
     for (int k = 0; hs_region_styles[k] != NULL && n < 64; ++k) names[n++] = hs_region_styles[k]->about.name;
