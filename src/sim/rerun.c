@@ -98,7 +98,8 @@ static hs_status go_through(rerun *self, hs_error *err)
         if (sim->env.last_step < INT64_MAX / 8) hs_report_progress(sim); /* else nobody knows how many there are */
     }
     const bool has_row = self->n_done == 1 || hs_thermo_is_due(sim->thermo, sim->env.step);
-    return has_row ? HS_OK : hs_thermo_row(sim->thermo, err); /* the last snapshot has one, as the last step of a run has */
+    return has_row ? HS_OK
+                   : hs_thermo_row(sim->thermo, err); /* the last snapshot has one, as the last step of a run has */
 }
 
 hs_status hs_sim_rerun(hs_sim *sim, const hs_rerun_plan *plan, hs_error *err)

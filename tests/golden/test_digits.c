@@ -67,5 +67,4 @@ END_TEST
 START_TEST(tilted_boxes) { check_folder(TEST_SOURCE_DIR "/golden/tilted/*.in"); }
 END_TEST
 
-HS_TEST_MAIN("decks against every digit of LAMMPS", pair_styles, other_styles, relaxed_boxes,
-             tilted_boxes)
+HS_TEST_MAIN("decks against every digit of LAMMPS", pair_styles, other_styles, relaxed_boxes, tilted_boxes)

@@ -201,5 +201,5 @@ END_TEST
 
 HS_TEST_MAIN("variables", each_style_has_its_text, command_line_wins_over_index, second_definitions,
              a_failed_definition_leaves_the_old_one, formulas_see_formulas_rounded_to_15_digits,
-             next_deletes_at_the_end, lines_of_a_file, chains_of_variables_end, lines_that_grow_without_bound_are_refused,
-             formats_must_have_one_conversion_for_a_number)
+             next_deletes_at_the_end, lines_of_a_file, chains_of_variables_end,
+             lines_that_grow_without_bound_are_refused, formats_must_have_one_conversion_for_a_number)
