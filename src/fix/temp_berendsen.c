@@ -21,6 +21,7 @@ static hs_status end_of_step(hs_fix *fix, hs_error *err)
     hs_compute *temperature;
     double wanted, measured;
     HS_TRY(scaling_measure(fix, &temperature, &wanted, &measured, err));
+    if (measured == 0.0) return HS_OK;
     const double next = measured + fix->env->dt / damping * (wanted - measured);
     if (!(next >= 0.0))
         return hs_fail(err, HS_ERROR_RUN,

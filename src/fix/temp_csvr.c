@@ -45,6 +45,7 @@ static hs_status end_of_step(hs_fix *fix, hs_error *err)
     hs_compute *temperature;
     double wanted, measured, normal[HS_NOISE_NUMBERS];
     HS_TRY(scaling_measure(fix, &temperature, &wanted, &measured, err));
+    if (measured == 0.0) return HS_OK;
     hs_noise_numbers(state->noise, HS_NOISE_GAUSSIAN, step, 0, 1, normal);
     const double c = exp(-fix->env->dt / state->damping), n = temperature->n_dof, q = wanted / (n * measured),
                  r = normal[0],

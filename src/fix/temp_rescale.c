@@ -25,7 +25,7 @@ static hs_status end_of_step(hs_fix *fix, hs_error *err)
     double wanted, measured;
     if (fix->env->step % state->every != 0) return HS_OK;
     HS_TRY(scaling_measure(fix, &temperature, &wanted, &measured, err));
-    if (fabs(measured - wanted) > state->window)
+    if (measured > 0.0 && fabs(measured - wanted) > state->window)
         scaling_apply(fix, temperature, measured, measured - state->fraction * (measured - wanted));
     return HS_OK;
 }

@@ -57,16 +57,16 @@ static inline hs_status scaling_init(hs_fix *fix, hs_error *err)
     return fix->own[0]->style->init(fix->own[0], err);
 }
 
-/** The wanted temperature of this step, and the measured one, which is above zero (collective). Equal when nothing can be scaled, because
- *  the group has no atoms or one. */
+/** The wanted temperature of this step, and the measured one (collective): above zero, or zero where there is nothing to scale, because
+ *  the group has no atoms, or one. */
 static inline hs_status scaling_measure(const hs_fix *fix, hs_compute **temperature, double *wanted, double *measured,
                                         hs_error *err)
 {
     HS_TRY(scaling_find_temperature(fix, temperature, err));
     HS_TRY(hs_compute_scalar(*temperature, measured, err));
     HS_TRY(bath_now(fix, &((velocity_scaling *)fix->state)->bath, wanted, err));
-    if ((*temperature)->n_dof < 1.0) *measured = *wanted = 1.0;
-    if (*measured > 0.0) return HS_OK;
+    if ((*temperature)->n_dof < 1.0) *measured = 0.0;
+    if (*measured > 0.0 || (*temperature)->n_dof < 1.0) return HS_OK;
     return hs_fail(err, HS_ERROR_RUN, "fix '%s' (%s): the temperature is 0 and cannot be scaled to %g", fix->id,
                    fix->style->about.name, *wanted);
 }

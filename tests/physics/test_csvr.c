@@ -75,4 +75,23 @@ START_TEST(same_bits)
 }
 END_TEST
 
-HS_TEST_MAIN("canonical sampling by rescaling", distribution, decay, same_bits)
+/* A group of one atom has no temperature (three degrees of freedom go to the center of mass): its velocity stays what it was, and so does
+ * that of a group without atoms. */
+START_TEST(nothing_to_scale)
+{
+    static const char *const groups[] = {"id 1", "id 100000"};
+    for (int k = 0; k < 2; ++k) {
+        experiment e;
+        open_gas(&e, 3, 1.0, 0.1);
+        deck(&e, "group g %s\nfix 3 g temp/csvr 1.0 1.0 0.1 99\nfix 4 g temp/rescale 1 1.0 1.0 0.0 1.0\n", groups[k]);
+        deck(&e, "fix 5 g temp/berendsen 1.0 1.0 0.1\n");
+        table t = run_table(&e, 20, 20, "ke f_3 f_4 f_5");
+        ck_assert(isfinite(cell(&t, 1, 1)));
+        for (int column = 2; column <= 4; ++column) ck_assert_double_eq(cell(&t, 1, column), 0.0);
+        free(t.value);
+        close_experiment(&e);
+    }
+}
+END_TEST
+
+HS_TEST_MAIN("canonical sampling by rescaling", distribution, decay, same_bits, nothing_to_scale)
