@@ -185,7 +185,10 @@ mkdir -p whole
 relax='fix r all box/relax x 1.0 y 2.0 z 0.5 vmax 0.002 nreset 5'
 for style in cg sd fire quickmin relaxed; do
     rm -f min.*.h5
-    if [ $style = relaxed ]; then words=(-var style cg -var box "$relax"); else words=(-var style $style -var box 'print nothing'); fi
+    case $style in
+    relaxed) words=(-var style cg -var box "$relax") ;;
+    *) words=(-var style "$style" -var box 'print nothing') ;;
+    esac
     run min.in "${words[@]}" || fail "minimize with $style: $(cat err)"
     mv end.data "whole/$style.data"
     for step in 7 28 35; do

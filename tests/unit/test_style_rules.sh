@@ -1,5 +1,5 @@
 #!/bin/bash
-# Rules of the sources that a compiler does not check.
+# Rules of the sources that a compiler does not check; of the shell scripts, what shellcheck warns of (where it is installed).
 set -eu
 cd "$PROJECT_ROOT"
 wrong=$(
@@ -17,5 +17,8 @@ wrong=$(
     grep -rnE '\b(TODO|FIXME|XXX|HACK)\b' --include='*.[ch]' --include='*.cmake' src include tests cmake script |
         sed 's/^/unfinished: /' || true
     grep -rnP '\t| +$' --include='*.[ch]' src include | sed 's/^/tab or trailing blank: /' || true
+    if command -v shellcheck >/dev/null; then
+        { find tests -name '*.sh'; grep -lrE '^#!/bin/(ba)?sh' .ci script tests benchmarks; } | sort -u | xargs shellcheck -S warning || true
+    fi
 )
 [ -z "$wrong" ] || { echo "$wrong" >&2; exit 1; }
