@@ -102,35 +102,38 @@ hs_code hs_simulation_get_variable(hs_simulation *simulation, const char *name, 
     return hs_api_finish(simulation, status);
 }
 
-hs_code hs_simulation_deck_file(hs_simulation *simulation, const char *path)
+static hs_status run_deck(hs_simulation *simulation, const char *path)
 {
     hs_error *err = &simulation->error;
+    hs_api_take_over(simulation);
+    HS_TRY(hs_deck_check(simulation->deck, path, err));
+    return hs_deck_run(simulation->deck, path, err);
+}
+
+hs_code hs_simulation_deck_file(hs_simulation *simulation, const char *path)
+{
     hs_status status = hs_api_begin(simulation);
-    if (status == HS_OK) {
-        hs_api_take_over(simulation);
-        status = hs_deck_check(simulation->deck, path, err);
-    }
-    if (status == HS_OK) status = hs_deck_run(simulation->deck, path, err);
+    if (status == HS_OK) status = run_deck(simulation, path);
     return hs_api_finish(simulation, status);
+}
+
+/** The interpreter keeps standard input in memory for its two passes: the text takes that place. */
+static hs_status run_text(hs_simulation *simulation, const char *text)
+{
+    hs_deck *deck = simulation->deck;
+    hs_text_clear(&deck->input);
+    hs_status status = hs_text_append(&deck->input, text, strlen(text), &simulation->error);
+    deck->input_is_read = true;
+    if (status == HS_OK) status = run_deck(simulation, "-");
+    hs_text_clear(&deck->input);
+    deck->input_is_read = false;
+    return status;
 }
 
 hs_code hs_simulation_deck_text(hs_simulation *simulation, const char *text)
 {
-    hs_error *err = &simulation->error;
     hs_status status = hs_api_begin(simulation);
-    if (status == HS_OK) {
-        hs_api_take_over(simulation);
-        /* The interpreter keeps standard input in memory for its two passes: the text takes that place. */
-        hs_text_clear(&simulation->deck->input);
-        status = hs_text_append(&simulation->deck->input, text, strlen(text), err);
-        simulation->deck->input_is_read = true;
-    }
-    if (status == HS_OK) status = hs_deck_check(simulation->deck, "-", err);
-    if (status == HS_OK) status = hs_deck_run(simulation->deck, "-", err);
-    if (simulation != NULL && simulation->deck != NULL) {
-        hs_text_clear(&simulation->deck->input);
-        simulation->deck->input_is_read = false;
-    }
+    if (status == HS_OK) status = run_text(simulation, text);
     return hs_api_finish(simulation, status);
 }
 

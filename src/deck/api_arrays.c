@@ -216,11 +216,10 @@ static void write_position(hs_sim *sim, int i, const double *xyz)
 hs_code hs_simulation_set_positions(hs_simulation *simulation, hs_order order, int64_t n, const double *xyz)
 {
     row_map rows = {0};
-    hs_error *err = &simulation->error;
     hs_status status = hs_api_begin(simulation);
     if (status == HS_OK) status = make_rows(simulation, order, n, &rows);
-    if (status == HS_OK) status = check_finite(xyz, n, "position", err);
-    if (status == HS_OK) status = check_inside(&simulation->deck->sim->box, xyz, n, err);
+    if (status == HS_OK) status = check_finite(xyz, n, "position", &simulation->error);
+    if (status == HS_OK) status = check_inside(&simulation->deck->sim->box, xyz, n, &simulation->error);
     if (status == HS_OK) {
         hs_sim *sim = simulation->deck->sim;
         for (int i = 0; i < sim->atoms.n_local; ++i) write_position(sim, i, &xyz[3 * rows.row[i]]);
