@@ -35,6 +35,7 @@ static hs_status create(hs_compute *compute, const hs_args *args, hs_error *err)
         else
             HS_TRY(hs_arg_choice(args, i + 1, only_no, &choice, err));
     }
+    compute->may_need_energy = true;
     compute->n_vector = 3;
     return HS_ALLOC(compute->vector, 3, err);
 }
@@ -75,7 +76,7 @@ static hs_status sum_pairs(hs_compute *compute, sum_context *context, hs_error *
     const hs_status status = HS_ALLOC(context->sums, (size_t)n_threads, err);
     if (hs_parallel_agree(env->parallel, err) != HS_OK) return status != HS_OK ? status : err->status;
     context->scan = &scan;
-    const hs_status begun = hs_pair_scan_begin(&scan, compute->env, context->view.cutoff_max, err);
+    const hs_status begun = hs_pair_scan_begin_at_forces(&scan, compute->env, context->view.cutoff_max, err);
     if (begun == HS_OK) {
         hs_pair_scan_visit(&scan, add_batch, context);
         for (int t = 1; t < n_threads; ++t)

@@ -19,6 +19,7 @@ static hs_status create(hs_compute *compute, const hs_args *args, hs_error *err)
 {
     pe_state *state = compute->state;
     (void)err;
+    compute->may_need_energy = true;
     state->has_pair = args->n == 0;
     for (int i = 0; i < args->n; ++i) state->has_pair |= strcmp(args->word[i], "pair") == 0;
     return HS_OK;
@@ -48,7 +49,7 @@ static hs_status per_atom(hs_compute *compute, hs_error *err)
     memset(compute->atoms, 0, (size_t)n * sizeof *compute->atoms);
     env->view_pairs(env, &context.view);
     if (context.view.pair == NULL || !((pe_state *)compute->state)->has_pair) return HS_OK;
-    hs_status status = hs_pair_scan_begin(&scan, env, context.view.cutoff_max, err);
+    hs_status status = hs_pair_scan_begin_at_forces(&scan, env, context.view.cutoff_max, err);
     if (status == HS_OK) status = hs_pair_scan_share(&scan, env, 1, share, &context, compute->atoms, err);
     hs_pair_scan_end(&scan);
     for (int i = 0; i < n; ++i)

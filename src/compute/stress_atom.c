@@ -42,6 +42,7 @@ static hs_status create(hs_compute *compute, const hs_args *args, hs_error *err)
 {
     stress_state *state = compute->state;
     hs_compute *temperature;
+    compute->may_need_energy = true;
     compute->n_atom_columns = 6;
     state->has_ke = state->has_pair = args->n == 1;
     for (int i = 1; i < args->n; ++i) {
@@ -109,7 +110,7 @@ static hs_status per_atom(hs_compute *compute, hs_error *err)
     memset(compute->atoms, 0, 6 * n * sizeof *compute->atoms);
     env->view_pairs(env, &context.view);
     if (context.view.pair != NULL && state->has_pair) {
-        hs_status status = hs_pair_scan_begin(&scan, env, context.view.cutoff_max, err);
+        hs_status status = hs_pair_scan_begin_at_forces(&scan, env, context.view.cutoff_max, err);
         if (status == HS_OK) status = hs_pair_scan_share(&scan, env, 6, share, &context, compute->atoms, err);
         hs_pair_scan_end(&scan);
         HS_TRY(status);

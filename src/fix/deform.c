@@ -315,4 +315,5 @@ const hs_fix_style hs_fix_style_deform = {
     .keep_state = keep_state,
     .is_time_dependent = true,
     .changes_box = true,
+    .moves_at_end = true,
 };

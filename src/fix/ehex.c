@@ -150,5 +150,6 @@ const hs_fix_style hs_fix_style_ehex = {
     .state_size = sizeof(ehex_state),
     .create = create,
     .end_of_step = end_of_step,
+    .moves_at_end = true,
     THERMAL_HOOKS,
 };

@@ -3,7 +3,7 @@
 
 #include "core/atom_style.h"
 #include "style/atom_sum.h"
-#include "style/moments.h"
+#include "style/places.h"
 #include "style/varying.h"
 
 typedef struct gravity_state {
@@ -87,10 +87,11 @@ static hs_status post_force(hs_fix *fix, hs_error *err)
 static void add_energy(const hs_atoms *atoms, const void *context, int begin, int end, hs_exact_sum *sums)
 {
     const hs_fix *fix = context;
+    const hs_places places = hs_places_of_forces(fix->env);
     const double g[3] = {pull(fix, 0), pull(fix, 1), pull(fix, 2)};
     for (int i = begin; i < end; ++i)
         for (int axis = 0; axis < 3 && atoms->mask[i] & fix->mask; ++axis) {
-            const double x = hs_unwrapped(fix->env, axis, i);
+            const double x = hs_places_unwrapped(&places, atoms, axis, i);
             hs_exact_add(&sums[0], -hs_atom_mass(atoms, i) * g[axis] * x);
         }
 }

@@ -198,4 +198,5 @@ const hs_fix_style hs_fix_style_press_berendsen = {
     .set_pressure = set_pressure,
     .needs_energy = needs_energy,
     .changes_box = true,
+    .moves_at_end = true,
 };

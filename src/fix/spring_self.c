@@ -4,6 +4,7 @@
 #include "style/atom_sum.h"
 #include "style/atom_vector.h"
 #include "style/fix.h"
+#include "style/places.h"
 
 typedef struct spring_state {
     double k;          /**< energy/distance^2 */
@@ -32,23 +33,24 @@ static hs_status create(hs_fix *fix, const hs_args *args, hs_error *err)
 
 static void destroy(hs_fix *fix) { hs_atom_vector_remove(fix->env->atoms, &((spring_state *)fix->state)->r0); }
 
-static void force_of(const hs_fix *fix, int i, double f[3])
+static void force_of(const hs_fix *fix, const hs_places *places, int i, double f[3])
 {
     const spring_state *state = fix->state;
-    double r[3];
-    hs_fix_unwrapped(fix, i, r);
-    for (int axis = 0; axis < 3; ++axis)
-        f[axis] = state->acts[axis] ? -state->k * (r[axis] - state->r0.of[axis][i]) : 0.0;
+    for (int axis = 0; axis < 3; ++axis) {
+        const double r = hs_places_unwrapped(places, fix->env->atoms, axis, i);
+        f[axis] = state->acts[axis] ? -state->k * (r - state->r0.of[axis][i]) : 0.0;
+    }
 }
 
 static void pull(const hs_fix *fix)
 {
     const hs_atoms *atoms = fix->env->atoms;
+    const hs_places now = hs_places_now(fix->env);
 #pragma omp for schedule(static) nowait
     for (int i = 0; i < atoms->n_local; ++i) {
         double f[3];
         if (!(atoms->mask[i] & fix->mask)) continue;
-        force_of(fix, i, f);
+        force_of(fix, &now, i, f);
         for (int axis = 0; axis < 3; ++axis) atoms->f[axis][i] += f[axis];
     }
 }
@@ -63,11 +65,12 @@ static hs_status post_force(hs_fix *fix, hs_error *err)
 static void add_energy(const hs_atoms *atoms, const void *context, int begin, int end, hs_exact_sum *sums)
 {
     const hs_fix *fix = context;
+    const hs_places places = hs_places_of_forces(fix->env);
     const double k = ((spring_state *)fix->state)->k;
     for (int i = begin; i < end; ++i) {
         double f[3];
         if (!(atoms->mask[i] & fix->mask)) continue;
-        force_of(fix, i, f);
+        force_of(fix, &places, i, f);
         hs_exact_add(&sums[0], (f[0] * f[0] + f[1] * f[1] + f[2] * f[2]) / (2.0 * k));
     }
 }

@@ -3,6 +3,7 @@
 #define HS_FIX_WALL_POTENTIAL_H
 
 #include "fix/wall.h"
+#include "style/places.h"
 
 typedef struct wall_potential_state {
     wall_state wall; /**< first: wall.h takes the state as one */
@@ -50,18 +51,16 @@ static inline hs_status wall_potential_read(hs_fix *fix, const hs_args *args, bo
     return HS_OK;
 }
 
-/** Distance of atom i from the wall, positive on the particles' side. */
-static inline double wall_distance(const hs_atoms *atoms, const wall_face *face, int i)
+/** Distance of x, a coordinate along the wall's axis, from the wall, positive on the particles' side. */
+static inline double wall_distance(const wall_face *face, double x)
 {
-    const double x = atoms->x[face->axis][i];
     return face->end == 0 ? x - face->place : face->place - x;
 }
 
-/** Force on atom i along the axis of a wall; 0 beyond its cutoff. */
-static inline double wall_force(const wall_state *state, const hs_atoms *atoms, const wall_face *face, int i,
-                                double *energy)
+/** Force on an atom at x along the axis of a wall; 0 beyond its cutoff. */
+static inline double wall_force(const wall_state *state, const wall_face *face, double x, double *energy)
 {
-    const double r = wall_distance(atoms, face, i);
+    const double r = wall_distance(face, x);
     double force = 0.0;
     *energy = 0.0;
     if (r < face->cutoff) state->potential(face, r, energy, &force);
@@ -73,7 +72,7 @@ static inline hs_status wall_report(const hs_fix *fix, const wall_face *face, hs
     const hs_atoms *atoms = fix->env->atoms;
     int first = -1;
     for (int i = 0; i < atoms->n_local; ++i)
-        if (atoms->mask[i] & fix->mask && !(wall_distance(atoms, face, i) > 0.0) &&
+        if (atoms->mask[i] & fix->mask && !(wall_distance(face, atoms->x[face->axis][i]) > 0.0) &&
             (first < 0 || atoms->id[i] < atoms->id[first]))
             first = i;
     return hs_fail(err, HS_ERROR_RUN,
@@ -91,8 +90,8 @@ static inline void wall_virial_of(const hs_fix *fix, int i, double w[6])
     for (int k = 0; k < state->n; ++k) {
         const wall_face *face = &state->face[k];
         double energy;
-        const double force = wall_force(state, fix->env->atoms, face, i, &energy);
-        w[face->axis] += wall_distance(fix->env->atoms, face, i) * (face->end == 0 ? force : -force);
+        const double x = fix->env->atoms->x[face->axis][i], force = wall_force(state, face, x, &energy);
+        w[face->axis] += wall_distance(face, x) * (face->end == 0 ? force : -force);
     }
 }
 
@@ -103,11 +102,11 @@ static inline void wall_push(const hs_fix *fix, const wall_face *face, bool *is_
     const hs_atoms *atoms = fix->env->atoms;
 #pragma omp for schedule(static) nowait
     for (int i = 0; i < atoms->n_local; ++i) {
-        const double r = wall_distance(atoms, face, i);
+        const double x = atoms->x[face->axis][i], r = wall_distance(face, x);
         double energy;
         if (r >= face->cutoff || !(atoms->mask[i] & fix->mask)) continue;
         if (r > 0.0) {
-            atoms->f[face->axis][i] += wall_force(state, atoms, face, i, &energy);
+            atoms->f[face->axis][i] += wall_force(state, face, x, &energy);
             continue;
         }
 #pragma omp atomic write
@@ -136,11 +135,12 @@ static inline void wall_terms(const hs_atoms *atoms, const void *context, int be
 {
     const hs_fix *fix = context;
     const wall_state *state = fix->state;
+    const hs_places places = hs_places_of_forces(fix->env);
     for (int i = begin; i < end; ++i) {
         if (!(atoms->mask[i] & fix->mask)) continue;
         for (int k = 0; k < state->n; ++k) {
             double energy;
-            const double force = wall_force(state, atoms, &state->face[k], i, &energy);
+            const double force = wall_force(state, &state->face[k], places.x[state->face[k].axis][i], &energy);
             hs_exact_add(&sums[0], energy);
             hs_exact_add(&sums[1 + k], -force);
         }

@@ -3,6 +3,7 @@
 
 #include "style/atom_sum.h"
 #include "style/fix.h"
+#include "style/places.h"
 #include "style/region.h"
 
 typedef struct region_wall_state {
@@ -73,11 +74,10 @@ typedef struct touch {
 } touch;
 
 /** Add up the surfaces within reach of atom i; false when it is not inside of the region. */
-static bool add_surfaces(const hs_fix *fix, int i, touch *sum)
+static bool add_surfaces(const hs_fix *fix, const hs_places *places, int i, touch *sum)
 {
     const region_wall_state *state = fix->state;
-    const hs_atoms *atoms = fix->env->atoms;
-    const double x[3] = {atoms->x[0][i], atoms->x[1][i], atoms->x[2][i]};
+    const double x[3] = {places->x[0][i], places->x[1][i], places->x[2][i]};
     hs_contact contact[HS_CONTACTS_MAX];
     memset(sum, 0, sizeof *sum);
     if (!hs_region_contains(state->where.region, x)) return false;
@@ -98,18 +98,20 @@ static bool add_surfaces(const hs_fix *fix, int i, touch *sum)
 
 static void virial_of(const hs_fix *fix, int i, double w[6])
 {
+    const hs_places now = hs_places_now(fix->env);
     touch sum;
-    (void)add_surfaces(fix, i, &sum);
+    (void)add_surfaces(fix, &now, i, &sum);
     for (int k = 0; k < 6; ++k) w[k] += sum.virial[k];
 }
 
 static hs_status report_outside(const hs_fix *fix, hs_error *err)
 {
     const hs_atoms *atoms = fix->env->atoms;
+    const hs_places now = hs_places_now(fix->env);
     int first = -1;
     for (int i = 0; i < atoms->n_local; ++i) {
         touch sum;
-        if (atoms->mask[i] & fix->mask && !add_surfaces(fix, i, &sum) && (first < 0 || atoms->id[i] < atoms->id[first]))
+        if (atoms->mask[i] & fix->mask && !add_surfaces(fix, &now, i, &sum) && (first < 0 || atoms->id[i] < atoms->id[first]))
             first = i;
     }
     return hs_fail(err, HS_ERROR_RUN,
@@ -123,11 +125,12 @@ static hs_status report_outside(const hs_fix *fix, hs_error *err)
 static void push(const hs_fix *fix, bool *is_inside)
 {
     const hs_atoms *atoms = fix->env->atoms;
+    const hs_places now = hs_places_now(fix->env);
 #pragma omp for schedule(static) nowait
     for (int i = 0; i < atoms->n_local; ++i) {
         touch sum;
         if (!(atoms->mask[i] & fix->mask)) continue;
-        if (!add_surfaces(fix, i, &sum)) {
+        if (!add_surfaces(fix, &now, i, &sum)) {
 #pragma omp atomic write
             *is_inside = false;
         }
@@ -149,9 +152,10 @@ static hs_status post_force(hs_fix *fix, hs_error *err)
 static void wall_terms(const hs_atoms *atoms, const void *context, int begin, int end, hs_exact_sum *sums)
 {
     const hs_fix *fix = context;
+    const hs_places places = hs_places_of_forces(fix->env);
     for (int i = begin; i < end; ++i) {
         touch sum;
-        if (!(atoms->mask[i] & fix->mask) || !add_surfaces(fix, i, &sum)) continue;
+        if (!(atoms->mask[i] & fix->mask) || !add_surfaces(fix, &places, i, &sum)) continue;
         hs_exact_add(&sums[0], sum.energy);
         for (int axis = 0; axis < 3; ++axis) hs_exact_add(&sums[1 + axis], -sum.f[axis]);
     }

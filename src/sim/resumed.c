@@ -106,6 +106,7 @@ hs_status hs_sim_keep_run(hs_sim *sim, hs_state *state, hs_error *err)
     HS_TRY(hs_state_bool(state, "output is due", &sim->is_output_due, err));
     HS_TRY(hs_state_double(state, "mass", sim->atoms.mass, sim->atoms.n_types + 1, err));
     HS_TRY(hs_state_int(state, "restart turn", &sim->saving->restart_turn, err));
+    HS_TRY(hs_sim_keep_box_of_forces(sim, state, err));
     HS_TRY(keep_adapted(sim->pair, state, err));
     return keep_neighbor(&sim->neighbor, &sim->box, state, err);
 }
@@ -175,6 +176,7 @@ hs_status hs_sim_setup_resumed(hs_sim *sim, hs_error *err)
         if (method->update != NULL) status = method->update(sim, err);
     }
     give_back(sim, sim->atoms.f, arrays.f); /* at last, for a sort leaves forces behind */
+    hs_sim_show_force_places(sim);
     sim->is_initialized = true;
     return status;
 }

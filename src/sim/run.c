@@ -78,6 +78,7 @@ hs_status hs_sim_setup(hs_sim *sim, hs_error *err)
 hs_status hs_sim_setup_forces(hs_sim *sim, hs_error *err)
 {
     hs_neighbor_start(&sim->neighbor);
+    hs_sim_forget_force_places(sim);
     HS_TRY(hs_sim_pre_force(sim, true, err));
     HS_TRY(hs_sim_exchange(sim, err));
     HS_TRY(hs_sim_pair_forces(sim, true, err));

@@ -63,6 +63,7 @@ HS_MUST_USE hs_status hs_sim_stop(hs_sim *sim, const char *where, hs_error *err)
 
 /** All of the simulation but atoms and styles' words: moved into @p state or back. */
 HS_MUST_USE hs_status hs_sim_keep_box(hs_sim *sim, hs_state *state, hs_error *err);
+HS_MUST_USE hs_status hs_sim_keep_box_of_forces(hs_sim *sim, hs_state *state, hs_error *err);
 HS_MUST_USE hs_status hs_sim_keep_run(hs_sim *sim, hs_state *state, hs_error *err);
 /** Tables and styles as at the start of a run; before values are read back (collective).  sim/run.c */
 HS_MUST_USE hs_status hs_sim_init_resumed(hs_sim *sim, hs_error *err);

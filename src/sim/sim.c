@@ -234,6 +234,7 @@ void hs_sim_set_clock(hs_sim *sim, int64_t step, double dt)
 void hs_sim_atoms_moved(hs_sim *sim)
 {
     if (sim->is_initialized) hs_sim_round_positions(sim);
+    hs_sim_forget_force_places(sim);
     hs_env_changed(&sim->env);
 }
 
@@ -242,6 +243,7 @@ void hs_sim_atoms_changed(hs_sim *sim)
     sim->atoms.n_all = sim->atoms.n_local;
     hs_parallel_sum_int64(&sim->parallel, &sim->atoms.n_all, 1);
     sim->atoms.n_halo = 0;
+    hs_sim_forget_force_places(sim);
     ++sim->atoms.generation;
     sim->is_initialized = false;
     hs_env_changed(&sim->env);

@@ -17,6 +17,7 @@
 #include "style/env.h"
 #include "style/fix.h"
 #include "style/pair.h"
+#include "style/places.h"
 #include "style/region.h"
 
 struct hs_thermo;
@@ -33,6 +34,14 @@ typedef struct hs_options {
     char isa[16];                 /**< instruction set of the kernels; "" or "auto": the best of this machine */
     bool dry_run;                 /**< halfshell check: no step is run, no file is written; `run` reports instead */
 } hs_options;
+
+/** Places of the latest forces, where fixes move atoms or box at the end of steps: sim/force_places.c. */
+typedef struct hs_force_places {
+    double *x[3]; /**< atom fields; NULL: no fix does that */
+    hs_box box;
+    bool is_kept;     /**< x and box are those of the present step's forces */
+    hs_places places; /**< of these; env.force_places points here */
+} hs_force_places;
 
 typedef struct hs_sim {
     hs_env env; /**< what styles see; env.atoms etc. point to the members below */
@@ -70,6 +79,7 @@ typedef struct hs_sim {
     hs_cluster_list list;  /**< method cluster: pairs of the last scheduled build */
     hs_verlet_list verlet; /**< method verlet: the same */
     hs_tuner tuner;        /**< method auto */
+    hs_force_places force_places;
     hs_isa isa;
     int n_threads;          /**< as asked for, by the options or the environment */
     hs_precision precision; /**< as asked for: double or mixed */
@@ -202,6 +212,16 @@ void hs_sim_begin_grid(hs_sim *sim);
 /** Whether all pairs fitted the grid (collective); if not, coarsen it for another try. After a list build, take the finest grid that
  *  the present forces allow. An error when a force is infinite. */
 HS_MUST_USE hs_status hs_sim_fit_grid(hs_sim *sim, const hs_force_result *result, bool *fits, hs_error *err);
+
+/* Places of the latest forces (sim/force_places.c). */
+/** Room for them while there is a fix that needs it. */
+HS_MUST_USE hs_status hs_sim_fit_force_places(hs_sim *sim, hs_error *err);
+/** Remember those of now, at steps with energy and where a fix will move atoms or box. */
+void hs_sim_keep_force_places(hs_sim *sim);
+/** Atoms are moved: from now on forces belong to where atoms are. */
+void hs_sim_forget_force_places(hs_sim *sim);
+/** After a checkpoint was read: let styles see those it had. */
+void hs_sim_show_force_places(hs_sim *sim);
 
 /** Take the positions of halo atoms that are under way, if they are.  sim/pair_forces.c */
 void hs_sim_await_halo(hs_sim *sim);

@@ -66,6 +66,7 @@ hs_status hs_sim_step(hs_sim *sim, bool with_energy, hs_error *err)
 {
     ++sim->env.step;
     sim->env.with_energy = with_energy;
+    hs_sim_forget_force_places(sim);
     hs_timer_mark(&sim->timer);
     CALL_FIXES(sim, initial_integrate, err);
     CALL_FIXES(sim, post_integrate, err);
@@ -82,6 +83,7 @@ hs_status hs_sim_step(hs_sim *sim, bool with_energy, hs_error *err)
     CALL_FIXES(sim, final_integrate, err);
     /* positions are still those of the forces, until a fix says otherwise */
     if (sim->env.pair_counter != NULL) hs_pair_counter_hold(sim->env.pair_counter, sim->env.revision + 1);
+    hs_sim_keep_force_places(sim);
     CALL_FIXES(sim, end_of_step, err);
     hs_timer_add(&sim->timer, HS_PHASE_MODIFY);
     return HS_OK;

@@ -208,7 +208,7 @@ hs_status hs_sim_add_fix(hs_sim *sim, const char *id, const char *group, const c
     sim->fix[place] = fix;
     sim->is_initialized = false;
     hs_restored_give_fields(sim, HS_RESTORED_FIX, id);
-    return HS_OK;
+    return hs_sim_fit_force_places(sim, err);
 }
 
 hs_status hs_sim_add_compute(hs_sim *sim, const char *id, const char *group, const char *name, const hs_args *args,
@@ -295,7 +295,7 @@ hs_status hs_sim_remove_fix(hs_sim *sim, const char *id, hs_error *err)
     PLACE_OF(sim->fix, sim->n_fixes, "fix", id, place, err);
     destroy_fix(sim->fix[place]);
     CLOSE_GAP(sim->fix, sim->n_fixes, place);
-    return HS_OK;
+    return hs_sim_fit_force_places(sim, err);
 }
 
 hs_status hs_sim_remove_compute(hs_sim *sim, const char *id, hs_error *err)

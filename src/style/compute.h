@@ -69,7 +69,9 @@ typedef struct hs_compute {
     bool has_scalar, has_vector, has_array, has_atoms;
     /** Vector or rows of the array: as many as the latest evaluation found; elements beyond are 0. Set by create. */
     bool has_variable_length;
-    bool may_need_energy; /**< made from other values that may need the pair energy or virial; set by create */
+    /** Set by create: made from other values that may need the pair energy or virial, or measured at the places of the
+     *  forces (style/places.h), which steps remember that compute these. */
+    bool may_need_energy;
     double n_dof;         /**< temperature computes: degrees of freedom */
 } hs_compute;
 

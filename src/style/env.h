@@ -21,6 +21,7 @@ struct hs_region;
 struct hs_lattice;
 struct hs_domain;
 struct hs_box_flow;
+struct hs_places;
 
 /** Owned by hs_sim, one per simulation; everything in it is borrowed by styles for as long as they live. */
 typedef struct hs_env {
@@ -72,6 +73,10 @@ typedef struct hs_env {
     double fix_virial[6];  /**< of fixes with `fix_modify virial yes` */
     double tail_energy;    /**< long-range corrections of pair_modify tail: energy, to be divided by nothing */
     double tail_pressure;  /**< and pressure (already in pressure units); both 0 without tail */
+
+    /** Where atoms were when the latest forces were computed, if a fix has changed the box since; NULL: where they are. See
+     *  style/places.h. */
+    const struct hs_places *force_places;
 
     /** Another length of steps from the next one on: all fixes hear of it. */
     hs_status (*set_timestep)(struct hs_env *env, double dt, hs_error *err);

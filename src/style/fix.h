@@ -86,6 +86,7 @@ typedef struct hs_fix_style {
     bool has_virial;        /**< `fix_modify virial yes` adds virial[] to the pressure */
     bool is_coupling;       /**< the scalar is the energy that a thermostat or barostat has given away (ecouple); copied
                                  to the fix */
+    bool moves_at_end;      /**< end_of_step moves atoms or the box */
     bool changes_box;       /**< the lengths of the box may change at every step */
 } hs_fix_style;
 

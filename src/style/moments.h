@@ -2,17 +2,13 @@
 #ifndef HS_STYLE_MOMENTS_H
 #define HS_STYLE_MOMENTS_H
 
-#include "style/env.h"
+#include "style/places.h"
 
 /** Unwrapped place of a local atom, distance. */
 static inline double hs_unwrapped(const hs_env *env, int axis, int i)
 {
-    const hs_atoms *atoms = env->atoms;
-    const hs_box *box = env->box;
-    double unwrapped = atoms->x[axis][i] + atoms->image[axis][i] * hs_box_length(box, axis);
-    for (int edge = axis + 1; edge < 3 && box->is_tilted; ++edge)
-        unwrapped += atoms->image[edge][i] * box->tilt[axis + edge - 1];
-    return unwrapped;
+    const hs_places now = hs_places_now(env);
+    return hs_places_unwrapped(&now, env->atoms, axis, i);
 }
 
 /** The same for the atoms [begin, end). */

@@ -5,9 +5,10 @@
 #include <string.h>
 
 #include "base/memory.h"
+#include "style/places.h"
 
 /** Copies of the local atoms, with the fields that scans need. */
-static hs_status copy_atoms(hs_pair_scan *scan, hs_env *env, hs_error *err)
+static hs_status copy_atoms(hs_pair_scan *scan, hs_env *env, const hs_places *places, hs_error *err)
 {
     const hs_atoms *from = env->atoms;
     hs_atoms *to = &scan->atoms;
@@ -25,7 +26,7 @@ static hs_status copy_atoms(hs_pair_scan *scan, hs_env *env, hs_error *err)
     HS_TRY(hs_atoms_reserve(to, from->n_local, 0, err));
     to->n_local = from->n_local;
     to->n_all = from->n_all;
-    for (int axis = 0; axis < 3 && n > 0; ++axis) memcpy(to->x[axis], from->x[axis], n * sizeof(double));
+    for (int axis = 0; axis < 3 && n > 0; ++axis) memcpy(to->x[axis], places->x[axis], n * sizeof(double));
     if (n > 0) memcpy(to->type, view.type != NULL ? view.type : from->type, n * sizeof *to->type);
     if (n > 0) memcpy(scan->mask, from->mask, n * sizeof *scan->mask);
     if (n > 0) memcpy(scan->id, from->id, n * sizeof *scan->id);
@@ -34,17 +35,17 @@ static hs_status copy_atoms(hs_pair_scan *scan, hs_env *env, hs_error *err)
 }
 
 /** Farthest that a local atom is outside of its rank's brick: it has not been exchanged since it moved. */
-static double find_drift(const hs_env *env)
+static double find_drift(const hs_env *env, const hs_places *places)
 {
     const hs_atoms *atoms = env->atoms;
     double drift = 0.0;
     for (int axis = 0; axis < 3; ++axis) {
         const int at = env->domain->at[axis];
-        const double lo = hs_domain_plane(env->domain, env->box, axis, at),
-                     hi = hs_domain_plane(env->domain, env->box, axis, at + 1);
+        const double lo = hs_domain_plane(env->domain, places->box, axis, at),
+                     hi = hs_domain_plane(env->domain, places->box, axis, at + 1);
         for (int i = 0; i < atoms->n_local; ++i) {
-            const double x[3] = {atoms->x[0][i], atoms->x[1][i], atoms->x[2][i]},
-                         place = hs_box_upright(env->box, x, axis);
+            const double x[3] = {places->x[0][i], places->x[1][i], places->x[2][i]},
+                         place = hs_box_upright(places->box, x, axis);
             drift = fmax(drift, fmax(lo - place, place - hi));
         }
     }
@@ -113,13 +114,13 @@ static hs_status sort_atoms(hs_pair_scan *scan, hs_error *err)
     return HS_OK;
 }
 
-hs_status hs_pair_scan_begin(hs_pair_scan *scan, hs_env *env, double range, hs_error *err)
+static hs_status begin(hs_pair_scan *scan, hs_env *env, hs_places places, double range, hs_error *err)
 {
     scan->range = range;
-    hs_status status = copy_atoms(scan, env, err);
+    hs_status status = copy_atoms(scan, env, &places, err);
     if (hs_parallel_agree(env->parallel, err) != HS_OK) return status != HS_OK ? status : err->status;
-    const double drift = find_drift(env);
-    HS_TRY(hs_halo_build(&scan->halo, env->domain, env->parallel, env->box, &scan->atoms, range + 2.0 * drift, err));
+    const double drift = find_drift(env, &places);
+    HS_TRY(hs_halo_build(&scan->halo, env->domain, env->parallel, places.box, &scan->atoms, range + 2.0 * drift, err));
     status = fill_halo(scan, err);
     if (hs_parallel_agree(env->parallel, err) != HS_OK) return status != HS_OK ? status : err->status;
     scan->n_all = scan->atoms.n_local + scan->atoms.n_halo;
@@ -127,6 +128,16 @@ hs_status hs_pair_scan_begin(hs_pair_scan *scan, hs_env *env, double range, hs_e
     status = sort_atoms(scan, err);
     if (hs_parallel_agree(env->parallel, err) != HS_OK) return status != HS_OK ? status : err->status;
     return HS_OK;
+}
+
+hs_status hs_pair_scan_begin(hs_pair_scan *scan, hs_env *env, double range, hs_error *err)
+{
+    return begin(scan, env, hs_places_now(env), range, err);
+}
+
+hs_status hs_pair_scan_begin_at_forces(hs_pair_scan *scan, hs_env *env, double range, hs_error *err)
+{
+    return begin(scan, env, hs_places_of_forces(env), range, err);
 }
 
 /** A batch that is being filled on one thread. */

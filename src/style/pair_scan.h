@@ -1,4 +1,4 @@
-/** Pairs of atoms within any range, at the present positions: for what is measured from pairs.
+/** Pairs of atoms within any range, at the present positions or those of the latest forces: for what is measured from pairs.
  *
  *  Independent of the neighbor method, its lists and their range: a scan copies the positions, makes a halo of its own as
  *  wide as asked for, sorts all into cells and visits each pair once. It costs some timesteps' time and about 100 bytes an
@@ -57,6 +57,8 @@ typedef struct hs_pair_scan {
 
 /** Get ready to visit pairs (collective). Zero the scan before; always followed by hs_pair_scan_end, also after an error. */
 HS_MUST_USE hs_status hs_pair_scan_begin(hs_pair_scan *scan, hs_env *env, double range, hs_error *err);
+/** The same at the places of the latest forces: for what is part of their energy or virial. */
+HS_MUST_USE hs_status hs_pair_scan_begin_at_forces(hs_pair_scan *scan, hs_env *env, double range, hs_error *err);
 /** Force over distance and energy of a pair of the scan's atoms, over all parts of the pair style. */
 static inline void hs_pair_scan_eval(const hs_pair_scan *scan, const hs_pair_view *view, int i, int j, double r2,
                                      double *force_over_r, double *energy)

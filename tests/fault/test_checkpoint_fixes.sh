@@ -103,6 +103,19 @@ fix 1 all nve
 fix d all deform 3 xy erate 1.5 yz trate 1.5 remap x
 D
 
+# values of the step's forces, after the box has changed: asked for when the run that the checkpoint ends is over
+check of_forces "prism 0 4 0 4 0 4 2 0 -1" <<'D'
+fix 1 all nve
+fix d all deform 3 x erate 0.5 xy erate 1.5
+fix s all spring/self 1.0
+compute p all pe/atom
+compute v all stress/atom NULL
+compute s all reduce sum c_p c_v[1]
+thermo_style custom step c_s[1]
+run 33
+print "$(c_s[1]:%.17g) $(c_s[2]:%.17g) $(f_s:%.17g)" append p.txt
+D
+
 check tilted_npt "prism 0 4 0 4 0 4 2 -1 1" <<'D'
 fix 1 all npt temp 1.0 1.2 0.5 aniso 5.0 0.0 0.7
 D

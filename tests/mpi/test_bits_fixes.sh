@@ -117,7 +117,7 @@ compute m half momentum
 fix 1 all nve
 fix g half flow/gauss 1 1 0 energy yes
 D
-    system stretched 30 '' <<D
+    system stretched 30 'c_e c_s[*] c_g f_t' 'c_p c_v[4]' <<D
 lattice fcc 0.7
 region box block 0 5 0 4 0 4
 create_box 1 box
@@ -129,6 +129,12 @@ neigh_modify every 6 delay 0 check no
 group half id <= 150
 fix 1 all nve
 fix 2 half deform 2 x erate 0.5 y volume z wiggle 0.1 0.2
+fix t half spring/self 1.0
+compute p all pe/atom
+compute v half stress/atom NULL
+compute e all reduce sum c_p
+compute s all reduce sum c_v[1] c_v[4]
+compute g half group/group all
 D
     system sheared 30 'xy xz yz c_1_temp f_1' <<D
 lattice fcc 0.7
