@@ -301,7 +301,10 @@ const hs_fix_style hs_fix_style_deform = {
                   "image: right for flows, with `fix nvt/sllod` or `compute temp/deform`. With `remap none` nothing "
                   "happens to them, and new pairs come about at periodic faces. The fix moves nothing else: use it "
                   "with `fix nve` or another integrator; a barostat may act on the axes that it leaves alone. "
-                  "docs/shear-flow.md has an example. A deck has one fix deform.",
+                  "docs/shear-flow.md has an example. A deck has one fix deform.\n\nThe box changes at the end of a "
+                  "step, when "
+                  "its forces are known: energies and virials of the step, also those of `pe/atom`, `stress/atom` and "
+                  "fixes, are of the places before, as in LAMMPS.",
               .example = "fix 2 all deform 1 x erate 0.001 y volume z volume\nfix 3 all deform 10 z scale 0.5 units "
                          "box\nfix 4 all deform 1 xy erate 0.05 remap v"},
     .state_size = sizeof(deform_state),

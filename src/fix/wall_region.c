@@ -111,7 +111,8 @@ static hs_status report_outside(const hs_fix *fix, hs_error *err)
     int first = -1;
     for (int i = 0; i < atoms->n_local; ++i) {
         touch sum;
-        if (atoms->mask[i] & fix->mask && !add_surfaces(fix, &now, i, &sum) && (first < 0 || atoms->id[i] < atoms->id[first]))
+        if (atoms->mask[i] & fix->mask && !add_surfaces(fix, &now, i, &sum) &&
+            (first < 0 || atoms->id[i] < atoms->id[first]))
             first = i;
     }
     return hs_fail(err, HS_ERROR_RUN,

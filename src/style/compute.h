@@ -72,7 +72,7 @@ typedef struct hs_compute {
     /** Set by create: made from other values that may need the pair energy or virial, or measured at the places of the
      *  forces (style/places.h), which steps remember that compute these. */
     bool may_need_energy;
-    double n_dof;         /**< temperature computes: degrees of freedom */
+    double n_dof; /**< temperature computes: degrees of freedom */
 } hs_compute;
 
 /** A new compute, ID copied. The caller keeps it, calls its init before each run, and gives it to hs_compute_destroy:
