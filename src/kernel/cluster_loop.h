@@ -114,7 +114,7 @@ HS_INLINE void add_row(const hs_kernel_input *in, const cluster_constants *const
     hs_vec params[N_PARAMS + HS_HAS_RADII], force_over_r, energy = hs_set1(0.0);
     for (int k = 0; k < N_PARAMS; ++k) params[k] = row_param(in, constants, v, row, HS_TABLE_PARAMS + k, by_type);
     if (HS_HAS_RADII) params[N_PARAMS] = row_reach(in, constants, v, row);
-    evaluate(params, measured->r2[row], &force_over_r, &energy, with_energy);
+    evaluate_pairs(params, in->table->shared, measured->r2[row], &force_over_r, &energy, with_energy);
     force_over_r = hs_keep(measured->near[row], force_over_r);
     hs_acc_note_peak(&sums->peak_force, force_over_r);
     const hs_vec dx = v->x[0] - hs_set1(constants->x[0][row]), dy = v->x[1] - hs_set1(constants->x[1][row]),

@@ -16,6 +16,10 @@
  *  A potential of atoms that have radii says `#define HS_EVALUATOR_RADII` before instantiate.h. Its parameter p[N_PARAMS] is
  *  then the sum of the two atoms' radii, beyond which it must be zero; the cutoff of the type pair is the largest such sum.
  *
+ *  A potential that looks numbers up says `#define HS_EVALUATOR_SHARED` before instantiate.h, and its evaluate() has one more
+ *  argument after p, `const double *shared`: what the pair style's ->shared() returns, for all pairs of types. p says where
+ *  those of a pair of types begin; hs_indices() and hs_gather() of kernel/simd.h look up.
+ *
  *  Where r is beyond the cutoff the results are not used, so r2 may be anything; no branches, no libm calls on vectors:
  *  kernel/vector_math.h has exponential, sine and cosine. */
 #ifndef HS_KERNEL_EVALUATOR_H

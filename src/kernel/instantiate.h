@@ -12,6 +12,19 @@ enum { HS_HAS_RADII = 1 };
 enum { HS_HAS_RADII = 0 };
 #endif
 
+/** evaluate(), whichever of its two forms the potential has. */
+static inline __attribute__((always_inline)) void evaluate_pairs(const hs_vec *p, const double *shared, hs_vec r2,
+                                                                 hs_vec *force_over_r, hs_vec *energy,
+                                                                 bool with_energy)
+{
+#ifdef HS_EVALUATOR_SHARED
+    evaluate(p, shared, r2, force_over_r, energy, with_energy);
+#else
+    (void)shared;
+    evaluate(p, r2, force_over_r, energy, with_energy);
+#endif
+}
+
 #ifdef HS_KERNEL_ISA
 
 #include "kernel/cluster_loop.h"
@@ -71,9 +84,9 @@ const hs_kernel_set HS_PASTE3(hs_kernels_, HS_EVALUATOR, HS_KERNEL_ISA) = {
 
 #else
 
-static void single(const double *params, double r2, double *force_over_r, double *energy)
+static void single(const double *params, const double *shared, double r2, double *force_over_r, double *energy)
 {
-    evaluate(params, r2, force_over_r, energy, true);
+    evaluate_pairs(params, shared, r2, force_over_r, energy, true);
 }
 
 #define HS_KERNELS(isa) HS_PASTE3(hs_kernels_, HS_EVALUATOR, isa)

@@ -106,18 +106,19 @@ bool hs_pair_table_is_uniform(const hs_pair_table *table)
     return true;
 }
 
-bool hs_evaluator_pair(const hs_evaluator *evaluator, const double *row, double sum_of_radii, double r2,
-                       double *force_over_r, double *energy)
+bool hs_evaluator_pair(const hs_evaluator *evaluator, const hs_pair_table *table, int i, int j, double sum_of_radii,
+                       double r2, double *force_over_r, double *energy)
 {
+    const double *row = table->values + ((size_t)i * (size_t)table->n_types + (size_t)j) * (size_t)table->stride;
     if (!(r2 < row[HS_TABLE_CUT_R2])) return false;
     if (!evaluator->has_radii) {
-        evaluator->single(row + HS_TABLE_PARAMS, r2, force_over_r, energy);
+        evaluator->single(row + HS_TABLE_PARAMS, table->shared, r2, force_over_r, energy);
         return true;
     }
     if (!(r2 < sum_of_radii * sum_of_radii)) return false;
     double params[HS_EVALUATOR_PARAMS_MAX + 1];
     memcpy(params, row + HS_TABLE_PARAMS, (size_t)evaluator->n_params * sizeof *params);
     params[evaluator->n_params] = sum_of_radii;
-    evaluator->single(params, r2, force_over_r, energy);
+    evaluator->single(params, table->shared, r2, force_over_r, energy);
     return true;
 }

@@ -42,6 +42,7 @@ typedef struct hs_pair_table {
     int stride;      /**< HS_TABLE_PARAMS + n_params */
     double *values;  /**< owned */
     bool is_uniform; /**< all rows that can occur are the same, namely row (1, 1) */
+    const double *shared; /**< borrowed: numbers that the evaluator looks up, of all pairs of types; NULL: none */
 } hs_pair_table;
 
 /** Fixed point: bits that a pair's force and energy may have on their grid: few enough that sums over the neighbors of an atom, 8,192 of
@@ -134,17 +135,18 @@ typedef struct hs_evaluator {
     int n_params; /**< doubles per type pair */
     /** One more parameter follows those of the type pair: radius_i + radius_j, which is the cutoff of the pair, too. */
     bool has_radii;
-    /** The potential of one pair: force/r and energy from r^2 and the pair's parameters. The oracle of all kernels. */
-    void (*single)(const double *params, double r2, double *force_over_r, double *energy);
+    /** The potential of one pair: force/r and energy from r^2, the pair's parameters and hs_pair_table.shared. The oracle of
+     *  all kernels. */
+    void (*single)(const double *params, const double *shared, double r2, double *force_over_r, double *energy);
     const hs_kernel_set *set[HS_N_ISAS][HS_N_PRECISIONS]; /**< NULL where not compiled */
 } hs_evaluator;
 
 /** Parameters that an evaluator may have for a pair of types, without the sum of radii. */
 enum { HS_EVALUATOR_PARAMS_MAX = 63 };
-/** The potential of one pair by a row of the pair table, and by the sum of the two radii where the evaluator has those;
+/** The potential of one pair of kernel types i and j, and of the sum of the two radii where the evaluator has those;
  *  false, and nothing is written, beyond the cutoff. */
-bool hs_evaluator_pair(const hs_evaluator *evaluator, const double *row, double sum_of_radii, double r2,
-                       double *force_over_r, double *energy);
+bool hs_evaluator_pair(const hs_evaluator *evaluator, const hs_pair_table *table, int i, int j, double sum_of_radii,
+                       double r2, double *force_over_r, double *energy);
 
 /** Fill hs_pair_table.is_uniform: whether every pair of the given kernel types (1 ..) has the same row. */
 bool hs_pair_table_is_uniform(const hs_pair_table *table);

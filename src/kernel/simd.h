@@ -32,6 +32,8 @@
  *      hs_scatter_subtract(f, j, a)       the same with -=
  *      hs_gather_between(x, i, j)         x[j[0]] - x[i[0]], ..., rounded after the subtraction
  *      hs_first_lanes(n)                  mask of the lanes below n
+ *      hs_to_indices(a, j)                j[k] = lane k of a without its fraction; lanes fit 32-bit integers
+ *      hs_from_indices(j)                 and back
  *
  *  where vectors can be compressed (HS_COMPRESSES is defined):
  *
@@ -93,6 +95,22 @@ static inline hs_vec hs_gather(const double *x, double origin, const int32_t *j)
     hs_real lane[HS_LANES];
     hs_vec a;
     for (int k = 0; k < HS_LANES; ++k) lane[k] = hs_local(x[j[k]], origin);
+    memcpy(&a, lane, sizeof a);
+    return a;
+}
+
+static inline void hs_to_indices(hs_vec a, int32_t *j)
+{
+    hs_real lane[HS_LANES];
+    memcpy(lane, &a, sizeof a);
+    for (int k = 0; k < HS_LANES; ++k) j[k] = (int32_t)lane[k];
+}
+
+static inline hs_vec hs_from_indices(const int32_t *j)
+{
+    hs_real lane[HS_LANES];
+    hs_vec a;
+    for (int k = 0; k < HS_LANES; ++k) lane[k] = (hs_real)j[k];
     memcpy(&a, lane, sizeof a);
     return a;
 }

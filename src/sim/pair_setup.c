@@ -66,6 +66,7 @@ static hs_status fill_table(hs_sim *sim, const hs_pair *part, hs_pair_table *tab
     const int n = part->n_types + 1;
     table->n_types = n_classes * n;
     table->stride = HS_TABLE_PARAMS + part->style->evaluator->n_params;
+    table->shared = part->style->shared != NULL ? part->style->shared(part) : NULL;
     HS_TRY(HS_GROW(table->values, 0, (size_t)table->n_types * (size_t)table->n_types * (size_t)table->stride, err));
     for (int a = 0; a < table->n_types; ++a)
         for (int b = 0; b < table->n_types; ++b) {

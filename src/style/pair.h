@@ -32,6 +32,8 @@ typedef struct hs_pair_style {
     HS_MUST_USE hs_status (*init)(struct hs_pair *pair, hs_error *err);
     /** Cutoff (0: the pair does not interact) and the evaluator's parameters of a type pair, i <= j. */
     void (*params)(const struct hs_pair *pair, int i, int j, double *cutoff, double *params);
+    /** What the evaluator looks up, in hs_pair_table.shared: valid until the next call of a hook. NULL: nothing. */
+    const double *(*shared)(const struct hs_pair *pair);
     /** Long-range integrals for one pair of types per unit of n_i n_j / volume: see pair_modify tail. NULL: none. */
     void (*tail)(const struct hs_pair *pair, int i, int j, double *energy, double *virial);
     /** Words for a data file's "PairIJ Coeffs" line of (i, j), appended to @p words. NULL: not written. */

@@ -70,9 +70,8 @@ static inline void hs_pair_scan_eval(const hs_pair_scan *scan, const hs_pair_vie
         const hs_evaluator *evaluator = view->pair->part[k]->style->evaluator;
         const hs_pair_table *table = &view->table[k];
         if (evaluator == NULL) continue;
-        const double *row = table->values + (size_t)(type_i * table->n_types + type_j) * (size_t)table->stride;
         double f, e;
-        if (!hs_evaluator_pair(evaluator, row, sum_of_radii, r2, &f, &e)) continue;
+        if (!hs_evaluator_pair(evaluator, table, type_i, type_j, sum_of_radii, r2, &f, &e)) continue;
         *force_over_r += f;
         *energy += e;
     }
