@@ -178,7 +178,8 @@ static hs_status run_write_data(hs_deck *deck, const hs_args *args, hs_error *er
         options.context = sim->pair;
         if (options.pair == HS_DATA_PAIR_II) warn_of_unlike_pairs(sim);
     }
-    if (options.pair != HS_DATA_PAIR_NONE && sim->pair != NULL && sim->pair->style->is_hybrid)
+    if (options.pair != HS_DATA_PAIR_NONE && sim->pair != NULL && sim->pair->style->write_coeff == NULL &&
+        hs_pair_has_forces(sim->pair))
         hs_warn(sim->env.out,
                 "write_data: data files hold no coefficients of pair_style %s; the deck must give them again",
                 sim->pair->style->about.name);

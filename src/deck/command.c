@@ -56,7 +56,6 @@ static const char *const of_lammps[] = {
     "ndx2group",
     "neb",
     "neb/spin",
-    "pair_write",
     "partition",
     "plugin",
     "prd",

@@ -22,10 +22,11 @@ typedef struct header {
 
 static hs_status number(const hs_lines *lines, int i, double *value, hs_error *err)
 {
-    if (i < lines->n_words && hs_text_to_double(lines->word[i], value)) return HS_OK;
-    return hs_fail(err, HS_ERROR_INPUT, "%s:%ld: %s%s%s is not a number", lines->path, lines->number,
-                   i < lines->n_words ? "'" : "", i < lines->n_words ? lines->word[i] : "what is missing at the end",
-                   i < lines->n_words ? "'" : "");
+    if (i >= lines->n_words)
+        return hs_fail(err, HS_ERROR_INPUT, "%s:%ld: a number is missing at the end of the line", lines->path,
+                       lines->number);
+    if (hs_text_to_double(lines->word[i], value)) return HS_OK;
+    return hs_fail(err, HS_ERROR_INPUT, "%s:%ld: '%s' is not a number", lines->path, lines->number, lines->word[i]);
 }
 
 static hs_status read_header(hs_lines *lines, header *h, hs_error *err)

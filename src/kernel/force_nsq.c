@@ -26,7 +26,8 @@ static inline void nsq_pair(hs_force_buffer *buffer, const hs_force_job *job, in
     const double r2 = distance2(in->x, i, j, d);
     const double sum_of_radii = job->evaluator->has_radii ? in->radius[i] + in->radius[j] : 0.0;
     double force_over_r, energy, f[3];
-    if (!hs_evaluator_pair(job->evaluator, table, in->type[i], in->type[j], sum_of_radii, r2, &force_over_r, &energy)) return;
+    if (!hs_evaluator_pair(job->evaluator, table, in->type[i], in->type[j], sum_of_radii, r2, &force_over_r, &energy))
+        return;
     if (!is_listed(in, row, i, j)) return;
     for (int axis = 0; axis < 3; ++axis) {
         f[axis] = force_over_r * d[axis];

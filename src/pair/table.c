@@ -176,6 +176,27 @@ static hs_status read_curves(curves *from, const hs_pair *pair, const hs_args *a
     return hs_spline_fit(&from->force, data->n, data->r, data->force, data->slope[0], data->slope[1], err);
 }
 
+/** Forces of the file should be slopes of its energies: between those of the chords to both neighbors, except where the
+ *  force has an extreme. */
+static void warn_of_forces(const hs_pair *pair, const hs_tabulated *data, const hs_args *args)
+{
+    enum { MAY_BE_EXTREMES = 3 };
+    int n_bad = 0, first = 0;
+    for (int i = 1; i < data->n - 1; ++i) {
+        const double *r = data->r + i, *u = data->energy + i, f = data->force[i];
+        const double before = (u[-1] - u[0]) / (r[0] - r[-1]), after = (u[0] - u[1]) / (r[1] - r[0]);
+        const double rounding = 1e-10 * (fabs(before) + fabs(after));
+        if (f >= fmin(before, after) - rounding && f <= fmax(before, after) + rounding) continue;
+        if (n_bad++ == 0) first = i + 1;
+    }
+    if (n_bad > MAY_BE_EXTREMES)
+        hs_warn(pair->env->out,
+                "%s: %d of %d forces in section '%s' of '%s' (the first in row %d) are not between the slopes of the "
+                "energy "
+                "on both sides; energy will not be conserved",
+                args->command, n_bad, data->n, args->word[1], args->word[0], first);
+}
+
 static hs_status make(intervals *made, const curves *from, const table_state *state, const hs_args *args, hs_error *err)
 {
     const double first = from->data.r[0], last = from->data.r[from->data.n - 1];
@@ -193,6 +214,7 @@ static hs_status coeff(hs_pair *pair, int i, int j, const hs_args *args, hs_erro
     intervals *to = &state->of[hs_pair_index(pair, i, j)], made = {.c = NULL};
     curves from = {.data = {.n = 0}};
     hs_status status = read_curves(&from, pair, args, err);
+    if (status == HS_OK) warn_of_forces(pair, &from.data, args);
     if (status == HS_OK) status = make(&made, &from, state, args, err);
     free_curves(&from);
     if (status != HS_OK) {

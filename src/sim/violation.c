@@ -56,6 +56,14 @@ static hs_status find_nearest(const hs_sim *sim, nearest *pair, hs_error *err)
     return HS_OK;
 }
 
+/** Whether part of the potential comes from a file, and may not go down to the distance 0. */
+static bool has_table(const hs_pair *pair)
+{
+    for (int k = 0; k < pair->n_parts; ++k)
+        if (pair->part[k]->style->shared != NULL) return true;
+    return false;
+}
+
 hs_status hs_sim_report_overlap(hs_sim *sim, hs_error *err)
 {
     const hs_atoms *atoms = &sim->atoms;
@@ -70,10 +78,13 @@ hs_status hs_sim_report_overlap(hs_sim *sim, hs_error *err)
         (void)hs_fail(
             err, HS_ERROR_ATOMS,
             "at step %lld the force between two atoms is infinite: %lld at (%g %g %g) and %lld at (%g %g %g) are %g "
-            "apart. Usually atoms were created twice or overlap at the start: check create_atoms and read_data",
+            "apart. %s",
             (long long)sim->env.step, (long long)atoms->id[pair.i], atoms->x[0][pair.i], atoms->x[1][pair.i],
             atoms->x[2][pair.i], (long long)atoms->id[pair.j], atoms->x[0][pair.j], atoms->x[1][pair.j],
-            atoms->x[2][pair.j], sqrt(pair.r2));
+            atoms->x[2][pair.j], sqrt(pair.r2),
+            has_table(sim->pair) ? "A table of the potential begins at a larger distance, or atoms overlap at the start"
+                                 : "Usually atoms were created twice or overlap at the start: check create_atoms and "
+                                   "read_data");
     return hs_parallel_agree(&sim->parallel, err);
 }
 

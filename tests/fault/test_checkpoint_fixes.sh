@@ -54,6 +54,14 @@ variable s equal stride(10,1000,15)
 fix q all print v_s "$(step) $t" file q.txt screen no
 D
 
+check tables <<'D'
+fix 1 all nve
+print "# tables" file tables.txt
+pair_write 1 1 300 rsq 0.6 2.5 tables.txt LJ
+pair_style table linear 1000
+pair_coeff * * tables.txt LJ
+D
+
 check nvt <<'D'
 fix 1 all nvt temp 1.0 1.2 0.5 tchain 2
 D

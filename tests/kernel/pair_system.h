@@ -134,7 +134,9 @@ static void add_image_pair(const system_t *s, forces_t *out, int i, int j, const
         r2 += d[axis] * d[axis];
     }
     const double sum_of_radii = s->radius != NULL ? s->radius[i] + s->radius[j] : 0.0;
-    if (r2 == 0.0 || !hs_evaluator_pair(s->evaluator, &s->table, s->atoms.type[i], s->atoms.type[j], sum_of_radii, r2, &over_r, &energy)) return;
+    if (r2 == 0.0 || !hs_evaluator_pair(s->evaluator, &s->table, s->atoms.type[i], s->atoms.type[j], sum_of_radii, r2,
+                                        &over_r, &energy))
+        return;
     static const int first[6] = {0, 1, 2, 0, 0, 1}, second[6] = {0, 1, 2, 1, 2, 2};
     for (int axis = 0; axis < 3; ++axis) out->f[axis][s->atoms.id[i] - 1] += over_r * d[axis];
     out->largest_pair = fmax(out->largest_pair, fabs(over_r) * sqrt(r2));

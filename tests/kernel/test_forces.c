@@ -192,10 +192,10 @@ START_TEST(lj_values)
 {
     const double p[5] = {48.0, -24.0, 4.0, -4.0, 0.0};
     double over_r, energy;
-    hs_evaluator_lj_cut.single(p, 1.0, &over_r, &energy);
+    hs_evaluator_lj_cut.single(p, NULL, 1.0, &over_r, &energy);
     ck_assert_double_eq_tol(over_r, 24.0, 1e-13);
     ck_assert_double_eq_tol(energy, 0.0, 1e-13);
-    hs_evaluator_lj_cut.single(p, cbrt(2.0), &over_r, &energy);
+    hs_evaluator_lj_cut.single(p, NULL, cbrt(2.0), &over_r, &energy);
     ck_assert_double_eq_tol(over_r, 0.0, 1e-13);
     ck_assert_double_eq_tol(energy, -1.0, 1e-13);
 }

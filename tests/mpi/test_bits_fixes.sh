@@ -39,6 +39,23 @@ $liquid
 neigh_modify every 5 delay 0 check no
 fix 1 all npt temp 1.0 1.0 0.5 x 8.0 8.0 0.2 y 1.0 1.0 0.5 z -1 -1 0.5
 D
+    system tabulated 20 '' <<D
+lattice fcc 0.8442
+region box block 0 4 0 5 0 4
+create_box 2 box
+create_atoms 1 box
+set type 1 type/fraction 2 0.3 77
+mass * 1.0
+velocity all create 1.5 12345
+$liquid
+pair_coeff * * 1.0 1.0
+print '# tables' file tables
+pair_write 1 1 300 r 0.7 2.5 tables LJ
+pair_style hybrid/overlay table spline 500 lj/cut 2.0
+pair_coeff * * table tables LJ
+pair_coeff 1 2 lj/cut 0.2 1.0
+fix 1 all nve
+D
     system warmed 20 'c_1_temp' <<D
 lattice fcc 0.8442
 region box block 0 4 0 5 0 4
@@ -200,7 +217,7 @@ D
 } >in.fixes
 
 bits fixes 0 1
-[ "$(wc -l <fixes/thermo)" -eq 40 ] || fail "$(wc -l <fixes/thermo) rows"
+[ "$(wc -l <fixes/thermo)" -eq 43 ] || fail "$(wc -l <fixes/thermo) rows"
 bits fixes 0 3 -neigh cell
 bits fixes 2 2 -neigh verlet
 bits fixes 3 1 -neigh linked
