@@ -1,10 +1,12 @@
 /* Command pair_write: the potential of a pair of types as a table in a file. */
 #include <math.h>
 #include <stdio.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "base/memory.h"
 #include "deck/command.h"
+#include "deck/printed.h"
 #include "io/potential_file.h"
 #include "io/writer.h"
 
@@ -74,15 +76,20 @@ static hs_status write_section(hs_writer *writer, const hs_sim *sim, const plan 
 }
 
 /** On one rank. */
-static hs_status write_file(const hs_sim *sim, const plan *p, hs_error *err)
+static hs_status write_file(hs_deck *deck, const plan *p, hs_error *err)
 {
     hs_writer *writer = NULL;
     const bool is_new = access(p->file, F_OK) != 0;
     HS_TRY(hs_writer_open(&writer, p->file, HS_WRITE_APPEND, err));
-    const hs_status status = write_section(writer, sim, p, is_new, err);
-    if (status == HS_OK) return hs_writer_close(&writer, err);
-    hs_writer_abandon(&writer);
-    return status;
+    const hs_status status = write_section(writer, deck->sim, p, is_new, err);
+    if (status != HS_OK) {
+        hs_writer_abandon(&writer);
+        return status;
+    }
+    HS_TRY(hs_writer_close(&writer, err));
+    struct stat info;
+    if (stat(p->file, &info) != 0 || !S_ISREG(info.st_mode)) return HS_OK;
+    return hs_printed_note(&deck->printed, p->file, info.st_size, err);
 }
 
 static hs_status run_pair_write(hs_deck *deck, const hs_args *args, hs_error *err)
@@ -99,7 +106,7 @@ static hs_status run_pair_write(hs_deck *deck, const hs_args *args, hs_error *er
                        sim->pair->style->about.name,
                        hs_pair_has_forces(sim->pair) ? "depends on the sizes of the atoms, too" : "is zero everywhere");
     if (deck->options.dry_run || sim->env.is_resuming) return HS_OK;
-    if (sim->parallel.rank == 0) HS_UNLESS_FAILED(err, write_file(sim, &p, err));
+    if (sim->parallel.rank == 0) HS_UNLESS_FAILED(err, write_file(deck, &p, err));
     return hs_parallel_agree(&sim->parallel, err);
 }
 

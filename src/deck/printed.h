@@ -1,4 +1,4 @@
-/** Files that the command `print` writes to: how long they were, so that a resumed run does not print its lines
+/** Files that the commands `print` and `pair_write` write to: how long they were, so that a resumed run does not print its lines
  *  twice. */
 #ifndef HS_DECK_PRINTED_H
 #define HS_DECK_PRINTED_H
