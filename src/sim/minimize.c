@@ -302,6 +302,10 @@ hs_status hs_sim_minimize(hs_sim *sim, hs_min_plan *plan, hs_error *err)
 {
     hs_neighbor_settings *settings = &sim->neighbor.settings;
     const hs_neighbor_settings before = *settings;
+    if (sim->env.is_halted && !plan->is_resumed) {
+        hs_say(sim->env.out, "Skipped: a fix halt has ended the runs of this deck\n");
+        return HS_OK;
+    }
     /* line searches compare energies of the same pairs: lists must never be late */
     if (settings->every != 1 || settings->delay != 0 || !settings->check || settings->once)
         hs_warn(sim->env.out, "minimize makes lists as 'neigh_modify every 1 delay 0 check yes' says");

@@ -104,6 +104,8 @@ hs_status hs_sim_keep_run(hs_sim *sim, hs_state *state, hs_error *err)
     HS_TRY(hs_state_int(state, "force exponent", &sim->force_exponent, err));
     HS_TRY(hs_state_bool(state, "is set up", &sim->is_initialized, err));
     HS_TRY(hs_state_bool(state, "output is due", &sim->is_output_due, err));
+    if (state->is_reading ? hs_state_find(state, "is halted") != NULL : env->is_halted)
+        HS_TRY(hs_state_bool(state, "is halted", &env->is_halted, err));
     HS_TRY(hs_state_double(state, "mass", sim->atoms.mass, sim->atoms.n_types + 1, err));
     HS_TRY(hs_state_int(state, "restart turn", &sim->saving->restart_turn, err));
     HS_TRY(hs_sim_keep_box_of_forces(sim, state, err));

@@ -55,6 +55,7 @@ typedef struct hs_env {
     int64_t ramp_stop;   /**< step at which the series ends (run stop); else last_step */
     int64_t clock_ahead; /**< step + clock_ahead counts all steps ever made: what reset_timestep took off the step */
     double dt;           /**< timestep, time */
+    bool is_halted;      /**< fix halt: there shall be no more runs and minimisations */
     /** Raised whenever positions, velocities, forces or the order of atoms change: results of computes are remembered
      *  for one revision. Who changes atoms outside of the hooks before end_of_step raises it (hs_env_changed). */
     uint64_t revision;

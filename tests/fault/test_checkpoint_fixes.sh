@@ -62,6 +62,28 @@ pair_style table linear 1000
 pair_coeff * * tables.txt LJ
 D
 
+check moved <<'D'
+group one type 1
+group two type 2
+variable d equal 0.1*sin(step*dt)
+variable q atom vx*vx
+fix 1 one nve
+fix 2 two move rotate 3 3 3 1 2 3 12.0
+fix a all ave/atom 2 3 40 vx z
+fix s two store/state 25 xu v_q
+compute c all reduce sum f_a[1] f_a[2] f_s[1] f_s[2]
+fix p all print 10 "$(c_c[1]) $(c_c[2]) $(c_c[3]) $(c_c[4])" file p.txt screen no
+run 20
+unfix 2
+fix 2 two move variable v_d NULL NULL NULL v_d NULL units box
+D
+
+check halted <<'D'
+fix 1 all nve
+variable s equal step
+fix h all halt 7 v_s > 40 error continue
+D
+
 check nvt <<'D'
 fix 1 all nvt temp 1.0 1.2 0.5 tchain 2
 D

@@ -56,6 +56,35 @@ pair_coeff * * table tables LJ
 pair_coeff 1 2 lj/cut 0.2 1.0
 fix 1 all nve
 D
+    system moved 20 'c_r[*]' 'f_m[1] f_a[1] f_a[2] f_b f_s[1] f_s[2]' <<D
+lattice fcc 0.7
+region box block 0 5 0 4 0 4
+create_box 3 box
+create_atoms 1 box
+region ball sphere 1.5 2 2 0.9
+region slab block 4 4.4 INF INF INF INF
+set region ball type 2
+set region slab type 3
+mass * 1.0
+velocity all create 1.5 12345
+$liquid
+pair_coeff * * 1.0 1.0
+neigh_modify every 2 delay 0 check yes
+group rest type 1
+group ball type 2
+group slab type 3
+variable d atom 0.02*(1-cos(step*dt))*y
+variable v equal 0.2*step*dt
+compute e all ke/atom
+compute u all property/atom xu
+fix 1 rest nve
+fix m ball move rotate 1.5 2 2 1 2 3 1.5
+fix n slab move variable NULL v_d NULL NULL NULL v_v
+fix a all ave/atom 2 3 10 c_e vx
+fix b rest ave/atom 3 2 6 x
+fix s all store/state 7 xu c_u com yes
+compute r all reduce sum f_a[1] f_a[2] f_b f_s[1] f_s[2]
+D
     system warmed 20 'c_1_temp' <<D
 lattice fcc 0.8442
 region box block 0 4 0 5 0 4
@@ -217,7 +246,7 @@ D
 } >in.fixes
 
 bits fixes 0 1
-[ "$(wc -l <fixes/thermo)" -eq 43 ] || fail "$(wc -l <fixes/thermo) rows"
+[ "$(wc -l <fixes/thermo)" -eq 46 ] || fail "$(wc -l <fixes/thermo) rows"
 bits fixes 0 3 -neigh cell
 bits fixes 2 2 -neigh verlet
 bits fixes 3 1 -neigh linked
