@@ -303,6 +303,12 @@ static hs_status keep_state(hs_compute *compute, hs_state *kept, hs_error *err)
     return kept->is_reading && state->is_set_up ? place_chunks(compute, err) : HS_OK;
 }
 
+/** Chunks that are counted or numbered once are so at the start of the first run. */
+static hs_status setup(hs_compute *compute, hs_error *err)
+{
+    return hs_chunks_of(compute)->is_once ? hs_compute_eval_atoms(compute, err) : HS_OK;
+}
+
 const hs_compute_style hs_compute_style_chunk_atom = {
     .about = {.name = "chunk/atom",
               .syntax = {.usage = "type | bin/1d <axis> <origin> <delta> | bin/2d ... | bin/3d ... | bin/sphere <x> "
@@ -336,6 +342,7 @@ const hs_compute_style hs_compute_style_chunk_atom = {
     .state_size = sizeof(chunk_state),
     .create = create,
     .destroy = destroy,
+    .setup = setup,
     .scalar = scalar,
     .per_atom = per_atom,
     .keep_state = keep_state,

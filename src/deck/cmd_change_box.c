@@ -236,6 +236,8 @@ static hs_status change_run(hs_deck *deck, const hs_args *args, hs_error *err)
     HS_TRY(hs_groups_get(&sim->groups, args->word[0], &bit, err));
     c.mask = hs_group_mask(bit);
     HS_TRY(read_units(&c, args, err));
+    /* atoms that have left the box since the last lists come back first: those that do not follow stay where they are */
+    HS_TRY(hs_atoms_wrap_all(sim, args->command, err));
     hs_sim_shrink_box(sim); /* to the atoms as they are now, from which new margins and lengths follow, as in LAMMPS */
     c.set = *box;
     sim->env.position_magic = 0.0; /* between runs positions are on no grid */

@@ -6,6 +6,7 @@
 #include "core/random.h"
 #include "deck/command.h"
 #include "deck/place_atoms.h"
+#include "style/moments.h"
 
 typedef enum { DISPLACE_MOVE, DISPLACE_RAMP, DISPLACE_RANDOM, DISPLACE_ROTATE } displace_style;
 static const char *const displace_styles[] = {"move", "ramp", "random", "rotate", NULL};
@@ -106,9 +107,11 @@ static hs_status shake(const displacement *d, const hs_args *args, hs_error *err
     return HS_OK;
 }
 
-/** Rotation by an angle about an axis through a point: the part of r along the axis stays, the rest turns. */
+/** Rotation of the unwrapped places by an angle about an axis through a point: the part of r along the axis stays, the
+ *  rest turns. */
 static hs_status rotate(const displacement *d, const hs_args *args, hs_error *err)
 {
+    const hs_env *env = &d->deck->sim->env;
     const hs_atoms *atoms = d->atoms;
     double point[3], axis_of[3], theta;
     for (int axis = 0; axis < 3; ++axis) {
@@ -126,12 +129,12 @@ static hs_status rotate(const displacement *d, const hs_args *args, hs_error *er
     for (int i = 0; i < atoms->n_local; ++i) {
         double r[3];
         if (!(atoms->mask[i] & d->mask)) continue;
-        for (int axis = 0; axis < 3; ++axis) r[axis] = atoms->x[axis][i] - point[axis];
+        for (int axis = 0; axis < 3; ++axis) r[axis] = hs_unwrapped(env, axis, i) - point[axis];
         const double along = r[0] * u[0] + r[1] * u[1] + r[2] * u[2];
         for (int axis = 0; axis < 3; ++axis) {
             const int next = (axis + 1) % 3, after = (axis + 2) % 3;
             const double rest = r[axis] - along * u[axis], turned = u[next] * r[after] - u[after] * r[next];
-            atoms->x[axis][i] = point[axis] + along * u[axis] + rest * cosine + turned * sine;
+            atoms->x[axis][i] += along * u[axis] + rest * cosine + turned * sine - r[axis];
         }
     }
     return HS_OK;
@@ -186,7 +189,9 @@ const hs_command hs_commands_displace[] = {
                            "`random <dx> <dy> <dz> <seed>` moves each by random amounts between -dx and dx and so on, "
                            "which are those of LAMMPS, on any number of ranks.\n\n"
                            "`rotate <Px> <Py> <Pz> <Rx> <Ry> <Rz> <theta>` turns them by theta degrees about the axis "
-                           "R through the point P.\n\n"
+                           "R through the point P: as in LAMMPS from their unwrapped places, so that what crosses a "
+                           "face stays in "
+                           "one piece.\n\n"
                            "Lengths are in lattice spacings unless `units box` is said. Atoms that leave a periodic "
                            "box come back on the other side; nothing keeps atoms from being moved onto one another.\n",
                 .example = "displace_atoms top move 0 -5 0 units box\ndisplace_atoms all random 0.1 0.1 0.1 4711\n"

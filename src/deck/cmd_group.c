@@ -269,7 +269,8 @@ static hs_status group_run(hs_deck *deck, const hs_args *args, hs_error *err)
     HS_TRY(hs_groups_add(&sim->groups, args->word[0], &group, err));
     const uint32_t bit = hs_group_mask(group);
     if (is_new) clear_bit(&sim->atoms, bit);
-    hs_status status = select_atoms(deck, (group_style)style, args, bit, err);
+    /* atoms that come from a checkpoint bring their groups; what chose them (regions, variables) may be gone */
+    hs_status status = sim->env.is_resuming ? HS_OK : select_atoms(deck, (group_style)style, args, bit, err);
     if (status != HS_OK) {
         if (is_new) hs_groups_remove(&sim->groups, group);
         return status;

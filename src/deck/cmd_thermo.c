@@ -67,7 +67,7 @@ const hs_command hs_commands_thermo[] = {
                .summary = "Write a row of thermodynamic output every N steps",
                .details = "The first and the last step of a run always have a row; with N = 0, the default, only they "
                           "have. With `v_name` the variable gives the step of the next row, is evaluated anew at each "
-                          "row, and decides whether the last step has one.",
+                          "row; the last step has one if one between it and the first has.",
                .example = "thermo 100\nvariable s equal logfreq(10,3,10)\nthermo v_s"},
      .run = run_thermo,
      .check = check_thermo},

@@ -266,14 +266,6 @@ static hs_status end_of_step(hs_fix *fix, hs_error *err)
     return write_window(fix, chunks, err);
 }
 
-static hs_status setup(hs_fix *fix, hs_error *err)
-{
-    hs_compute *compute;
-    HS_TRY(hs_chunks_find(fix->env, ((ave_state *)fix->state)->chunk_id, "fix ave/chunk", &compute, err));
-    if (hs_chunks_of(compute)->is_once) HS_TRY(hs_compute_eval_atoms(compute, err));
-    return end_of_step(fix, err);
-}
-
 static hs_status array(hs_fix *fix, int i, int j, double *value, hs_error *err)
 {
     ave_state *state = fix->state;
@@ -349,7 +341,7 @@ const hs_fix_style hs_fix_style_ave_chunk = {
     .create = create,
     .destroy = destroy,
     .init = init,
-    .setup = setup,
+    .measure_at_setup = end_of_step,
     .end_of_step = end_of_step,
     .array = array,
     .keep_state = keep_state,

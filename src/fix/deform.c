@@ -175,6 +175,7 @@ static hs_status init(hs_fix *fix, hs_error *err)
         state->plan.start_tilt[axis] = is_single ? env->box->tilt[axis] : state->first_tilt[axis];
         if (is_single) state->flips[axis] = 0;
     }
+    state->plan.start_time = env->time_origin + (double)(env->ramp_start - env->time_origin_step) * env->dt;
     state->flip_at = -1;
     HS_TRY(check_start(fix, err));
     return hs_deform_begin_flow(&state->plan, env, &state->flow, err);
@@ -264,6 +265,7 @@ static hs_status keep_state(hs_fix *fix, hs_state *kept, hs_error *err)
         HS_TRY(hs_state_double(kept, first[axis], state->first[axis], 2, err));
         HS_TRY(hs_state_double(kept, start[axis], state->plan.start[axis], 2, err));
     }
+    HS_TRY(hs_state_double(kept, "start time", &state->plan.start_time, 1, err));
     HS_TRY(hs_state_double(kept, "flow", &state->flow.edge[0][0], 9, err));
     HS_TRY(hs_state_double(kept, "flow of the corner", state->flow.corner, 3, err));
     if (!fix->env->box->is_tilted) return HS_OK;

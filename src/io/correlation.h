@@ -99,7 +99,7 @@ HS_MUST_USE hs_status hs_correlation_tau_keep(hs_fix *fix, hs_correlation_tau *t
 bool hs_correlation_needs_energy(const hs_fix *fix, int64_t step);
 HS_MUST_USE hs_status hs_correlation_array(hs_fix *fix, int i, int j, double *value, hs_error *err);
 #define HS_CORRELATION_HOOKS                                                                                           \
-    .create = create, .destroy = destroy, .init = init, .setup = end_of_step, .end_of_step = end_of_step,              \
+    .create = create, .destroy = destroy, .init = init, .measure_at_setup = end_of_step, .end_of_step = end_of_step,   \
     .keep_state = keep_state, .array = hs_correlation_array, .needs_energy = hs_correlation_needs_energy,              \
     .is_time_dependent = true
 

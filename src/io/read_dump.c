@@ -133,12 +133,12 @@ static hs_status place_atom(const reading *self, const hs_frame_rows *rows, int 
             image[axis] = 0;
         const double lo = box->lo[axis], length = box->hi[axis] - lo,
                      away = (hs_box_upright(box, x, axis) - lo) / length;
-        const bool is_fixed =
-            box->boundary[axis][0] == HS_BOUNDARY_FIXED || box->boundary[axis][1] == HS_BOUNDARY_FIXED;
+        const bool is_below = x[axis] < lo && box->boundary[axis][0] == HS_BOUNDARY_FIXED,
+                   is_above = x[axis] > box->hi[axis] && box->boundary[axis][1] == HS_BOUNDARY_FIXED;
         if (!(fabs(away) < farthest))
             return hs_fail(err, HS_ERROR_INPUT, "atom %lld has %c = %.10g, more than %g box lengths from the box",
                            (long long)rows->id[k], "xyz"[axis], x[axis], farthest);
-        if (is_fixed && (x[axis] < lo || x[axis] > box->hi[axis]))
+        if (is_below || is_above)
             return hs_fail(err, HS_ERROR_INPUT,
                            "atom %lld has %c = %.10g, outside of the box, %.10g to %.10g, which is not periodic there",
                            (long long)rows->id[k], "xyz"[axis], x[axis], lo, box -> hi[axis]);

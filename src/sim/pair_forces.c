@@ -43,8 +43,7 @@ hs_force_job hs_sim_make_job(hs_sim *sim, bool with_energy)
     return job;
 }
 
-/** Energy of the long-range corrections at the present volume: see pair_modify tail. */
-static void add_tail(hs_sim *sim)
+void hs_sim_find_tail(hs_sim *sim)
 {
     sim->env.tail_energy = sim->env.tail_pressure = 0.0;
     const double volume = hs_box_volume(&sim->box);
@@ -193,6 +192,6 @@ hs_status hs_sim_pair_forces(hs_sim *sim, bool with_energy, hs_error *err)
     env->pair_energy = sums[0];
     memcpy(env->pair_virial, sums + 1, sizeof env->pair_virial);
     env->energy_step = env->step;
-    add_tail(sim);
+    hs_sim_find_tail(sim);
     return HS_OK;
 }

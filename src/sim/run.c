@@ -88,6 +88,12 @@ hs_status hs_sim_setup_forces(hs_sim *sim, hs_error *err)
         if (sim->fix[k]->style->setup != NULL && (!sim->is_minimizing || sim->fix[k]->style->acts_in_minimize))
             HS_TRY(sim->fix[k]->style->setup(sim->fix[k], err));
     HS_TRY(hs_sim_post_force(sim, err));
+    hs_env_changed(&sim->env);
+    for (int k = 0; k < sim->n_computes; ++k)
+        if (sim->compute[k]->style->setup != NULL) HS_TRY(sim->compute[k]->style->setup(sim->compute[k], err));
+    for (int k = 0; k < sim->n_fixes; ++k)
+        if (sim->fix[k]->style->measure_at_setup != NULL && !sim->is_minimizing)
+            HS_TRY(sim->fix[k]->style->measure_at_setup(sim->fix[k], err));
     sim->is_initialized = true;
     return HS_OK;
 }

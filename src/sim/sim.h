@@ -225,6 +225,8 @@ void hs_sim_show_force_places(hs_sim *sim);
 
 /** Take the positions of halo atoms that are under way, if they are.  sim/pair_forces.c */
 void hs_sim_await_halo(hs_sim *sim);
+/** Energy and pressure of the long-range corrections in the present box (pair_modify tail).  sim/pair_forces.c */
+void hs_sim_find_tail(hs_sim *sim);
 /** Pair forces on all local atoms, and with_energy also env.pair_energy and pair_virial (collective).  sim/pair_forces.c */
 HS_MUST_USE hs_status hs_sim_pair_forces(hs_sim *sim, bool with_energy, hs_error *err);
 /** What fixes change that lists and forces depend on; @p is_setup: before the first forces of a run (collective).

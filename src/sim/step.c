@@ -62,6 +62,19 @@ hs_status hs_sim_move_forces(hs_sim *sim, hs_error *err)
     return HS_OK;
 }
 
+/** The long-range corrections are those of the box that a fix leaves, as in LAMMPS. */
+static hs_status end_step(hs_sim *sim, hs_error *err)
+{
+    hs_env_changed(&sim->env);
+    for (int k = 0; k < sim->n_fixes; ++k) {
+        hs_fix *fix = sim->fix[k];
+        if (fix->style->end_of_step == NULL) continue;
+        HS_TRY(fix->style->end_of_step(fix, err));
+        if (fix->style->changes_box) hs_sim_find_tail(sim);
+    }
+    return HS_OK;
+}
+
 hs_status hs_sim_step(hs_sim *sim, bool with_energy, hs_error *err)
 {
     ++sim->env.step;
@@ -84,7 +97,7 @@ hs_status hs_sim_step(hs_sim *sim, bool with_energy, hs_error *err)
     /* positions are still those of the forces, until a fix says otherwise */
     if (sim->env.pair_counter != NULL) hs_pair_counter_hold(sim->env.pair_counter, sim->env.revision + 1);
     hs_sim_keep_force_places(sim);
-    CALL_FIXES(sim, end_of_step, err);
+    HS_TRY(end_step(sim, err));
     hs_timer_add(&sim->timer, HS_PHASE_MODIFY);
     return HS_OK;
 }

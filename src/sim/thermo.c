@@ -116,6 +116,8 @@ static hs_status find_next_due(hs_thermo *thermo, hs_error *err)
                        thermo->every_variable, next, (long long)env->step);
     /* stride() and the like say "never" with 2^63, which no integer holds. */
     thermo->next_due = next < 9e18 ? (int64_t)next : INT64_MAX;
+    /* As in LAMMPS, the last step has a row if another step between it and the first one has. */
+    if (env->step != env->first_step && thermo->next_due > env->last_step) thermo->next_due = env->last_step;
     return HS_OK;
 }
 
@@ -134,7 +136,7 @@ bool hs_thermo_is_due(const hs_thermo *thermo, int64_t step)
 {
     const hs_env *env = &thermo->sim->env;
     if (step == env->first_step) return true;
-    /* As in LAMMPS, a variable decides about the last step too. */
+    /* A variable decides about the last step too: see find_next_due. */
     if (thermo->every_variable != NULL) return step == thermo->next_due;
     if (step == env->last_step) return true;
     return thermo->every > 0 && step % thermo->every == 0;

@@ -15,7 +15,7 @@ typedef struct hs_chunks {
     double *volumes;    /**< owned [n]: where they differ; NULL: all have `volume` */
     int64_t n_locks;    /**< while there are some, chunks stay as many as they are */
     bool is_compressed; /**< only chunks with atoms have numbers */
-    bool is_once;       /**< counted or numbered once: at the start of the first run of who averages */
+    bool is_once;       /**< counted or numbered once: at the start of the first run */
     bool is_by_window;  /**< ids nfreq: who averages asks for new numbers at the start of a window */
     bool is_stale;      /**< numbers that are kept are to be made anew at the next evaluation */
 } hs_chunks;

@@ -15,6 +15,8 @@ typedef struct hs_compute_style {
     HS_MUST_USE hs_status (*create)(struct hs_compute *compute, const hs_args *args, hs_error *err);
     void (*destroy)(struct hs_compute *compute);                              /**< free what create allocated */
     HS_MUST_USE hs_status (*init)(struct hs_compute *compute, hs_error *err); /**< before each run */
+    /** After all forces of a run's set-up, before fixes measure: what is found once and kept. NULL: nothing is. */
+    HS_MUST_USE hs_status (*setup)(struct hs_compute *compute, hs_error *err);
     HS_MUST_USE hs_status (*scalar)(struct hs_compute *compute, double *value,
                                     hs_error *err); /**< NULL: has no scalar */
     /** Fill compute->vector[n_vector]; NULL: has no vector. */

@@ -5,6 +5,13 @@
 
 #include "style/box_shape.h"
 
+/** Simulated time since the start of the run (or series of runs), in which the timestep may have changed. */
+static double time_since_start(const hs_deformation *d, const hs_env *env)
+{
+    if (env->time_origin_step <= env->first_step) return (double)(env->step - env->ramp_start) * env->dt;
+    return env->time_origin - d->start_time + (double)(env->step - env->time_origin_step) * env->dt;
+}
+
 static hs_status aim_axis(const hs_deformation *d, const hs_env *env, int axis, hs_deform_aim *to, hs_error *err)
 {
     const hs_deform_path *path = &d->path[axis];
@@ -20,7 +27,7 @@ static hs_status aim_axis(const hs_deformation *d, const hs_env *env, int axis, 
             HS_TRY(hs_deform_growth(path, env, &start, &growth[k], &rate[k], err));
         }
     } else { /* the same at both ends */
-        const hs_deform_start start = {.length = length, .every = d->every};
+        const hs_deform_start start = {.length = length, .time = time_since_start(d, env), .every = d->every};
         HS_TRY(hs_deform_growth(path, env, &start, &growth[1], &rate[1], err));
         growth[1] *= 0.5, rate[1] *= 0.5;
         growth[0] = -growth[1], rate[0] = -rate[1];
@@ -40,6 +47,7 @@ static hs_status aim_tilt(const hs_deformation *d, const hs_env *env, int tilt, 
     const double *across = d->start[hs_tilt_second(tilt)], begin = d->start_tilt[tilt];
     const hs_deform_start start = {.value = begin,
                                    .length = path->style == HS_DEFORM_TRUE_RATE ? begin : across[1] - across[0],
+                                   .time = time_since_start(d, env),
                                    .every = d->every};
     double growth;
     HS_TRY(hs_deform_growth(path, env, &start, &growth, &to->tilt_rate[tilt], err));

@@ -12,6 +12,7 @@ typedef struct hs_deformation {
     int64_t every;  /**< steps between two changes */
     hs_deform_path path[HS_DEFORM_PATHS];
     double start[3][2], start_tilt[3]; /**< bounds and tilts when the run (or series of runs) began, distance */
+    double start_time;                 /**< simulated time then */
 } hs_deformation;
 
 /** The box that the paths give at the present step, without flips, and how fast it changes. */

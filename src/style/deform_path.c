@@ -69,7 +69,7 @@ hs_status hs_deform_path_check(const hs_deform_path *path, const hs_fix *fix, hs
 hs_status hs_deform_growth(const hs_deform_path *path, const hs_env *env, const hs_deform_start *start, double *growth,
                            double *rate, hs_error *err)
 {
-    const double *number = path->number, time = (double)(env->step - env->ramp_start) * env->dt,
+    const double *number = path->number, time = start->time,
                  whole = (double)(env->ramp_stop - env->ramp_start) * env->dt, done = hs_env_ramp(env);
     double in_all = 0.0; /* growth over the run, of the styles that tell the end */
     *growth = *rate = 0.0;

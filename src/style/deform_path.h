@@ -35,6 +35,7 @@ HS_MUST_USE hs_status hs_deform_path_check(const hs_deform_path *path, const hs_
 typedef struct hs_deform_start {
     double value;  /**< final only: where it starts, distance */
     double length; /**< that rates and factors refer to, distance */
+    double time;   /**< since then */
     int k;         /**< final and delta: which of the numbers is its own */
     int64_t
         every; /**< steps between changes: as in LAMMPS the rate of trate is that of the value before the present change */

@@ -31,7 +31,7 @@ typedef struct hs_fix_style {
     HS_MUST_USE hs_status (*create)(struct hs_fix *fix, const hs_args *args, hs_error *err);
     void (*destroy)(struct hs_fix *fix);                               /**< free what create allocated */
     HS_MUST_USE hs_status (*init)(struct hs_fix *fix, hs_error *err);  /**< before each run: check, read dt */
-    HS_MUST_USE hs_status (*setup)(struct hs_fix *fix, hs_error *err); /**< after the run's first forces */
+    HS_MUST_USE hs_status (*setup)(struct hs_fix *fix, hs_error *err); /**< after the run's first pair forces */
     HS_MUST_USE hs_status (*initial_integrate)(struct hs_fix *fix, hs_error *err); /**< half kick and drift */
     HS_MUST_USE hs_status (*post_integrate)(struct hs_fix *fix, hs_error *err); /**< after all drifts: walls, shifts */
     /** After all moves, before lists and forces: change what these depend on, such as coefficients
@@ -45,6 +45,9 @@ typedef struct hs_fix_style {
     HS_MUST_USE hs_status (*pre_exchange)(struct hs_fix *fix, hs_error *err);
     /** Add to, or constrain, forces; called after the set-up's forces too, following setup. */
     HS_MUST_USE hs_status (*post_force)(struct hs_fix *fix, hs_error *err);
+    /** After all forces of a set-up, those of fixes included: what measures every so many steps does so at the first
+     *  step, too. */
+    HS_MUST_USE hs_status (*measure_at_setup)(struct hs_fix *fix, hs_error *err);
     HS_MUST_USE hs_status (*final_integrate)(struct hs_fix *fix, hs_error *err); /**< half kick */
     HS_MUST_USE hs_status (*end_of_step)(struct hs_fix *fix, hs_error *err);
     HS_MUST_USE hs_status (*end_of_run)(struct hs_fix *fix, hs_error *err); /**< after the last step and its output */

@@ -41,8 +41,9 @@ hs_status hs_temperature_init(hs_compute *compute, hs_error *err)
     for (int i = 0; i < env->atoms->n_local; ++i) n += counts(compute, env->atoms, i);
     hs_parallel_sum_int64(env->parallel, &n, 1);
     const int n_axes = state->n_axes != HS_ALL_AXES ? state->n_axes : env->box->dimension;
-    compute->n_dof =
-        (double)n_axes * (double)n - (state->has_n_fixed ? state->n_fixed : (double)n_axes) - state->n_bias;
+    /* those that are not thermal are spread evenly over the box's axes */
+    const double n_fixed = state->has_n_fixed ? state->n_fixed : env->box->dimension;
+    compute->n_dof = (double)n_axes * (double)n - n_fixed * n_axes / env->box->dimension - state->n_bias;
     if (compute->n_dof >= 0.0 || n == 0 || state->is_dynamic) return HS_OK;
     return hs_fail(err, HS_ERROR_INPUT, "compute '%s' (%s): %lld atoms have fewer than 0 degrees of freedom",
                    compute->id, compute->style->about.name, (long long)n);

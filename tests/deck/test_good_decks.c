@@ -267,7 +267,7 @@ END_TEST
 
 START_TEST(thermo_rows_by_a_variable)
 {
-    check_rows("thermo_style custom step\nvariable s equal stride(4,8,2)\nthermo v_s\nrun 10\n", "0 \n4 \n6 \n8 \n");
+    check_rows("thermo_style custom step\nvariable s equal stride(4,8,2)\nthermo v_s\nrun 10\n", "0 \n4 \n6 \n8 \n10 \n");
 }
 END_TEST
 

@@ -70,3 +70,12 @@ printf 'read_restart middle.h5\ninclude other.in\nrun 20\n' >third.in
 "$HALFSHELL" third.in -log none >out 2>err || fail "$(cat err)"
 grep -q "fix 'mean' (ave/time): its state in the restart file does not fit" out || fail "no warning: $(cat out)"
 grep -q 'fix style: vector, fix ID: list' out || fail "list: $(cat out)"
+
+# Groups come with the atoms, not the regions and variables that chose them.
+sed '/^velocity/a region ball sphere 2 2 2 1.5\nregion cube block 0 2 0 2 0 2\nregion both intersect 2 ball cube\ngroup ball region both\nvariable fast atom vx>0.5\ngroup fast variable fast\nvariable fast delete\nprint "$(count(ball)) $(count(fast))" file written.txt' \
+    first.in >groups.in
+printf 'read_restart middle.h5\nprint "$(count(ball)) $(count(fast))" file read.txt\n' >groups_read.in
+"$HALFSHELL" groups.in -log none >out 2>err || fail "$(cat err)"
+"$HALFSHELL" groups_read.in -log none >out 2>err || fail "$(cat err)"
+cmp written.txt read.txt >&2 || fail "groups: $(cat written.txt read.txt)"
+grep -Eq '^[1-9][0-9]* [1-9]' read.txt || fail "empty groups: $(cat read.txt)"

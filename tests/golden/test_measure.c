@@ -101,7 +101,7 @@ START_TEST(every_deck_gives_lammps_s_numbers)
     static const char *const decks[] = {
         "averages",  "chunks",  "correlations", "histograms", "pairs",      "per_atom", "plane",     "temperatures",
         "ensembles", "changes", "indenters",    "deformed",   "formulas",   "heated",   "per_chunk", "tilted",
-        "sheared",   "sllod",   "tilted_plane", "newer",      "temp_chunk", "custom",   "of_forces"};
+        "sheared",   "sllod",   "tilted_plane", "newer",      "temp_chunk", "custom",   "of_forces", "setup"};
     ck_assert_ptr_nonnull(mkdtemp(folder));
     ck_assert_int_eq(chdir(folder), 0);
     for (size_t k = 0; k < sizeof decks / sizeof decks[0]; ++k)

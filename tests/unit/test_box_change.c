@@ -1,10 +1,13 @@
 /* Boxes that change while atoms go along, flip, or flow: in reproducible runs all images of an atom stay images in
  * every bit. */
 #include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "style/box_change.h"
 #include "support/harness.h"
+#include "support/run_deck.h"
 
 enum { N = 60, N_IMAGES = 5 };
 
@@ -155,4 +158,42 @@ START_TEST(velocities_of_images)
 }
 END_TEST
 
-HS_TEST_MAIN("changing boxes", images_follow_as_images, those_not_chosen_stay, flips_keep_places, velocities_of_images)
+/** A rate is a rate of time, whatever becomes of the timestep in the midst of a run: the box neither jumps nor slows down. */
+START_TEST(rates_when_the_timestep_changes)
+{
+    hs_error error = {0};
+    char *log = hs_test_run_deck("lattice fcc 0.8442\n"
+                                 "region b block 0 3 0 3 0 3\n"
+                                 "create_box 1 b\n"
+                                 "create_atoms 1 box\n"
+                                 "mass 1 1\n"
+                                 "velocity all create 1.44 87287 loop geom\n"
+                                 "pair_style lj/cut 2.5\n"
+                                 "pair_coeff 1 1 1 1\n"
+                                 "timestep 0.001\n"
+                                 "fix 1 all nve\n"
+                                 "fix d all deform 1 x erate 0.1\n"
+                                 "fix r all dt/reset 5 0.0001 0.01 0.01 units box\n"
+                                 "thermo_style custom step lx time\n"
+                                 "thermo_modify format float %.15g\n"
+                                 "thermo 1\n"
+                                 "run 40\n",
+                                 &error);
+    ck_assert_hs_ok(error.status, error);
+    double first = 0.0, step, length, time = 0.0;
+    int n = 0;
+    for (const char *row = strstr(log, "\nStep "); row != NULL; row = strchr(row + 1, '\n')) {
+        if (sscanf(row, "%lf %lf %lf", &step, &length, &time) != 3) continue;
+        if (step == 0.0) first = length;
+        /* the position grid of so small a box is finer than 1e-12 */
+        ck_assert_msg(fabs(length - first * (1.0 + 0.1 * time)) < 1e-9, "step %g: %.15g at %.15g", step, length, time);
+        ++n;
+    }
+    ck_assert_int_eq(n, 41);
+    ck_assert(fabs(time - 40 * 0.001) > 0.01); /* the timestep did change */
+    free(log);
+}
+END_TEST
+
+HS_TEST_MAIN("changing boxes", images_follow_as_images, those_not_chosen_stay, flips_keep_places, velocities_of_images,
+             rates_when_the_timestep_changes)
