@@ -34,7 +34,7 @@ def atom_formula(deck, value="vx"):
     r, g = None, deck.group()
     formula = deck.pick("x*x+vy", "abs(fx)", f"{value}+1", "mass*vx^2", "(id<100)*y", "type*fy", f"sqrt({value}*{value})", f"({value}>0.5)*vy", "ln(1+x*x)-z",
                         "rmask({r})*vx", f"gmask({g})+id%5", f"grmask({g},{{r}})*type", "x[3]-x", "(vx>0)&&(vy<0)||(type==2)", "floor(x)+round(y)%3",
-                        "ramp(0,1)*x", "(id==5)|^(vx<0)", "temp*vx", "-x^2", "!(vx>0)", "atan2(y,x)", "swiggle(0,1,10)*vy", "cos(x)*exp(-y)",
+                        "ramp(0,1)*x", "(id==5)|^(vx<0)", "temp*vx", "-x^2", "!(vx>0)", "atan2(y,x)", "cwiggle(0,1,10)*vy", "cos(x)*exp(-y)",
                         "xcm(all,x)-x", "(x>=2)*1.0")
     if "{r}" in formula:
         r = more_regions(deck)
