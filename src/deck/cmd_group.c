@@ -231,7 +231,7 @@ static hs_status clear_or_delete(hs_sim *sim, const hs_args *args, bool is_delet
     if (group == 0)
         return hs_fail(err, HS_ERROR_INPUT, "group: the group all cannot be %s", is_delete ? "deleted" : "cleared");
     if (is_delete) HS_TRY(check_unused(sim, group, err));
-    clear_bit(&sim->atoms, hs_group_mask(group));
+    if (!sim->env.is_resuming) clear_bit(&sim->atoms, hs_group_mask(group));
     if (is_delete) hs_groups_remove(&sim->groups, group);
     hs_sim_atoms_changed(sim);
     return HS_OK;
@@ -268,9 +268,11 @@ static hs_status group_run(hs_deck *deck, const hs_args *args, hs_error *err)
     const bool is_new = hs_groups_find(&sim->groups, args->word[0]) < 0;
     HS_TRY(hs_groups_add(&sim->groups, args->word[0], &group, err));
     const uint32_t bit = hs_group_mask(group);
-    if (is_new) clear_bit(&sim->atoms, bit);
-    /* atoms that come from a checkpoint bring their groups; what chose them (regions, variables) may be gone */
-    hs_status status = sim->env.is_resuming ? HS_OK : select_atoms(deck, (group_style)style, args, bit, err);
+    hs_status status = HS_OK;
+    if (!sim->env.is_resuming) { /* else atoms brought their groups; what chose them (regions, variables) may be gone */
+        if (is_new) clear_bit(&sim->atoms, bit);
+        status = select_atoms(deck, (group_style)style, args, bit, err);
+    }
     if (status != HS_OK) {
         if (is_new) hs_groups_remove(&sim->groups, group);
         return status;
