@@ -50,7 +50,7 @@ static hs_status per_atom(hs_compute *compute, hs_error *err)
     env->view_pairs(env, &context.view);
     if (context.view.pair == NULL || !((pe_state *)compute->state)->has_pair) return HS_OK;
     hs_status status = hs_pair_scan_begin_at_forces(&scan, env, context.view.cutoff_max, err);
-    if (status == HS_OK) status = hs_pair_scan_share(&scan, env, 1, share, &context, compute->atoms, err);
+    if (status == HS_OK) status = hs_pair_scan_share(&scan, env, 1, false, share, &context, compute->atoms, err);
     hs_pair_scan_end(&scan);
     for (int i = 0; i < n; ++i)
         if (!(env->atoms->mask[i] & compute->mask)) compute->atoms[i] = 0.0;

@@ -111,7 +111,7 @@ static hs_status per_atom(hs_compute *compute, hs_error *err)
     env->view_pairs(env, &context.view);
     if (context.view.pair != NULL && state->has_pair) {
         hs_status status = hs_pair_scan_begin_at_forces(&scan, env, context.view.cutoff_max, err);
-        if (status == HS_OK) status = hs_pair_scan_share(&scan, env, 6, share, &context, compute->atoms, err);
+        if (status == HS_OK) status = hs_pair_scan_share(&scan, env, 6, false, share, &context, compute->atoms, err);
         hs_pair_scan_end(&scan);
         HS_TRY(status);
     }

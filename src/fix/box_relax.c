@@ -236,7 +236,7 @@ static void set_reference(hs_fix *fix)
     for (int k = 0; k < HS_BOX_COORDINATES; ++k)
         stress[k] = state->moves[k] && k < XY ? state->target[k] - state->p_mean : state->target[k];
     for (int axis = 0; axis < 3; ++axis) state->unit[axis] = hs_box_length(fix->env->box, axis);
-    hs_strain_energy_set(&state->reference, fix->env->box, stress);
+    hs_strain_energy_set_at_rest(&state->reference, fix->env->box, stress);
 }
 
 static double energy_of(const hs_fix *fix)

@@ -132,6 +132,7 @@ static hs_status create(hs_fix *fix, const hs_args *args, hs_error *err)
         state->first[axis][1] = box->hi[axis];
         state->first_tilt[axis] = box->tilt[axis];
         state->flow.sets_length[axis] = state->plan.path[axis].style != HS_DEFORM_NOT;
+        state->flow.sets_tilt[axis] = state->plan.path[3 + axis].style != HS_DEFORM_NOT;
     }
     HS_TRY(check_volumes(state, args, err));
     fix->env->box_flow = &state->flow;

@@ -133,6 +133,22 @@ hs_compute *hs_sim_find_compute(hs_sim *sim, const char *id)
 hs_region *hs_sim_find_region(hs_sim *sim, const char *id) { FIND(sim->region, sim->n_regions, id); }
 hs_dump *hs_sim_find_dump(hs_sim *sim, const char *id) { FIND(sim->dump, sim->n_dumps, id); }
 
+/** Where the lists decide which pairs count. */
+static void view_listed(const hs_sim *sim, hs_pair_view *view)
+{
+    const hs_neighbor *neighbor = &sim->neighbor;
+    if (!neighbor->is_late || neighbor->settings.exact) return;
+    view->box_listed = sim->box;
+    for (int axis = 0; axis < 3; ++axis) {
+        view->x_listed[axis] = neighbor->x_listed[axis];
+        view->box_listed.lo[axis] = neighbor->lo_listed[axis];
+        view->box_listed.hi[axis] = neighbor->hi_listed[axis];
+        view->box_listed.tilt[axis] = neighbor->tilt_listed[axis];
+    }
+    view->listed_by_radius = hs_pair_has_radii(sim->pair, true);
+    view->skin = neighbor->settings.skin;
+}
+
 static void view_pairs(hs_env *env, hs_pair_view *view)
 {
     const hs_sim *sim = sim_of(env);
@@ -144,6 +160,7 @@ static void view_pairs(hs_env *env, hs_pair_view *view)
     if (!(view->cutoff_max > 0.0) || !hs_pair_has_forces(sim->pair)) return;
     view->pair = sim->pair;
     view->table = sim->pair_table;
+    view_listed(sim, view);
     int k = 0;
     while (sim->pair->part[k]->style->evaluator == NULL) ++k;
     view->is_uniform = sim->pair_table[k].is_uniform && !hs_pair_has_radii(sim->pair, true);

@@ -38,10 +38,17 @@ static hs_status find(const hs_fix *fix, const hs_barometer *barometer, int whic
                    fix->style->about.name, id);
 }
 
+hs_status hs_barometer_temperature(const hs_fix *fix, const hs_barometer *barometer, hs_compute **temperature,
+                                   hs_error *err)
+{
+    return find(fix, barometer, HS_OWN_TEMPERATURE, temperature, err);
+}
+
 hs_status hs_barometer_set_temperature(hs_fix *fix, hs_barometer *barometer, const char *id, hs_error *err)
 {
     hs_compute *pressure;
     HS_TRY(hs_memory_replace(&barometer->temperature_id, id, err));
+    if (fix->own[HS_OWN_PRESSURE] == NULL) return HS_OK;
     HS_TRY(find(fix, barometer, HS_OWN_PRESSURE, &pressure, err));
     return pressure->style->set_temperature != NULL ? pressure->style->set_temperature(pressure, id, err) : HS_OK;
 }
@@ -55,6 +62,7 @@ hs_status hs_barometer_init(hs_fix *fix, const hs_barometer *barometer, hs_error
 {
     for (int which = HS_OWN_TEMPERATURE; which <= HS_OWN_PRESSURE; ++which) {
         hs_compute *compute;
+        if (fix->own[which] == NULL) continue;
         HS_TRY(find(fix, barometer, which, &compute, err));
         if (fix->own[which]->style->init != NULL) HS_TRY(fix->own[which]->style->init(fix->own[which], err));
     }
@@ -70,6 +78,7 @@ hs_status hs_barometer_read(const hs_fix *fix, const hs_barometer *barometer, do
     if (barometer->is_iso) {
         HS_TRY(hs_compute_scalar(pressure, &p[0], err));
         p[1] = p[2] = p[0];
+        p[3] = p[4] = p[5] = 0.0;
         return HS_OK;
     }
     HS_TRY(hs_compute_eval_vector(pressure, err));

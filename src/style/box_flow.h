@@ -7,7 +7,8 @@
 typedef struct hs_box_flow {
     double edge[3][3];         /**< how the edges a, b and c change, velocity */
     double corner[3];          /**< of the lower corner, velocity */
-    bool sets_length[3];       /**< lengths that are prescribed: no barostat may change them, too */
+    bool sets_length[3];       /**< lengths, */
+    bool sets_tilt[3];         /**< and tilts (xy, xz, yz) that are prescribed: no barostat may change them, too */
     uint32_t moves_places;     /**< groups whose atoms are taken along (remap x), */
     uint32_t moves_velocities; /**< or get the velocity of the image that they go over to (remap v) */
 } hs_box_flow;

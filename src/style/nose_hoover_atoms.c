@@ -1,7 +1,7 @@
 /* What fix nvt, npt, nph and nvt/sllod do to the atoms. */
 #include "core/atom_style.h"
 #include "style/box_flow.h"
-#include "style/nose_hoover.h"
+#include "style/nose_hoover_internal.h"
 
 static void scale_share(const hs_fix *fix, const hs_compute *temperature, const double factor[3])
 {
@@ -21,6 +21,30 @@ static void scale_share(const hs_fix *fix, const hs_compute *temperature, const 
 void hs_nose_hoover_scale(const hs_fix *fix, const hs_compute *temperature, const double factor[3])
 {
     HS_ON_THREADS(scale_share(fix, temperature, factor));
+    hs_env_changed(fix->env);
+}
+
+static void shear_share(const hs_fix *fix, const hs_compute *temperature, const double factor[3], const double shear[3])
+{
+    const hs_atoms *atoms = fix->env->atoms;
+    void (*const bias_of)(const hs_compute *, int, double *) = temperature->style->bias;
+#pragma omp for schedule(static) nowait
+    for (int i = 0; i < atoms->n_local; ++i) {
+        double bias[3] = {0.0}, v[3];
+        if (!(atoms->mask[i] & fix->mask)) continue;
+        if (bias_of != NULL) bias_of(temperature, i, bias);
+        for (int axis = 0; axis < 3; ++axis) v[axis] = factor[axis] * (atoms->v[axis][i] - bias[axis]);
+        v[0] -= shear[0] * v[1] + shear[1] * v[2];
+        v[1] -= shear[2] * v[2];
+        for (int axis = 0; axis < 3; ++axis) atoms->v[axis][i] = bias[axis] + factor[axis] * v[axis];
+    }
+}
+
+void hs_nose_hoover_shear(const hs_fix *fix, const hs_compute *temperature, const double factor[3],
+                          const double shear[3])
+{
+    HS_ON_THREADS(shear_share(fix, temperature, factor, shear));
+    hs_env_changed(fix->env);
 }
 
 static void flow_share(const hs_fix *fix, const hs_compute *temperature, double factor, const hs_box_flow_map *flow)
@@ -49,6 +73,7 @@ void hs_nose_hoover_flow(const hs_fix *fix, const hs_compute *temperature, doubl
 {
     const hs_box_flow_map flow = hs_box_flow_now(fix->env);
     HS_ON_THREADS(flow_share(fix, temperature, factor, &flow));
+    hs_env_changed(fix->env);
 }
 
 static void kick_share(const hs_fix *fix)

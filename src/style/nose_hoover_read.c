@@ -2,7 +2,8 @@
 #include <string.h>
 
 #include "base/memory.h"
-#include "style/nose_hoover.h"
+#include "style/box_shape.h"
+#include "style/nose_hoover_internal.h"
 
 #define COMMON_KEYWORDS                                                                                                \
     {"tchain", 1, "<N>", "thermostats in the chain (default: 3; nvt/sllod: 1)"},                                       \
@@ -13,13 +14,15 @@
 #define TEMPERATURE_KEYWORDS                                                                                           \
     {"temp", 3, "<Tstart> <Tstop> <Tdamp>", "temperature at the start and end of a run, and damping time"},
 
-/* LAMMPS's keywords for pressures that change tilts are known, so that the refusal can say why. */
 #define PRESSURE_KEYWORDS                                                                                              \
     {"iso", 3, "<Pstart> <Pstop> <Pdamp>", "one pressure for the whole box, whose shape stays"},                       \
         {"aniso", 3, "<Pstart> <Pstop> <Pdamp>", "the same pressure for each axis, which change on their own"},        \
+        {"tri", 3, "<Pstart> <Pstop> <Pdamp>", "the same, and the tilts change until there is no shear stress"},       \
         {"x", 3, "<Pstart> <Pstop> <Pdamp>", "pressure along x"},                                                      \
         {"y", 3, "<Pstart> <Pstop> <Pdamp>", "pressure along y"},                                                      \
         {"z", 3, "<Pstart> <Pstop> <Pdamp>", "pressure along z"},                                                      \
+        {"xy", 3, "<Pstart> <Pstop> <Pdamp>", "component xy of the pressure, which the tilt xy follows"},              \
+        {"xz", 3, "<Pstart> <Pstop> <Pdamp>", "xz"}, {"yz", 3, "<Pstart> <Pstop> <Pdamp>", "yz"},                      \
         {"couple", 1, "none|xyz|xy|yz|xz", "axes that share the mean of their pressures"},                             \
         {"pchain", 1, "<N>", "thermostats in the chain of the barostat; 0: none (default: 3)"},                        \
         {"ploop", 1, "<M>", "parts into which a step of that chain is cut (default: 1)"},                              \
@@ -28,14 +31,12 @@
         {"dilate", 1, "<group-ID>", "atoms that follow the box (default: all)"},                                       \
         {"fixedpoint", 3, "<x> <y> <z>",                                                                               \
          "place that stays where it is (default: the box's center when the fix is defined)"},                          \
-        {"scalexy", 1, "yes|no", "the tilt xy keeps its ratio to the length in y (default: yes)"},                     \
+        {"scalexy", 1, "yes|no",                                                                                       \
+         "the tilt xy keeps its ratio to the length in y (default: yes, unless xy has a target)"},                     \
         {"scalexz", 1, "yes|no", "xz that to the length in z"},                                                        \
         {"scaleyz", 1, "yes|no", "yz that to the length in z"},                                                        \
-        {"tri", 3, "<Pstart> <Pstop> <Pdamp>", "refused: no pressure changes tilts"},                                  \
-        {"xy", 3, "<Pstart> <Pstop> <Pdamp>", "refused"}, {"xz", 3, "<Pstart> <Pstop> <Pdamp>", "refused"},            \
-        {"yz", 3, "<Pstart> <Pstop> <Pdamp>", "refused"},                                                              \
     {                                                                                                                  \
-        "flip", 1, "yes|no", "refused"                                                                                 \
+        "flip", 1, "yes|no", "a tilt beyond 0.6 of the edge gives way to an equivalent one (default: yes)"             \
     }
 
 const hs_keyword hs_nose_hoover_nvt_keywords[] = {TEMPERATURE_KEYWORDS COMMON_KEYWORDS{NULL, 0, NULL, NULL}};
@@ -55,31 +56,20 @@ static hs_status read_temperature(hs_nose_hoover *nh, const hs_args *args, int i
     return HS_OK;
 }
 
-/** Pressures of the axes first, ..., last. */
-static hs_status read_pressure(hs_nose_hoover *nh, const hs_args *args, int i, int first, int last, hs_error *err)
+/** Pressures of the components first, ..., last; @p is_shear: 0 and its damping time alone. */
+static hs_status read_pressure(hs_nose_hoover *nh, const hs_args *args, int i, int first, int last, bool is_shear,
+                               hs_error *err)
 {
     double damping, start, stop;
     HS_TRY(hs_arg_double(args, i + 1, &start, err));
     HS_TRY(hs_arg_double(args, i + 2, &stop, err));
     HS_TRY(hs_arg_positive(args, i + 3, &damping, err));
-    for (int axis = first; axis <= last; ++axis) {
-        nh->axis[axis] = true;
-        nh->p_start[axis] = start;
-        nh->p_stop[axis] = stop;
-        nh->p_rate[axis] = 1.0 / damping;
+    for (int k = first; k <= last; ++k) {
+        nh->moves[k] = true;
+        nh->p_start[k] = is_shear ? 0.0 : start;
+        nh->p_stop[k] = is_shear ? 0.0 : stop;
+        nh->p_rate[k] = 1.0 / damping;
     }
-    return HS_OK;
-}
-
-static hs_status refuse_shear(const hs_args *args, int i, hs_error *err)
-{
-    static const char *const words[] = {"tri", "xy", "xz", "yz", "flip", NULL};
-    for (int k = 0; words[k] != NULL; ++k)
-        if (strcmp(args->word[i], words[k]) == 0)
-            return hs_fail(err, HS_ERROR_INPUT,
-                           "%s: '%s' is about pressures that change the tilts of the box, which this version does not "
-                           "have; iso, aniso, x, y and z change its lengths, and tilts in proportion",
-                           args->command, words[k]);
     return HS_OK;
 }
 
@@ -105,11 +95,27 @@ static hs_status read_fixed_point(hs_nose_hoover *nh, const hs_args *args, int i
     return HS_OK;
 }
 
-/** A keyword and what follows it; *n_used = words. */
-static hs_status read_keyword(hs_fix *fix, const hs_args *args, int i, int *n_used, hs_error *err)
+/** iso, aniso, tri, or a single component. */
+static hs_status read_target(hs_fix *fix, const hs_args *args, int i, hs_error *err)
 {
-    static const char *const couplings[] = {"none", "xyz", "xy", "yz", "xz", NULL};
-    static const char *const scalings[] = {"scalexy", "scalexz", "scaleyz"};
+    static const char *const names[] = {"x", "y", "z", "xy", "xz", "yz", NULL};
+    hs_nose_hoover *nh = fix->state;
+    const char *word = args->word[i];
+    const int dimension = fix->env->box->dimension;
+    for (int k = 0; names[k] != NULL; ++k) {
+        if (strcmp(word, names[k]) != 0) continue;
+        nh->has_strain_energy = true;
+        return read_pressure(nh, args, i, k, k, false, err);
+    }
+    hs_barometer_couple(&nh->barometer, word[0] == 'i');
+    HS_TRY(read_pressure(nh, args, i, 0, dimension - 1, false, err));
+    if (word[0] != 't') return HS_OK;
+    return read_pressure(nh, args, i, HS_NH_XY, dimension == 3 ? HS_NH_COMPONENTS - 1 : HS_NH_XY, true, err);
+}
+
+/** A keyword and what follows it; *n_used = words. is_scaled[k] is -1 where the deck says nothing. */
+static hs_status read_keyword(hs_fix *fix, const hs_args *args, int i, int is_scaled[3], int *n_used, hs_error *err)
+{
     hs_nose_hoover *nh = fix->state;
     const char *word = args->word[i];
     int coupling;
@@ -121,47 +127,36 @@ static hs_status read_keyword(hs_fix *fix, const hs_args *args, int i, int *n_us
     if (strcmp(word, "drag") == 0) return hs_arg_not_negative(args, i + 1, &nh->drag, err);
     if (strcmp(word, "psllod") == 0) return hs_arg_bool(args, i + 1, &nh->is_p_sllod, err);
     if (strcmp(word, "mtk") == 0) return hs_arg_bool(args, i + 1, &nh->is_mtk, err);
+    if (strcmp(word, "flip") == 0) return hs_arg_bool(args, i + 1, &nh->has_flips, err);
     if (strcmp(word, "nreset") == 0) return hs_arg_int(args, i + 1, 0, INT64_MAX, &nh->reset_every, err);
     if (strcmp(word, "ptemp") == 0) return hs_arg_positive(args, i + 1, &nh->t_fixed, err);
     if (strcmp(word, "dilate") == 0) return read_group(fix, args, i, err);
-    for (int k = 0; k < 3; ++k)
-        if (strcmp(word, scalings[k]) == 0) return hs_arg_bool(args, i + 1, &nh->scales_tilt[k], err);
+    for (int k = 0; k < 3; ++k) {
+        bool value;
+        if (strncmp(word, "scale", 5) != 0 || strcmp(word + 5, hs_tilt_names[k]) != 0) continue;
+        HS_TRY(hs_arg_bool(args, i + 1, &value, err));
+        is_scaled[k] = value;
+        return HS_OK;
+    }
     if (strcmp(word, "couple") == 0) {
-        HS_TRY(hs_arg_choice(args, i + 1, couplings, &coupling, err));
-        nh->coupling = (hs_nh_coupling)coupling;
+        HS_TRY(hs_arg_choice(args, i + 1, hs_couplings, &coupling, err));
+        hs_barometer_couple(&nh->barometer, coupling);
         return HS_OK;
     }
     *n_used = 4;
     if (strcmp(word, "fixedpoint") == 0) return read_fixed_point(nh, args, i, err);
-    if (strcmp(word, "temp") == 0) {
-        nh->t_start = -1.0; /* given, whatever it is */
-        return read_temperature(nh, args, i, err);
-    }
-    if (strcmp(word, "iso") == 0 || strcmp(word, "aniso") == 0) {
-        nh->coupling = word[0] == 'i' ? HS_NH_XYZ : HS_NH_NONE;
-        return read_pressure(nh, args, i, 0, fix->env->box->dimension - 1, err);
-    }
-    nh->has_strain_energy = true;
-    return read_pressure(nh, args, i, word[0] - 'x', word[0] - 'x', err);
-}
-
-/** Which axes a coupling binds together. */
-static void coupled_axes(hs_nh_coupling coupling, bool axis[3])
-{
-    axis[0] = coupling == HS_NH_XYZ || coupling == HS_NH_XY || coupling == HS_NH_XZ;
-    axis[1] = coupling == HS_NH_XYZ || coupling == HS_NH_XY || coupling == HS_NH_YZ;
-    axis[2] = coupling == HS_NH_XYZ || coupling == HS_NH_YZ || coupling == HS_NH_XZ;
+    if (strcmp(word, "temp") != 0) return read_target(fix, args, i, err);
+    nh->t_start = -1.0; /* given, whatever it is */
+    return read_temperature(nh, args, i, err);
 }
 
 static hs_status check_coupling(const hs_fix *fix, const hs_args *args, hs_error *err)
 {
     const hs_nose_hoover *nh = fix->state;
-    bool is_coupled[3];
     int first = -1;
-    coupled_axes(nh->coupling, is_coupled);
     for (int axis = 0; axis < fix->env->box->dimension; ++axis) {
-        if (!is_coupled[axis]) continue;
-        if (!nh->axis[axis])
+        if (!nh->barometer.is_coupled[axis]) continue;
+        if (!nh->moves[axis])
             return hs_fail(err, HS_ERROR_INPUT,
                            "%s: the coupled axis %c has no pressure; '%c <Pstart> <Pstop> <Pdamp>' gives it one",
                            args->command, "xyz"[axis], "xyz"[axis]);
@@ -175,23 +170,62 @@ static hs_status check_coupling(const hs_fix *fix, const hs_args *args, hs_error
     return HS_OK;
 }
 
-static hs_status check_axes(const hs_fix *fix, const hs_args *args, hs_error *err)
+static hs_status check_tilt(const hs_fix *fix, const hs_args *args, int tilt, hs_error *err)
+{
+    const hs_box *box = fix->env->box;
+    const int second = hs_tilt_second(tilt);
+    if (second >= box->dimension)
+        return hs_fail(err, HS_ERROR_INPUT, "%s: a 2d box can be tilted along xy only, not along %s", args->command,
+                       hs_tilt_names[tilt]);
+    if (!box->is_tilted)
+        return hs_fail(err, HS_ERROR_INPUT,
+                       "%s: the tilt %s of an orthogonal box cannot change; 'change_box all triclinic' makes the box "
+                       "one that can be tilted, as does a region of style prism in create_box",
+                       args->command, hs_tilt_names[tilt]);
+    if (!box->periodic[second])
+        return hs_fail(err, HS_ERROR_INPUT,
+                       "%s: the tilt %s shifts what crosses the faces of %c, which must be periodic ('boundary')",
+                       args->command, hs_tilt_names[tilt], "xyz"[second]);
+    return HS_OK;
+}
+
+static hs_status check_axis(const hs_fix *fix, const hs_args *args, int axis, hs_error *err)
+{
+    const hs_box *box = fix->env->box;
+    if (axis >= box->dimension)
+        return hs_fail(err, HS_ERROR_INPUT, "%s: a 2d system has no pressure along z", args->command);
+    if (!box->periodic[axis])
+        return hs_fail(err, HS_ERROR_INPUT,
+                       "%s: the box is not periodic in %c, so its length cannot follow a pressure ('boundary' "
+                       "makes it periodic)",
+                       args->command, "xyz"[axis]);
+    return HS_OK;
+}
+
+/** What moves, and what that means for coupling and scaling. */
+static hs_status check_targets(const hs_fix *fix, const hs_args *args, const int is_scaled[3], hs_error *err)
 {
     hs_nose_hoover *nh = fix->state;
-    const hs_box *box = fix->env->box;
-    for (int axis = 0; axis < 3; ++axis) {
-        if (!nh->axis[axis]) continue;
-        ++nh->n_axes;
-        if (axis >= box->dimension)
-            return hs_fail(err, HS_ERROR_INPUT, "%s: a 2d system has no pressure along z", args->command);
-        if (!box->periodic[axis])
-            return hs_fail(err, HS_ERROR_INPUT,
-                           "%s: the box is not periodic in %c, so its length cannot follow a pressure ('boundary' "
-                           "makes it periodic)",
-                           args->command, "xyz"[axis]);
+    for (int k = 0; k < HS_NH_COMPONENTS; ++k) {
+        if (!nh->moves[k]) continue;
+        HS_TRY(k < HS_NH_XY ? check_axis(fix, args, k, err) : check_tilt(fix, args, k - HS_NH_XY, err));
+        ++nh->n_moves;
+        nh->n_axes += k < HS_NH_XY;
+        nh->has_tilts |= k >= HS_NH_XY;
+    }
+    for (int k = 0; k < 3; ++k) {
+        const bool has_target = nh->moves[HS_NH_XY + k];
+        nh->scales_tilt[k] = is_scaled[k] != 0 && !has_target;
+        if (is_scaled[k] == 1 && has_target)
+            return hs_fail(
+                err, HS_ERROR_INPUT,
+                "%s: the tilt %s has a target of its own, so it cannot keep its ratio to a length, too ('scale%s no')",
+                args->command, hs_tilt_names[k], hs_tilt_names[k]);
     }
     HS_TRY(check_coupling(fix, args, err));
-    nh->is_iso = nh->coupling == HS_NH_XYZ || (box->dimension == 2 && nh->coupling == HS_NH_XY);
+    const bool *is_coupled = nh->barometer.is_coupled;
+    nh->barometer.is_iso =
+        is_coupled[0] && is_coupled[1] && (is_coupled[2] || fix->env->box->dimension == 2) && !nh->has_tilts;
     return HS_OK;
 }
 
@@ -199,25 +233,24 @@ hs_status hs_nose_hoover_read(hs_fix *fix, const hs_args *args, hs_error *err)
 {
     hs_nose_hoover *nh = fix->state;
     const hs_box *box = fix->env->box;
+    int is_scaled[3] = {-1, -1, -1};
     nh->chain.n = nh->is_sllod ? 1 : 3; /* as in LAMMPS: longer chains take long to become steady in a flow */
     nh->barostat_chain.n = 3;
-    nh->scales_tilt[0] = nh->scales_tilt[1] = nh->scales_tilt[2] = true;
+    nh->has_flips = true;
     nh->chain.n_loops = nh->barostat_chain.n_loops = 1;
     nh->is_mtk = true;
     nh->dilate = hs_group_mask(0);
     for (int axis = 0; axis < 3; ++axis) nh->fixed_point[axis] = 0.5 * (box->lo[axis] + box->hi[axis]);
-    for (int i = 0, n_used; i < args->n; i += n_used) {
-        HS_TRY(refuse_shear(args, i, err));
-        HS_TRY(read_keyword(fix, args, i, &n_used, err));
-    }
+    for (int i = 0, n_used; i < args->n; i += n_used) HS_TRY(read_keyword(fix, args, i, is_scaled, &n_used, err));
     const bool has_temperature = nh->t_start != 0.0;
     if (nh->has_thermostat && !has_temperature)
         return hs_fail(err, HS_ERROR_INPUT, "%s: 'temp <Tstart> <Tstop> <Tdamp>' is missing", args->command);
     if (!nh->has_thermostat && has_temperature)
         return hs_fail(err, HS_ERROR_INPUT, "%s: nph keeps no temperature; fix npt does", args->command);
-    HS_TRY(check_axes(fix, args, err));
-    if (nh->has_barostat && nh->n_axes == 0)
+    HS_TRY(check_targets(fix, args, is_scaled, err));
+    if (nh->has_barostat && nh->n_moves == 0)
         return hs_fail(err, HS_ERROR_INPUT,
-                       "%s: a pressure is missing: 'iso <Pstart> <Pstop> <Pdamp>', aniso, x, y or z", args->command);
+                       "%s: a pressure is missing: 'iso <Pstart> <Pstop> <Pdamp>', aniso, tri, x, y, z, xy, xz or yz",
+                       args->command);
     return HS_OK;
 }

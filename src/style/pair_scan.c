@@ -34,6 +34,24 @@ static hs_status copy_atoms(hs_pair_scan *scan, hs_env *env, const hs_places *pl
     return HS_OK;
 }
 
+/** Places of the lists for all atoms, where they decide which pairs count. */
+static hs_status take_listed(hs_pair_scan *scan, hs_env *env, hs_error *err)
+{
+    hs_atoms *atoms = &scan->atoms;
+    hs_pair_view view;
+    hs_status status = HS_OK;
+    env->view_pairs(env, &view);
+    if (view.x_listed[0] == NULL) return HS_OK;
+    for (int axis = 0; axis < 3 && status == HS_OK; ++axis)
+        status = hs_atoms_add_field(atoms, "scan_listed", (void **)&scan->x_listed[axis], sizeof(double), true, err);
+    if (hs_parallel_agree(env->parallel, err) != HS_OK) return status != HS_OK ? status : err->status;
+    for (int axis = 0; axis < 3 && atoms->n_local > 0; ++axis)
+        memcpy(scan->x_listed[axis], view.x_listed[axis], (size_t)atoms->n_local * sizeof(double));
+    hs_halo_fit_box(&scan->halo, &view.box_listed);
+    hs_halo_forward_positions(&scan->halo, atoms, scan->x_listed);
+    return HS_OK;
+}
+
 /** Farthest that a local atom is outside of its rank's brick: it has not been exchanged since it moved. */
 static double find_drift(const hs_env *env, const hs_places *places)
 {
@@ -137,7 +155,8 @@ hs_status hs_pair_scan_begin(hs_pair_scan *scan, hs_env *env, double range, hs_e
 
 hs_status hs_pair_scan_begin_at_forces(hs_pair_scan *scan, hs_env *env, double range, hs_error *err)
 {
-    return begin(scan, env, hs_places_of_forces(env), range, err);
+    HS_TRY(begin(scan, env, hs_places_of_forces(env), range, err));
+    return take_listed(scan, env, err);
 }
 
 /** A batch that is being filled on one thread. */
@@ -222,6 +241,7 @@ typedef struct sharing {
     hs_pair_share share;
     void *context;
     int n, first; /**< values of a pair; the first of the up to three that are summed now */
+    double sign;  /**< of those of atom j */
     double scale; /**< values are rounded to multiples of 1 / scale, whose sums are exact in any order */
     double largest[3];
 } sharing;
@@ -251,15 +271,15 @@ static void add_values(void *context, int thread, const hs_pair_batch *batch)
 #pragma omp atomic
             f[batch->i[p]] += rounded;
 #pragma omp atomic
-            f[batch->j[p]] += rounded;
+            f[batch->j[p]] += s->sign * rounded;
         }
     }
 }
 
-hs_status hs_pair_scan_share(hs_pair_scan *scan, const hs_env *env, int n, hs_pair_share share, void *context,
-                             double *sums, hs_error *err)
+hs_status hs_pair_scan_share(hs_pair_scan *scan, const hs_env *env, int n, bool is_odd, hs_pair_share share,
+                             void *context, double *sums, hs_error *err)
 {
-    sharing s = {.scan = scan, .share = share, .context = context, .n = n};
+    sharing s = {.scan = scan, .share = share, .context = context, .n = n, .sign = is_odd ? -1.0 : 1.0};
     const int n_local = scan->atoms.n_local;
     hs_pair_scan_visit(scan, find_largest, &s);
     hs_parallel_max_double(env->parallel, s.largest, 1);
@@ -293,6 +313,8 @@ void hs_pair_scan_end(hs_pair_scan *scan)
     if (scan->mask != NULL) hs_atoms_remove_field(&scan->atoms, (void **)&scan->mask);
     if (scan->id != NULL) hs_atoms_remove_field(&scan->atoms, (void **)&scan->id);
     if (scan->radius != NULL) hs_atoms_remove_field(&scan->atoms, (void **)&scan->radius);
+    for (int axis = 0; axis < 3; ++axis)
+        if (scan->x_listed[axis] != NULL) hs_atoms_remove_field(&scan->atoms, (void **)&scan->x_listed[axis]);
     hs_atoms_fini(&scan->atoms);
     HS_FREE(scan->start);
     HS_FREE(scan->index);

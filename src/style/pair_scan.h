@@ -21,6 +21,12 @@ typedef struct hs_pair_view {
     const bool *excluded; /**< [n_kernel_types^2]: whether `neigh_modify exclude` leaves such pairs out; NULL: none */
     int n_kernel_types;
     double cutoff_max; /**< distance; 0 before the first run, or without a pair style */
+    /** Where atoms were when the lists were made, where these come late and only pairs that were listed then count; NULL:
+     *  all pairs within their cutoff count. */
+    const double *x_listed[3];
+    hs_box box_listed;     /**< the box at that time */
+    bool listed_by_radius; /**< listed pairs are within the sum of their radii and the skin, too */
+    double skin;           /**< distance */
     const hs_clusters *clusters;
     const struct hs_cluster_list *list; /**< pairs whose forces count, of the last scheduled build; NULL: not kept */
 } hs_pair_view;
@@ -51,14 +57,32 @@ typedef struct hs_pair_scan {
     uint32_t *mask;       /**< atom field of the copies with room for the halo */
     int64_t *id;          /**< the same */
     double *radius;       /**< the same; NULL: no radii */
+    double *x_listed[3];  /**< the same, of scans at the places of forces; NULL: all pairs count */
     const bool *excluded; /**< borrowed, as in hs_pair_view */
     int n_kernel_types;
 } hs_pair_scan;
 
 /** Get ready to visit pairs (collective). Zero the scan before; always followed by hs_pair_scan_end, also after an error. */
 HS_MUST_USE hs_status hs_pair_scan_begin(hs_pair_scan *scan, hs_env *env, double range, hs_error *err);
-/** The same at the places of the latest forces: for what is part of their energy or virial. */
+/** The same at the places of the latest forces, for what is part of their energy or virial: hs_pair_scan_eval leaves out
+ *  pairs that forces leave out, where lists come late. */
 HS_MUST_USE hs_status hs_pair_scan_begin_at_forces(hs_pair_scan *scan, hs_env *env, double range, hs_error *err);
+/** Whether a pair of the scan's atoms was near enough when the lists were made. */
+static inline bool hs_pair_scan_is_listed(const hs_pair_scan *scan, const hs_pair_view *view,
+                                          const hs_pair_table *table, double sum_of_radii, int i, int j)
+{
+    double r2 = 0.0;
+    if (scan->x_listed[0] == NULL) return true;
+    const int type_i = scan->atoms.type[i], type_j = scan->atoms.type[j];
+    const double *row = table->values + (size_t)(type_i * table->n_types + type_j) * (size_t)table->stride;
+    for (int axis = 0; axis < 3; ++axis) {
+        const double d = scan->x_listed[axis][j] - scan->x_listed[axis][i];
+        r2 += d * d;
+    }
+    const double reach = sum_of_radii + view->skin;
+    return r2 < row[HS_TABLE_LISTED_R2] && (!view->listed_by_radius || r2 < reach * reach);
+}
+
 /** Force over distance and energy of a pair of the scan's atoms, over all parts of the pair style. */
 static inline void hs_pair_scan_eval(const hs_pair_scan *scan, const hs_pair_view *view, int i, int j, double r2,
                                      double *force_over_r, double *energy)
@@ -72,6 +96,7 @@ static inline void hs_pair_scan_eval(const hs_pair_scan *scan, const hs_pair_vie
         if (evaluator == NULL) continue;
         double f, e;
         if (!hs_evaluator_pair(evaluator, table, type_i, type_j, sum_of_radii, r2, &f, &e)) continue;
+        if (!hs_pair_scan_is_listed(scan, view, table, sum_of_radii, i, j)) continue;
         *force_over_r += f;
         *energy += e;
     }
@@ -90,8 +115,9 @@ void hs_pair_scan_reverse(hs_pair_scan *scan);
 /** What each pair of a batch gives to each of its two atoms: values[k][p] of pair p. */
 typedef void (*hs_pair_share)(void *context, const hs_pair_batch *batch, double (*values)[HS_PAIR_BATCH]);
 /** Sums of n (at most HS_PAIR_VALUES_MAX) such values over the pairs of each local atom: sums[k * n_local + i], the same bits
- *  for any threads and ranks, to about 1e-12 of the largest value of a pair (collective). */
-HS_MUST_USE hs_status hs_pair_scan_share(hs_pair_scan *scan, const hs_env *env, int n, hs_pair_share share,
+ *  for any threads and ranks, to about 1e-12 of the largest value of a pair (collective). @p is_odd: atom j of a pair gets
+ *  the value with the other sign. */
+HS_MUST_USE hs_status hs_pair_scan_share(hs_pair_scan *scan, const hs_env *env, int n, bool is_odd, hs_pair_share share,
                                          void *context, double *sums, hs_error *err);
 /** Local index of a halo atom whose original is on this rank; -1 when it is another's. */
 int hs_pair_scan_source(const hs_pair_scan *scan, int j);

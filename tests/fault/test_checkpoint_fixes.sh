@@ -150,6 +150,12 @@ check tilted_npt "prism 0 4 0 4 0 4 2 -1 1" <<'D'
 fix 1 all npt temp 1.0 1.2 0.5 aniso 5.0 0.0 0.7
 D
 
+# the box flips before the checkpoint and after it
+check tilting "prism 0 4 0 4 0 4 1.95 0 0.5" <<'D'
+fix 1 all npt temp 1.0 1.2 0.5 x 1 3 2.0 xy -12 -12 0.1 yz 3 3 0.5
+fix p all print 10 "$(lx:%.17g) $(xy:%.17g) $(yz:%.17g) $(f_1:%.17g)" file p.txt screen no
+D
+
 check pressed <<'D'
 fix 1 all nve
 fix 2 all press/berendsen x 1.0 3.0 0.5 y 2.0 1.0 0.5 z 1.0 3.0 0.5 couple xz modulus 20

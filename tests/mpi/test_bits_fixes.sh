@@ -85,6 +85,18 @@ fix b rest ave/atom 3 2 6 x
 fix s all store/state 7 xu c_u com yes
 compute r all reduce sum f_a[1] f_a[2] f_b f_s[1] f_s[2]
 D
+    # flips at step 10 or so
+    system tilting 30 'xy xz yz f_1' <<D
+lattice fcc 0.7
+region box prism 0 5 0 4 0 4 2.3 0 0.5
+create_box 1 box
+create_atoms 1 box
+mass 1 1.0
+velocity all create 1.5 12345
+$liquid
+neigh_modify every 5 delay 0 check no
+fix 1 all npt temp 1.0 1.0 0.5 x 8.0 8.0 0.2 y 1.0 1.0 0.5 xy -15 -15 0.1 yz 3 3 0.3
+D
     system warmed 20 'c_1_temp' <<D
 lattice fcc 0.8442
 region box block 0 4 0 5 0 4
@@ -163,7 +175,7 @@ compute m half momentum
 fix 1 all nve
 fix g half flow/gauss 1 1 0 energy yes
 D
-    system stretched 30 'c_e c_s[*] c_g f_t' 'c_p c_v[4]' <<D
+    system stretched 30 'c_e c_s[*] c_g f_t' 'c_p c_v[4] f_n[1]' <<D
 lattice fcc 0.7
 region box block 0 5 0 4 0 4
 create_box 1 box
@@ -181,6 +193,7 @@ compute v half stress/atom NULL
 compute e all reduce sum c_p
 compute s all reduce sum c_v[1] c_v[4]
 compute g half group/group all
+fix n half numdiff 5 1e-4
 D
     system sheared 30 'xy xz yz c_1_temp f_1' <<D
 lattice fcc 0.7
@@ -246,7 +259,7 @@ D
 } >in.fixes
 
 bits fixes 0 1
-[ "$(wc -l <fixes/thermo)" -eq 46 ] || fail "$(wc -l <fixes/thermo) rows"
+[ "$(wc -l <fixes/thermo)" -eq "$(awk '/^run / {n += $2 / 10 + 1} END {print n}' in.fixes)" ] || fail "$(wc -l <fixes/thermo) rows"
 bits fixes 0 3 -neigh cell
 bits fixes 2 2 -neigh verlet
 bits fixes 3 1 -neigh linked
