@@ -81,7 +81,8 @@ int main(int argc, char **argv)
         hs_cli_usage(stdout);
         return fflush(stdout) == 0 ? EXIT_SUCCESS : 2;
     }
-    if (command != NULL && argc > 2 && asks_for_help(argv[2])) {
+    for (int k = 2; k < argc && command != NULL; ++k) {
+        if (k == 2 ? !asks_for_help(argv[k]) : strcmp(argv[k], "--help") != 0) continue;
         hs_cli_usage_of(stdout, command);
         return fflush(stdout) == 0 ? EXIT_SUCCESS : 2;
     }

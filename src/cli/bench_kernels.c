@@ -130,8 +130,8 @@ static hs_status measure_form(hs_sim *sim, const request *r, hs_isa isa, hs_prec
         const double n_atoms = sim->atoms.n_local;
         const double lanes = count_lanes(&list, job.evaluator->set[isa][form]->group);
         const double operations = lanes * (FORCE_OPERATIONS + (with_energy ? ENERGY_OPERATIONS : 0));
-        /* a vector has twice as many floats as doubles, but with AVX-512 mixed kernels use half of it */
-        const bool is_wider = form == HS_PRECISION_MIXED && isa != HS_ISA_AVX512 && isa != HS_ISA_PORTABLE;
+        /* a vector has twice as many floats as doubles */
+        const bool is_wider = form == HS_PRECISION_MIXED && isa != HS_ISA_PORTABLE;
         *s = (sample){.ns_per_atom = best_s / n_atoms * 1e9,
                       .lanes_per_atom = lanes / n_atoms,
                       .near_per_atom = near / n_atoms,

@@ -89,9 +89,8 @@ HS_INLINE void measure_row(const hs_kernel_input *in, const cluster_constants *c
     if (HS_HAS_RADII) mask = hs_mask_and(mask, hs_less(r2, reach * reach));
     if (listed_only) {
         hs_vec d[3];
-        for (int axis = 0; axis < 3; ++axis)
-            d[axis] = hs_load_x(hs_listed_places_of(in, axis), &constants->frame_listed, axis, v->entry, v->sub) -
-                      hs_set1(constants->x_listed[axis][row]);
+        hs_load_near(in, true, &constants->frame_listed, v->entry, v->sub, d);
+        for (int axis = 0; axis < 3; ++axis) d[axis] -= hs_set1(constants->x_listed[axis][row]);
         /* rounded as in refine.c: the same pairs in both */
         const hs_vec listed_r2 = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
         mask = hs_mask_and(mask, hs_less(listed_r2, row_param(in, constants, v, row, HS_TABLE_LISTED_R2, by_type)));
@@ -148,12 +147,8 @@ HS_INLINE cluster_constants make_constants(const hs_kernel_input *in, int first,
         constants.row_table[row] = table->values + (size_t)in->type[first + row] * (size_t)(table->n_types * stride);
     for (int k = 0; k < stride && !by_type; ++k) constants.params[k] = hs_set1(values[k]);
     for (int row = 0; row < HS_CLUSTER && HS_HAS_RADII; ++row) constants.radius[row] = (hs_real)in->radius[first + row];
-    for (int axis = 0; axis < 3; ++axis) {
-        hs_frame_set(&constants.frame, in, axis, hs_places_of(in, axis) + first, constants.x[axis]);
-        if (listed_only)
-            hs_frame_set(&constants.frame_listed, in, axis, hs_listed_places_of(in, axis) + first,
-                         constants.x_listed[axis]);
-    }
+    hs_frame_set(&constants.frame, in, false, first, constants.x);
+    if (listed_only) hs_frame_set(&constants.frame_listed, in, true, first, constants.x_listed);
     return constants;
 }
 
@@ -187,9 +182,7 @@ HS_INLINE void advance(const hs_kernel_input *in, hs_kernel_output *out, const c
     hs_masks masks = {0};
     hs_acc reaction[3] = {hs_acc_zero(), hs_acc_zero(), hs_acc_zero()};
     if (next != NULL) {
-        next->x[0] = hs_load_x(hs_places_of(in, 0), &constants->frame, 0, next->entry, next->sub);
-        next->x[1] = hs_load_x(hs_places_of(in, 1), &constants->frame, 1, next->entry, next->sub);
-        next->x[2] = hs_load_x(hs_places_of(in, 2), &constants->frame, 2, next->entry, next->sub);
+        hs_load_near(in, false, &constants->frame, next->entry, next->sub, next->x);
         masks = hs_masks_of(next->entry, next->sub);
     }
 #define ROW(row)                                                                                                       \
@@ -202,13 +195,9 @@ HS_INLINE void advance(const hs_kernel_input *in, hs_kernel_output *out, const c
     EACH_ROW(ROW);
 #undef ROW
     if (old == NULL) return;
-#define AXIS(axis)                                                                                                     \
-    hs_acc_settle(&reaction[axis], n_rows[old->rows & 0xfu], constants->magic_force);                                  \
-    hs_add_reaction(out, axis, old->entry, old->sub, reaction[axis])
-    AXIS(0);
-    AXIS(1);
-    AXIS(2);
-#undef AXIS
+    for (int axis = 0; axis < 3; ++axis)
+        hs_acc_settle(&reaction[axis], n_rows[old->rows & 0xfu], constants->magic_force);
+    hs_add_reaction(out, old->entry, old->sub, reaction);
 }
 
 HS_INLINE vector_state vector_at(const hs_cluster_entry *entry, int sub)

@@ -6,15 +6,16 @@
 
 #ifdef HS_MIXED
 
-/** One coordinate of an atom, and of the j-atoms of a vector. */
-typedef int32_t hs_place;
+#ifndef HS_TAKES_PACKED
+/** One coordinate of the j-atoms of a vector. */
 #if HS_LANES == 1
 typedef int32_t hs_places;
 #else
 typedef int32_t hs_places __attribute__((vector_size(4 * HS_LANES)));
 #endif
 
-HS_INLINE hs_places hs_load_places(const int32_t *numbers, const hs_cluster_entry *entry, int sub)
+/** One axis of the j-atoms of a vector. */
+HS_INLINE hs_places hs_load_axis(const int32_t *numbers, const hs_cluster_entry *entry, int sub)
 {
     hs_places a;
 #if HS_LANES == 8
@@ -29,47 +30,13 @@ HS_INLINE hs_places hs_load_places(const int32_t *numbers, const hs_cluster_entr
 #endif
     return a;
 }
-
-/** Where an i-cluster reckons from: its first atom. */
-typedef struct hs_frame {
-    int32_t origin[3];
-    hs_vec unit; /**< distance; a power of two */
-} hs_frame;
-
-/** Set the frame's axis, and x of the four i-atoms in it. */
-HS_INLINE void hs_frame_set(hs_frame *frame, const hs_kernel_input *in, int axis, const hs_place *own,
-                            hs_real x[HS_CLUSTER])
+HS_INLINE void hs_load_packed(const int32_t *site, const hs_cluster_entry *entry, int sub, hs_places x[3])
 {
-    frame->origin[axis] = own[0];
-    frame->unit = hs_set1(in->unit);
-    for (int row = 0; row < HS_CLUSTER; ++row)
-        x[row] = (float)(int32_t)((uint32_t)own[row] - (uint32_t)own[0]) * (float)in->unit;
+    for (int axis = 0; axis < 3; ++axis) x[axis] = hs_load_axis(site + HS_CLUSTER * axis, entry, sub);
 }
 
-/** Coordinates of the j-atoms in the frame; the subtraction wraps around. */
-HS_INLINE hs_vec hs_load_x(const hs_place *places, const hs_frame *frame, int axis, const hs_cluster_entry *entry,
-                           int sub)
+HS_INLINE void hs_add_axis(float *f, const hs_cluster_entry *entry, int sub, hs_acc sum)
 {
-    const hs_places x = hs_load_places(places, entry, sub);
-#if HS_LANES == 1
-    return (hs_vec)(int32_t)((uint32_t)x - (uint32_t)frame->origin[axis]) * frame->unit;
-#else
-    typedef hs_real reals __attribute__((vector_size(4 * HS_LANES)));
-    typedef uint32_t wrapping __attribute__((vector_size(4 * HS_LANES)));
-    return (hs_vec) __builtin_convertvector((hs_places)((wrapping)x - (uint32_t)frame->origin[axis]), reals) *
-           frame->unit;
-#endif
-}
-
-HS_INLINE const hs_place *hs_places_of(const hs_kernel_input *in, int axis) { return in->site + HS_CLUSTER * axis; }
-HS_INLINE const hs_place *hs_listed_places_of(const hs_kernel_input *in, int axis)
-{
-    return in->site_listed + HS_CLUSTER * axis;
-}
-/** Forces of the j-atoms += sum. */
-HS_INLINE void hs_add_reaction(hs_kernel_output *out, int axis, const hs_cluster_entry *entry, int sub, hs_acc sum)
-{
-    float *f = out->packed_f + HS_CLUSTER * axis;
 #if HS_LANES == 8
     (void)sub;
     hs_rows_acc part[2] = {(hs_rows_acc)__builtin_shufflevector(sum, sum, 0, 1, 2, 3),
@@ -87,6 +54,56 @@ HS_INLINE void hs_add_reaction(hs_kernel_output *out, int axis, const hs_cluster
     memcpy(f + entry->first + HS_LANES * sub, &value, sizeof value);
 #endif
 }
+HS_INLINE void hs_add_packed(float *f, const hs_cluster_entry *entry, int sub, const hs_acc sum[3])
+{
+    for (int axis = 0; axis < 3; ++axis) hs_add_axis(f + HS_CLUSTER * axis, entry, sub, sum[axis]);
+}
+#endif
+
+/** Where an i-cluster reckons from: its first atom. */
+typedef struct hs_frame {
+    int32_t origin[3];
+    hs_vec unit; /**< distance; a power of two */
+} hs_frame;
+
+/** Set the frame and x of the four i-atoms, whose packed cluster is at `first`, in it. */
+HS_INLINE void hs_frame_set(hs_frame *frame, const hs_kernel_input *in, bool listed, int first,
+                            hs_real x[3][HS_CLUSTER])
+{
+    const int32_t *own = (listed ? in->site_listed : in->site) + first;
+    frame->unit = hs_set1(in->unit);
+    for (int axis = 0; axis < 3; ++axis, own += HS_CLUSTER) {
+        frame->origin[axis] = own[0];
+        for (int row = 0; row < HS_CLUSTER; ++row)
+            x[axis][row] = (float)(int32_t)((uint32_t)own[row] - (uint32_t)own[0]) * (float)in->unit;
+    }
+}
+
+/** Coordinates of the j-atoms in the frame; the subtraction wraps around. */
+HS_INLINE void hs_load_near(const hs_kernel_input *in, bool listed, const hs_frame *frame,
+                            const hs_cluster_entry *entry, int sub, hs_vec x[3])
+{
+    hs_places place[3];
+    hs_load_packed(listed ? in->site_listed : in->site, entry, sub, place);
+#if HS_LANES == 1
+    for (int axis = 0; axis < 3; ++axis)
+        x[axis] = (hs_vec)(int32_t)((uint32_t)place[axis] - (uint32_t)frame->origin[axis]) * frame->unit;
+#else
+    typedef hs_real reals __attribute__((vector_size(4 * HS_LANES)));
+    typedef int32_t numbers __attribute__((vector_size(4 * HS_LANES)));
+    typedef uint32_t wrapping __attribute__((vector_size(4 * HS_LANES)));
+    for (int axis = 0; axis < 3; ++axis) {
+        const numbers number = (numbers)((wrapping)place[axis] - (uint32_t)frame->origin[axis]);
+        x[axis] = (hs_vec) __builtin_convertvector(number, reals) * frame->unit;
+    }
+#endif
+}
+
+/** Forces of the j-atoms += sum. */
+HS_INLINE void hs_add_reaction(hs_kernel_output *out, const hs_cluster_entry *entry, int sub, const hs_acc sum[3])
+{
+    hs_add_packed(out->packed_f, entry, sub, sum);
+}
 HS_INLINE void *hs_own_forces(hs_kernel_output *out, int axis, int first)
 {
     return out->packed_f + HS_CLUSTER * axis + first;
@@ -94,30 +111,28 @@ HS_INLINE void *hs_own_forces(hs_kernel_output *out, int axis, int first)
 
 #else
 
-typedef double hs_place;
-
 /** Doubles are reckoned from the origin of the box. */
 typedef struct hs_frame {
     char unused;
 } hs_frame;
 
-HS_INLINE void hs_frame_set(hs_frame *frame, const hs_kernel_input *in, int axis, const hs_place *own,
-                            hs_real x[HS_CLUSTER])
+HS_INLINE void hs_frame_set(hs_frame *frame, const hs_kernel_input *in, bool listed, int first,
+                            hs_real x[3][HS_CLUSTER])
 {
-    (void)frame, (void)in, (void)axis;
-    memcpy(x, own, HS_CLUSTER * sizeof *x);
+    (void)frame;
+    for (int axis = 0; axis < 3; ++axis)
+        memcpy(x[axis], (listed ? in->x_listed[axis] : in->x[axis]) + first, HS_CLUSTER * sizeof x[axis][0]);
 }
-HS_INLINE hs_vec hs_load_x(const hs_place *places, const hs_frame *frame, int axis, const hs_cluster_entry *entry,
-                           int sub)
+HS_INLINE void hs_load_near(const hs_kernel_input *in, bool listed, const hs_frame *frame,
+                            const hs_cluster_entry *entry, int sub, hs_vec x[3])
 {
-    (void)frame, (void)axis;
-    return hs_load_clusters(places, 0.0, entry, sub);
+    (void)frame;
+    for (int axis = 0; axis < 3; ++axis)
+        x[axis] = hs_load_clusters(listed ? in->x_listed[axis] : in->x[axis], 0.0, entry, sub);
 }
-HS_INLINE const hs_place *hs_places_of(const hs_kernel_input *in, int axis) { return in->x[axis]; }
-HS_INLINE const hs_place *hs_listed_places_of(const hs_kernel_input *in, int axis) { return in->x_listed[axis]; }
-HS_INLINE void hs_add_reaction(hs_kernel_output *out, int axis, const hs_cluster_entry *entry, int sub, hs_acc sum)
+HS_INLINE void hs_add_reaction(hs_kernel_output *out, const hs_cluster_entry *entry, int sub, const hs_acc sum[3])
 {
-    hs_acc_add_clusters(out->f[axis], entry, sub, sum);
+    for (int axis = 0; axis < 3; ++axis) hs_acc_add_clusters(out->f[axis], entry, sub, sum[axis]);
 }
 HS_INLINE void *hs_own_forces(hs_kernel_output *out, int axis, int first) { return out->f[axis] + first; }
 

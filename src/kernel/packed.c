@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "base/memory.h"
+#include "base/wide.h"
 #include "parallel/parallel.h"
 
 void hs_packed_fini(hs_packed *packed)
@@ -60,29 +61,39 @@ hs_status hs_packed_begin(hs_packed *packed, const hs_clusters *clusters, const 
     return HS_OK;
 }
 
-/** Positions of four consecutive atoms as multiples of the unit, modulo 2^32: adding 1.5 * 2^52 units leaves the multiple in
+typedef double four_doubles __attribute__((vector_size(4 * sizeof(double))));
+typedef uint64_t four_patterns __attribute__((vector_size(4 * sizeof(uint64_t))));
+typedef float four_floats __attribute__((vector_size(4 * sizeof(float))));
+typedef uint32_t four_numbers __attribute__((vector_size(4 * sizeof(uint32_t))));
+
+/** Clusters [begin, end). Positions become multiples of the unit, modulo 2^32: adding magic = 1.5 * 2^52 units leaves the multiple in
  *  the low bits of the double's pattern. Beyond the last atom of a short cluster it is the next atom's, which masks hide. */
-static inline void pack_axis(int32_t *to, const double *x, double origin, double magic)
+HS_WIDE static void pack_clusters(const hs_packed *packed, const hs_clusters *clusters, const double *const x[3],
+                                  int32_t *site, int begin, int end)
 {
-    for (int k = 0; k < HS_CLUSTER; ++k) {
-        const double shifted = (x[k] - origin) + magic;
-        uint64_t bits;
-        memcpy(&bits, &shifted, sizeof bits);
-        to[k] = (int32_t)(uint32_t)bits;
+    const double magic = 1.5 * 0x1p52 * packed->unit;
+    for (int c = begin; c < end; ++c) {
+        const int first = hs_packed_atom(clusters, c * HS_PACKED);
+        int32_t *to = site + (size_t)c * HS_PACKED;
+        for (int axis = 0; axis < 3; ++axis) {
+            four_doubles place;
+            memcpy(&place, x[axis] + first, sizeof place);
+            place = (place - packed->origin[axis]) + magic;
+            const four_numbers low = __builtin_convertvector((four_patterns)place, four_numbers);
+            memcpy(to + HS_CLUSTER * axis, &low, sizeof low);
+        }
+        memcpy(to + HS_PACKED_TYPES, packed->type + first, HS_CLUSTER * sizeof *to);
     }
 }
 
 static void pack_positions(const hs_packed *packed, const hs_clusters *clusters, const double *const x[3],
                            int32_t *site, int begin, int end)
 {
-    const double magic = 1.5 * 0x1p52 * packed->unit;
-#pragma omp parallel for schedule(static)
-    for (int c = begin; c < end; ++c) {
-        const int first = hs_packed_atom(clusters, c * HS_PACKED);
-        int32_t *to = site + (size_t)c * HS_PACKED;
-        for (int axis = 0; axis < 3; ++axis)
-            pack_axis(to + HS_CLUSTER * axis, x[axis] + first, packed->origin[axis], magic);
-        memcpy(to + HS_PACKED_TYPES, packed->type + first, HS_CLUSTER * sizeof *to);
+#pragma omp parallel
+    {
+        int64_t from, to;
+        hs_thread_range(end - begin, 1, hs_thread_number(), hs_thread_count(), &from, &to);
+        pack_clusters(packed, clusters, x, site, begin + (int)from, begin + (int)to);
     }
 }
 
@@ -126,21 +137,35 @@ void hs_packed_rename(const hs_packed *packed, hs_cluster_entry *entry, int n)
     for (int e = 0; e < n; ++e) entry[e].first = packed->place_of[entry[e].first];
 }
 
+/** Clusters [begin, end) of one part, whose packed forces begin at number `at` of each array. */
+HS_WIDE static void unpack_clusters(const hs_cluster_part *of, int begin, int end, size_t at, const float *const *part,
+                                    int n_parts, double *const f[3], bool is_added)
+{
+    for (int c = begin; c < end; ++c, at += HS_PACKED) {
+        const int first = of->entry[c].first, size = of->size[c];
+        for (int axis = 0; axis < 3; ++axis) {
+            four_floats sum = {0}, one;
+            for (int p = 0; p < n_parts; ++p) {
+                memcpy(&one, part[p] + at + HS_CLUSTER * axis, sizeof one);
+                sum += one;
+            }
+            const four_doubles wide = __builtin_convertvector(sum, four_doubles);
+            double *to = f[axis] + first;
+            if (size == HS_CLUSTER && !is_added)
+                memcpy(to, &wide, sizeof wide);
+            else
+                for (int k = 0; k < size; ++k) to[k] = (is_added ? to[k] : 0.0) + wide[k];
+        }
+    }
+}
+
 void hs_packed_unpack(const hs_packed *packed, const hs_clusters *clusters, int64_t block, const float *const *part,
                       int n_parts, hs_atoms *atoms, bool is_added)
 {
-    const int per_block = HS_PACKED_BLOCK / HS_PACKED, begin = (int)block * per_block;
-    const int end = begin + per_block < packed->n ? begin + per_block : packed->n, n_local = clusters->local.n;
-    for (int c = begin; c < end; ++c) {
-        const hs_cluster_part *of = c < n_local ? &clusters->local : &clusters->halo;
-        const int own = c < n_local ? c : c - n_local, first = of->entry[own].first, size = of->size[own];
-        float sum[3 * HS_CLUSTER] = {0};
-        for (int p = 0; p < n_parts; ++p)
-            for (int k = 0; k < 3 * HS_CLUSTER; ++k) sum[k] += part[p][(size_t)c * HS_PACKED + (size_t)k];
-        for (int axis = 0; axis < 3; ++axis)
-            for (int k = 0; k < size; ++k) {
-                double *f = &atoms->f[axis][first + k];
-                *f = (is_added ? *f : 0.0) + (double)sum[HS_CLUSTER * axis + k];
-            }
-    }
+    const int per_block = HS_PACKED_BLOCK / HS_PACKED, n_local = clusters->local.n, begin = (int)block * per_block;
+    const int end = begin + per_block < packed->n ? begin + per_block : packed->n;
+    const int middle = n_local < begin ? begin : n_local < end ? n_local : end; /* local ones come first */
+    unpack_clusters(&clusters->local, begin, middle, (size_t)begin * HS_PACKED, part, n_parts, atoms->f, is_added);
+    unpack_clusters(&clusters->halo, middle - n_local, end - n_local, (size_t)middle * HS_PACKED, part, n_parts,
+                    atoms->f, is_added);
 }
