@@ -41,6 +41,13 @@
  *                                         their number is returned
  *      hs_append_indices(to, m, from)     the same of HS_LANES 32-bit integers
  *
+ *  in mixed precision, where packed clusters (kernel/packed.h) are read and written better than one axis after the other
+ *  (HS_TAKES_PACKED is defined; kernel/cluster_memory.h has them for the others):
+ *
+ *      hs_places                          as many packed coordinates as a vector has lanes
+ *      hs_load_packed(site, entry, sub, x)   the three of the j-atoms
+ *      hs_add_packed(f, entry, sub, sum)  packed forces of the j-atoms += sum, for the three axes
+ *
  *  and of general use:
  *
  *      hs_min(a, b), hs_max(a, b)         b where either is not a number
