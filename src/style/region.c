@@ -59,14 +59,9 @@ const hs_region_style *hs_region_style_find(const char *name)
     return NULL;
 }
 
-/** Refuse an unknown style, with a reason for those that LAMMPS has. */
+/** Refuse an unknown style. */
 static hs_status refuse_style(const char *command, const char *style, hs_error *err)
 {
-    if (strcmp(style, "cone") == 0)
-        return hs_fail(
-            err, HS_ERROR_INPUT,
-            "%s: the style 'cone' is not supported; block, cylinder, plane, prism, sphere, union and intersect are",
-            command);
     const char *names[64];
     size_t n = 0;
     for (int k = 0; hs_region_styles[k] != NULL && n < 64; ++k) names[n++] = hs_region_styles[k]->about.name;
@@ -75,7 +70,7 @@ static hs_status refuse_style(const char *command, const char *style, hs_error *
         return hs_fail(err, HS_ERROR_INPUT, "%s: unknown region style '%s'; did you mean '%s'?", command, style,
                        nearest);
     return hs_fail(err, HS_ERROR_INPUT,
-                   "%s: unknown region style '%s'; expected block, cylinder, plane, prism, sphere, union or intersect",
+                   "%s: unknown region style '%s'; expected block, cone, cylinder, plane, prism, sphere, union or intersect",
                    command, style);
 }
 

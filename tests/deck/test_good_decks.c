@@ -265,9 +265,23 @@ START_TEST(commands_between_the_parts_of_a_run)
 }
 END_TEST
 
+/** A quarter of the atoms goes 2 along x, a quarter 1 along y: <r^2> = 5/4, <r^4> = 17/4; the mean displacement is (1/2, 1/4). */
+START_TEST(displacements_that_are_not_gaussian)
+{
+    const char *deck = "create_atoms 1 single 2 2 2\ncreate_atoms 1 single 3 3 3\ncreate_atoms 1 single 4 4 4\n"
+                       "velocity all set 0 0 0\ngroup one id 1\ngroup two id 2\ncompute g all msd/nongauss\n"
+                       "compute d all msd/nongauss com yes\nthermo_style custom step c_g[*] c_d[*]\nrun 0\n"
+                       "displace_atoms one move 2 0 0\ndisplace_atoms two move 0 1 0\nrun 0\n";
+    check_rows(deck, "1 atoms in group one\n1 atoms in group two\n"
+                     "0            0            0            0            0            0            0 \n"
+                     "0         1.25         4.25        0.632       0.9375    1.5507812  0.058666667 \n");
+}
+END_TEST
+
 START_TEST(thermo_rows_by_a_variable)
 {
-    check_rows("thermo_style custom step\nvariable s equal stride(4,8,2)\nthermo v_s\nrun 10\n", "0 \n4 \n6 \n8 \n10 \n");
+    check_rows("thermo_style custom step\nvariable s equal stride(4,8,2)\nthermo v_s\nrun 10\n",
+               "0 \n4 \n6 \n8 \n10 \n");
 }
 END_TEST
 
@@ -275,4 +289,4 @@ HS_TEST_MAIN("good decks", loops, command_line_variables_win, branches, quotes_a
              echo_shows_lines_as_read_and_as_run, files_within_files, a_deck_may_include_what_it_has_written,
              print_goes_where_it_is_told, log_moves_on, quit_ends_the_deck, clear_forgets_the_box_and_keeps_variables,
              accelerator_words_are_said_to_have_no_effect, runs_count_steps_and_time, ramps_and_oscillations_of_a_run,
-             commands_between_the_parts_of_a_run, thermo_rows_by_a_variable)
+             commands_between_the_parts_of_a_run, displacements_that_are_not_gaussian, thermo_rows_by_a_variable)

@@ -84,6 +84,12 @@ variable s equal step
 fix h all halt 7 v_s > 40 error continue
 D
 
+check nongauss <<'D'
+fix 1 all nve
+compute g all msd/nongauss com yes
+fix p all print 10 "$(c_g[1]) $(c_g[2]) $(c_g[3])" file p.txt screen no
+D
+
 check nvt <<'D'
 fix 1 all nvt temp 1.0 1.2 0.5 tchain 2
 D

@@ -93,9 +93,9 @@ static void compare(const char *name)
 }
 
 static const char *const names[] = {
-    "fcc_geom", "bcc_two_masses", "hex_2d",       "diamond_orient", "fcc_111",
-    "custom",   "sq2_ramp",       "hcp_real",     "random_3d",      "random_2d",
-    "shrink",   "regions",        "random_types", "variables",      "random_formulas",
+    "fcc_geom", "bcc_two_masses", "hex_2d",    "diamond_orient",  "fcc_111", "custom",
+    "sq2_ramp", "hcp_real",       "random_3d", "random_2d",       "shrink",  "cones",
+    "regions",  "random_types",   "variables", "random_formulas",
 };
 
 START_TEST(test_same_bits)

@@ -28,6 +28,12 @@ static const struct usage {
     {"buck", "2.5", {"200 0.3 1", "150 0.32 0.7 2.2", "100 0.31 0.2"}, 0, true},
     {"harmonic/sphere", "", {"50", "20", "30"}, 2, false},
     {"table", "spline 400", {TABLE " SMALL", TABLE " LARGE", TABLE " WEAK"}, 0, false},
+    {"mie/cut", "2.5", {"1 1 12 6", "0.7 0.9 14 7.5 2.2", "1.3 0.95 9.3 4 2.8"}, 0, true},
+    {"nm/cut", "2.5", {"1 1.1 12 6", "0.7 1.0 13 7.5 2.2", "1.3 1.05 9.3 4 2.8"}, 0, true},
+    {"lj96/cut", "2.5", {"1 1", "0.7 0.9 2.2", "1.3 0.95 2.8"}, 0, true},
+    {"lj/class2", "2.5", {"1 1", "0.7 0.9 2.2", "1.3 0.95 2.8"}, 0, true},
+    {"cosine/squared", "2.5", {"1 1.1 wca", "0.7 0.9 1.8", "1.3 1.2 1.2 wca"}, 2, false},
+    {"gauss/cut", "2.5", {"2 1.2 0.3", "-3 1.5 0.4 2.2", "0.5 0 0.5 1.8"}, 0, true},
     {"born", "2.5", {"3 0.3 1 1 0.4", "2 0.32 0.9 0.7 0.3 2.2", "1 0.31 1.1 0.2 0.1"}, 0, true},
 };
 enum { N_USAGES = (int)(sizeof usages / sizeof usages[0]) };
@@ -233,6 +239,17 @@ START_TEST(exact_values)
     check_value("lj/cubic", 1.0, 0.0, 24.0);
     check_value("lj/cubic", 67.0 / 48.0 * pow(26.0 / 7.0, 1.0 / 6.0), 0.0, 0.0);
     check_value("lj/smooth/linear", 2.5, 0.0, 0.0);
+    check_value("mie/cut", 1.0, 0.0, 24.0);
+    check_value("mie/cut", pow(2.0, 1.0 / 6.0), -1.0, 0.0);
+    check_value("nm/cut", 1.1, -1.0, 0.0);
+    check_value("lj96/cut", 1.0, 0.0, 12.0);
+    check_value("lj/class2", 1.0, -1.0, 0.0);
+    check_value("cosine/squared", 1.8, -0.5,
+                -0.25 * M_PI / 0.7); /* half-way: cosine^2 1/2, sine of twice the angle 1 */
+    check_value("cosine/squared", 1.1, -1.0, 0.0);
+    check_value("gauss/cut", 1.2, 2.0 / (0.3 * sqrt(2.0 * M_PI)), 0.0);
+    check_value("gauss/cut", 1.5, 2.0 / (0.3 * sqrt(2.0 * M_PI)) * exp(-0.5),
+                2.0 / (0.09 * sqrt(2.0 * M_PI)) * exp(-0.5));
     check_value("buck", 1.0, 200.0 * exp(-1.0 / 0.3) - 1.0, 200.0 / 0.3 * exp(-1.0 / 0.3) - 6.0);
     check_value("born", 1.0, 3.0 - 1.0 + 0.4, 10.0 - 6.0 + 3.2);
 }

@@ -98,6 +98,22 @@ START_TEST(exponential)
 }
 END_TEST
 
+START_TEST(logarithm)
+{
+    static const double largest[] = {2.0, 2.0};
+    static const double range[][2] = {{0.01, 0.5}, {0.5, 1.0}, {0.9, 1.1}, {1.0, 2.0}, {1.0, 1000.0}};
+    for (int p = 0; p < N_WIDTHS; ++p)
+        for (size_t k = 0; k < sizeof range / sizeof range[0]; ++k) {
+            fill(range[k][0], range[k][1]);
+            CHECK(log, logl, largest, (hs_precision)p);
+        }
+    for (int p = 0; p < N_WIDTHS; ++p) { /* all normal numbers */
+        for (int k = 0; k < N; ++k) x[k] = ldexp(1.0 + (k % 97) / 97.0, k % (p ? 250 : 2000) - (p ? 125 : 1000));
+        CHECK(log, logl, largest, (hs_precision)p);
+    }
+}
+END_TEST
+
 START_TEST(sine_and_cosine)
 {
     static const double largest[] = {2.0, 2.0};
@@ -140,4 +156,4 @@ START_TEST(no_numbers_and_infinities)
 }
 END_TEST
 
-HS_TEST_MAIN("vector math", exponential, sine_and_cosine, no_numbers_and_infinities)
+HS_TEST_MAIN("vector math", exponential, logarithm, sine_and_cosine, no_numbers_and_infinities)

@@ -1,7 +1,7 @@
 /* Compiled once for every instruction set and precision, with the flags of the kernels: see tests/CMakeLists.txt. */
 #include "kernel/vector_math_isa.h"
 
-#include "kernel/vector_math.h"
+#include "kernel/vector_log.h"
 
 static hs_vec sinpi(hs_vec x)
 {
@@ -32,6 +32,7 @@ static hs_vec max_one(hs_vec x) { return hs_max(hs_set1(1.0), x); }
         }                                                                                                              \
     }
 OVER_ARRAY(exp_array, hs_exp)
+OVER_ARRAY(log_array, hs_log)
 OVER_ARRAY(sinpi_array, sinpi)
 OVER_ARRAY(cospi_array, cospi)
 OVER_ARRAY(min_array, min_one)
@@ -40,4 +41,4 @@ OVER_ARRAY(max_array, max_one)
 #define PASTE_(a, b) a##b
 #define PASTE(a, b)  PASTE_(a, b)
 extern const vector_math PASTE(vector_math_, HS_KERNEL_ISA);
-const vector_math PASTE(vector_math_, HS_KERNEL_ISA) = {exp_array, sinpi_array, cospi_array, min_array, max_array};
+const vector_math PASTE(vector_math_, HS_KERNEL_ISA) = {exp_array, log_array, sinpi_array, cospi_array, min_array, max_array};

@@ -39,7 +39,7 @@ $liquid
 neigh_modify every 5 delay 0 check no
 fix 1 all npt temp 1.0 1.0 0.5 x 8.0 8.0 0.2 y 1.0 1.0 0.5 z -1 -1 0.5
 D
-    system tabulated 20 '' <<D
+    system tabulated 20 'c_g[1] c_g[2] c_g[3]' 'c_y' <<D
 lattice fcc 0.8442
 region box block 0 4 0 5 0 4
 create_box 2 box
@@ -51,9 +51,14 @@ $liquid
 pair_coeff * * 1.0 1.0
 print '# tables' file tables
 pair_write 1 1 300 r 0.7 2.5 tables LJ
-pair_style hybrid/overlay table spline 500 lj/cut 2.0
+pair_style hybrid/overlay table spline 500 mie/cut 2.0 gauss/cut 1.8 cosine/squared 1.9
 pair_coeff * * table tables LJ
-pair_coeff 1 2 lj/cut 0.2 1.0
+pair_coeff 1 2 mie/cut 0.2 1.0 11.5 5.5
+pair_coeff 2 2 gauss/cut 0.2 1.3 0.2
+pair_coeff 1 1 cosine/squared 0.3 1.0 wca
+group two type 2
+compute g two msd/nongauss com yes
+compute y all cna/atom 1.42
 fix 1 all nve
 D
     system moved 20 'c_r[*]' 'f_m[1] f_a[1] f_a[2] f_b f_s[1] f_s[2]' <<D

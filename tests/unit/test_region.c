@@ -156,7 +156,9 @@ START_TEST(test_refusals)
         {"a union 2 x y", "there is no region 'x'"},
         {"a union 3 x y", "3 region IDs must follow"},
         {"a union 1 x y", "'1' is not a whole number from 2"},
-        {"a cone z 0 0 0 0 1 1 2", "'cone' is not supported"},
+        {"a cone z 0 0 0 0 1 2", "'0' is not greater than 0, as one of both radii must be"},
+        {"a cone z 0 0 -1 1 1 2", "'-1' is not a radius of 0 or more"},
+        {"a cone z 0 0 2 1 2 2", "is not below the upper end"},
         {"a blok 0 1 0 1 0 1", "did you mean 'block'?"},
     };
     begin();
