@@ -25,7 +25,8 @@ void hs_nose_hoover_find_targets(const hs_fix *fix)
     hs_nose_hoover *nh = fix->state;
     const double done = hs_env_ramp(fix->env);
     nh->p_mean = 0.0;
-    if (nh->reset_every > 0 && (fix->env->step - fix->env->ramp_start) % nh->reset_every == 0)
+    /* where all targets are one, the reference is no more than a constant of the energy */
+    if (nh->has_strain_energy && nh->reset_every > 0 && (fix->env->step - fix->env->ramp_start) % nh->reset_every == 0)
         hs_nose_hoover_set_reference(nh, fix->env->box);
     for (int k = 0; k < HS_NH_COMPONENTS; ++k) {
         if (!nh->moves[k]) continue;
