@@ -210,6 +210,16 @@ static hs_status array(hs_compute *compute, hs_error *err)
     return HS_OK;
 }
 
+/** A thermostat takes off the means of the latest evaluation, which was in the step before. */
+static hs_status keep_state(hs_compute *compute, hs_state *kept, hs_error *err)
+{
+    profile_state *state = compute->state;
+    static const char *const names[] = {"mean vx", "mean vy", "mean vz"};
+    for (int axis = 0; axis < 3; ++axis)
+        HS_TRY(hs_state_double(kept, names[axis], state->mean[axis], state->n_bins, err));
+    return HS_OK;
+}
+
 const hs_compute_style hs_compute_style_temp_profile = {
     .about =
         {.name = "temp/profile",
@@ -239,6 +249,7 @@ const hs_compute_style hs_compute_style_temp_profile = {
     .array = array,
     .modify = hs_temperature_modify,
     .bias = bias,
+    .keep_state = keep_state,
     .is_vector_extensive = true,
     .is_temperature = true,
 };

@@ -97,7 +97,7 @@ static hs_status run_neigh_modify(hs_deck *deck, const hs_args *args, hs_error *
         return hs_fail(err, HS_ERROR_INPUT, "neigh_modify: delay %lld is not a multiple of every %lld",
                        (long long)settings->delay, (long long)settings->every);
     deck->sim->is_initialized = false;
-    return HS_OK;
+    return hs_sim_fit_kernel_types(deck->sim, err);
 }
 
 static const hs_keyword method_keywords[] = {

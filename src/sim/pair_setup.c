@@ -147,6 +147,18 @@ hs_status hs_sim_renew_pair(hs_sim *sim, bool *needs_lists, hs_error *err)
     return status;
 }
 
+hs_status hs_sim_fit_kernel_types(hs_sim *sim, hs_error *err)
+{
+    int groups[HS_GROUPS_MAX];
+    const int n_groups = excluded_groups(&sim->neighbor.settings, groups);
+    if (n_groups > 0 && sim->kernel_type == NULL) {
+        HS_TRY(hs_atoms_add_field(&sim->atoms, "kernel type", (void **)&sim->kernel_type, sizeof(int32_t), true, err));
+        hs_atoms_keep_from_halo(&sim->atoms, (void **)&sim->kernel_type); /* computed anew after the halo is made */
+    }
+    if (n_groups == 0 && sim->kernel_type != NULL) hs_atoms_remove_field(&sim->atoms, (void **)&sim->kernel_type);
+    return HS_OK;
+}
+
 hs_status hs_sim_setup_pair(hs_sim *sim, hs_error *err)
 {
     int groups[HS_GROUPS_MAX];
@@ -159,10 +171,6 @@ hs_status hs_sim_setup_pair(hs_sim *sim, hs_error *err)
                        "neigh_modify exclude: %d groups and %d atom types are too many together; give the atoms types "
                        "of their own and exclude those",
                        n_groups, sim->atoms.n_types);
-    if (n_groups > 0 && sim->kernel_type == NULL) {
-        HS_TRY(hs_atoms_add_field(&sim->atoms, "kernel type", (void **)&sim->kernel_type, sizeof(int32_t), true, err));
-        hs_atoms_keep_from_halo(&sim->atoms, (void **)&sim->kernel_type); /* computed anew after the halo is made */
-    }
-    if (n_groups == 0 && sim->kernel_type != NULL) hs_atoms_remove_field(&sim->atoms, (void **)&sim->kernel_type);
+    HS_TRY(hs_sim_fit_kernel_types(sim, err));
     return renew(sim, err);
 }

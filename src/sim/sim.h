@@ -179,6 +179,9 @@ HS_MUST_USE hs_status hs_sim_run(hs_sim *sim, const hs_run_plan *plan, hs_error 
 /** Lists are due: bring atoms, the shrink-wrapped box, halo, cells, and the listed positions up to date
  *  (collective).  sim/exchange.c */
 HS_MUST_USE hs_status hs_sim_exchange(hs_sim *sim, hs_error *err);
+/** Atoms have kernel types when pairs within groups are excluded, from the command on that says so, for a checkpoint
+ *  that is read after it has them.  sim/pair_setup.c */
+HS_MUST_USE hs_status hs_sim_fit_kernel_types(hs_sim *sim, hs_error *err);
 /** Tables of pair parameters, exclusions and cutoffs for the next run.  sim/pair_setup.c */
 HS_MUST_USE hs_status hs_sim_setup_pair(hs_sim *sim, hs_error *err);
 /** The same within a run, after coefficients or radii were changed. *needs_lists: lists and halo of the present reach do not serve

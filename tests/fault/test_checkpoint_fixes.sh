@@ -44,6 +44,20 @@ D
     cd ..
 }
 
+check profile 'prism 0 4 0 4 0 4 0.5 0 0' <<'D'
+compute bath all temp/profile 1 0 0 y 3
+fix 1 all nvt temp 1.0 1.2 0.5
+fix_modify 1 temp bath
+fix 2 all deform 1 xy delta 0.3 remap v
+D
+
+check exclusions <<'D'
+fix 1 all nve
+group few id 1:60
+group more type 2
+neigh_modify exclude group few few exclude group few more
+D
+
 check histograms <<'D'
 fix 1 all nve
 fix h all ave/histo 2 3 20 -3 3 8 vx vy vz mode vector ave running error yes file h.txt
