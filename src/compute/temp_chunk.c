@@ -4,6 +4,7 @@
 #include "base/memory.h"
 #include "core/atom_style.h"
 #include "style/atom_sum.h"
+#include "style/atom_vector.h"
 #include "style/per_chunk.h"
 
 typedef enum { COLUMN_TEMP, COLUMN_KECOM, COLUMN_INTERNAL } column_kind;
@@ -21,6 +22,8 @@ typedef struct temp_chunk_state {
     size_t capacity;
     uint64_t motion_at; /**< env->revision of these; 0: none */
     double n_atoms;     /**< in all chunks, as of then */
+    hs_atom_vector
+        bias_of; /**< what was taken off each atom's velocity at the latest evaluation; thermostats use it later */
 } temp_chunk_state;
 
 static const char *const columns[] = {"temp", "kecom", "internal", NULL};
@@ -64,6 +67,7 @@ static hs_status create(hs_compute *compute, const hs_args *args, hs_error *err)
     }
     HS_TRY(hs_per_chunk_create(compute, args, end > 1 ? end - 1 : 1, true, err));
     HS_TRY(read_keywords(state, args, end, err));
+    HS_TRY(hs_atom_vector_add(compute->env->atoms, &state->bias_of, "compute", compute->id, "bias", err));
     compute->has_vector = true;
     compute->n_vector = 6;
     return HS_ALLOC(compute->vector, 6, err);
@@ -72,6 +76,7 @@ static hs_status create(hs_compute *compute, const hs_args *args, hs_error *err)
 static void destroy(hs_compute *compute)
 {
     temp_chunk_state *state = compute->state;
+    hs_atom_vector_remove(compute->env->atoms, &state->bias_of);
     HS_FREE(state->bias_id);
     HS_FREE(state->motion);
     HS_FREE(state->count);
@@ -150,6 +155,22 @@ static hs_status reserve(temp_chunk_state *state, hs_error *err)
     return HS_OK;
 }
 
+/** What is taken off the velocity of each atom. */
+static void keep_bias(hs_compute *compute)
+{
+    temp_chunk_state *state = compute->state;
+    const hs_atoms *atoms = compute->env->atoms;
+    for (int i = 0; i < atoms->n_local; ++i) {
+        const int64_t c = hs_per_chunk_of(compute, i);
+        double v[3];
+        if (c >= 0 && state->is_com)
+            find_relative(compute, i, c, v);
+        else
+            find_velocity(compute, i, v);
+        for (int axis = 0; axis < 3; ++axis) state->bias_of.of[axis][i] = atoms->v[axis][i] - v[axis];
+    }
+}
+
 /** Number the atoms; how chunks move and how many atoms they have (collective). */
 static hs_status find_motion(hs_compute *compute, hs_error *err)
 {
@@ -169,6 +190,7 @@ static hs_status find_motion(hs_compute *compute, hs_error *err)
         state->n_atoms += state->count[c];
     }
     if (!state->has_adof) state->dof_per_atom = compute->env->box->dimension;
+    keep_bias(compute);
     state->motion_at = compute->env->revision;
     return HS_OK;
 }
@@ -241,13 +263,7 @@ static bool counts(const hs_compute *compute, int i) { return hs_per_chunk_of(co
 static void bias(const hs_compute *compute, int i, double b[3])
 {
     const temp_chunk_state *state = compute->state;
-    const int64_t c = hs_per_chunk_of(compute, i);
-    double v[3];
-    if (c >= 0 && state->is_com)
-        find_relative(compute, i, c, v);
-    else
-        find_velocity(compute, i, v);
-    for (int axis = 0; axis < 3; ++axis) b[axis] = compute->env->atoms->v[axis][i] - v[axis];
+    for (int axis = 0; axis < 3; ++axis) b[axis] = state->bias_of.of[axis][i];
 }
 
 const hs_compute_style hs_compute_style_temp_chunk = {

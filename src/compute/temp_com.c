@@ -31,6 +31,12 @@ static hs_status vector(hs_compute *compute, hs_error *err)
     return hs_temperature_vector(compute, err);
 }
 
+/** A thermostat takes off the velocity of the latest evaluation, which was in the step before. */
+static hs_status keep_state(hs_compute *compute, hs_state *kept, hs_error *err)
+{
+    return hs_state_double(kept, "velocity", ((com_state *)compute->state)->v, 3, err);
+}
+
 const hs_compute_style hs_compute_style_temp_com = {
     .about = {.name = "temp/com",
               .syntax = {.usage = "", .n_min = 0, .n_max = 0},
@@ -47,6 +53,7 @@ const hs_compute_style hs_compute_style_temp_com = {
     .vector = vector,
     .modify = hs_temperature_modify,
     .bias = bias,
+    .keep_state = keep_state,
     .is_vector_extensive = true,
     .is_temperature = true,
 };

@@ -5,6 +5,7 @@
 #include "deck/command.h"
 #include "deck/place_atoms.h"
 #include "style/box_change.h"
+#include "style/box_flow.h"
 #include "style/box_shape.h"
 
 /** The operations; the first three are lengths, the next three tilts. */
@@ -237,6 +238,9 @@ static hs_status change_run(hs_deck *deck, const hs_args *args, hs_error *err)
     c.mask = hs_group_mask(bit);
     HS_TRY(read_units(&c, args, err));
     /* atoms that have left the box since the last lists come back first: those that do not follow stay where they are */
+    const hs_box_flow *flow = sim->env.box_flow;
+    if (flow != NULL && flow->moves_velocities != 0)
+        hs_box_wrap_flowing(&sim->env, flow->edge, flow->moves_velocities);
     HS_TRY(hs_atoms_wrap_all(sim, args->command, err));
     hs_sim_shrink_box(sim); /* to the atoms as they are now, from which new margins and lengths follow, as in LAMMPS */
     c.set = *box;

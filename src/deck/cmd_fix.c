@@ -82,6 +82,12 @@ static hs_status check_style(const char *kind, const hs_description *const *abou
         hs_text_fini(&command);
         return status;
     }
+    for (size_t k = 0; k < n; ++k)
+        if (strcmp(abouts[k]->name, args->word[1]) == 0)
+            return hs_fail(err, HS_ERROR_INPUT,
+                           "%s: '%s' is a style, and the group-ID before it is missing; expected: %s <ID> <group-ID> "
+                           "<style> <words> ...",
+                           kind, args->word[1], kind);
     const char *nearest = hs_text_nearest(args->word[2], names, n_names);
     return hs_fail(err, HS_ERROR_INPUT, "%s: unknown style '%s'; %s%s%s", kind, args->word[2],
                    nearest != NULL ? "did you mean '" : "'halfshell help' lists those there are",

@@ -4,11 +4,28 @@
 
 #include "fix/wall.h"
 #include "style/places.h"
+#include "style/varying.h"
 
 typedef struct wall_potential_state {
     wall_state wall; /**< first: wall.h takes the state as one */
     double unit[WALL_MAX];
+    hs_varying epsilon[WALL_MAX], sigma[WALL_MAX]; /**< those of the faces, which may follow variables */
+    bool has_sigma;
 } wall_potential_state;
+
+/** Epsilon and sigma of face k as they are now. */
+static inline hs_status wall_set_strength(const hs_fix *fix, int k, hs_error *err)
+{
+    wall_potential_state *state = fix->state;
+    wall_face *face = &state->wall.face[k];
+    face->epsilon = state->epsilon[k].value;
+    face->sigma = state->sigma[k].value;
+    const bool is_epsilon = !(face->epsilon >= 0.0);
+    if (!is_epsilon && (!state->has_sigma || face->sigma > 0.0)) return HS_OK;
+    return hs_fail(err, HS_ERROR_INPUT, "fix '%s' (%s): %s of the wall %s is %g; it must be %s", fix->id,
+                   fix->style->about.name, is_epsilon ? "epsilon" : "sigma", wall_faces[2 * face->axis + face->end],
+                   is_epsilon ? face->epsilon : face->sigma, is_epsilon ? "0 or positive" : "positive");
+}
 
 /** face place epsilon sigma cutoff, once or more; units, fld, pbc. @p has_sigma: the potential depends on sigma, which is a number
  *  at least in any case. */
@@ -17,14 +34,18 @@ static inline hs_status wall_potential_read(hs_fix *fix, const hs_args *args, bo
     wall_potential_state *state = fix->state;
     bool is_lattice = true;
     int i = 0;
+    state->has_sigma = has_sigma;
     while (i < args->n && strcmp(args->word[i], "units") != 0 && strcmp(args->word[i], "fld") != 0 &&
            strcmp(args->word[i], "pbc") != 0) {
         HS_TRY(wall_read_face(fix, args, i, err));
         wall_face *face = &state->wall.face[state->wall.n - 1];
         HS_TRY(hs_arg_need(args, i + 4, "one of the wall's epsilon, sigma and cutoff", err));
-        HS_TRY(hs_arg_not_negative(args, i + 2, &face->epsilon, err));
-        HS_TRY(has_sigma ? hs_arg_positive(args, i + 3, &face->sigma, err)
-                         : hs_arg_double(args, i + 3, &face->sigma, err));
+        const int k = state->wall.n - 1;
+        HS_TRY(hs_varying_read(&state->epsilon[k], args, i + 2, err));
+        HS_TRY(hs_varying_read(&state->sigma[k], args, i + 3, err));
+        if (state->epsilon[k].variable == NULL) HS_TRY(hs_arg_not_negative(args, i + 2, &face->epsilon, err));
+        if (has_sigma && state->sigma[k].variable == NULL) HS_TRY(hs_arg_positive(args, i + 3, &face->sigma, err));
+        face->sigma = state->sigma[k].value;
         HS_TRY(hs_arg_positive(args, i + 4, &face->cutoff, err));
         i += 5;
     }
@@ -122,6 +143,9 @@ static inline hs_status wall_post_force(hs_fix *fix, hs_error *err)
         wall_face *face = &state->wall.face[k];
         bool is_inside = true;
         HS_TRY(wall_place(fix, face, state->unit[k], err));
+        HS_TRY(hs_varying_update(&state->epsilon[k], fix->env, err));
+        HS_TRY(hs_varying_update(&state->sigma[k], fix->env, err));
+        HS_TRY(wall_set_strength(fix, k, err));
         HS_ON_THREADS(wall_push(fix, face, &is_inside));
         if (!is_inside && crossed == NULL) crossed = face;
     }
@@ -165,6 +189,40 @@ static inline hs_status wall_vector(hs_fix *fix, int i, double *value, hs_error 
     return HS_OK;
 }
 
+static inline void wall_potential_destroy(hs_fix *fix)
+{
+    wall_potential_state *state = fix->state;
+    for (int k = 0; k < WALL_MAX; ++k) {
+        hs_varying_fini(&state->epsilon[k]);
+        hs_varying_fini(&state->sigma[k]);
+    }
+    wall_destroy(fix);
+}
+
+static inline hs_status wall_potential_init(hs_fix *fix, hs_error *err)
+{
+    const wall_potential_state *state = fix->state;
+    for (int k = 0; k < state->wall.n; ++k) {
+        if (state->wall.face[k].variable != NULL)
+            HS_TRY(hs_fix_need_equal_style(fix, state->wall.face[k].variable, err));
+        HS_TRY(hs_varying_check(&state->epsilon[k], fix, err));
+        HS_TRY(hs_varying_check(&state->sigma[k], fix, err));
+    }
+    return HS_OK;
+}
+
+static inline hs_status wall_potential_keep_state(hs_fix *fix, hs_state *kept, hs_error *err)
+{
+    wall_state *state = fix->state;
+    double epsilon[WALL_MAX], sigma[WALL_MAX];
+    HS_TRY(wall_keep_state(fix, kept, err));
+    for (int k = 0; k < state->n; ++k) epsilon[k] = state->face[k].epsilon, sigma[k] = state->face[k].sigma;
+    HS_TRY(hs_state_double(kept, "epsilon", epsilon, state->n, err));
+    HS_TRY(hs_state_double(kept, "sigma", sigma, state->n, err));
+    for (int k = 0; k < state->n; ++k) state->face[k].epsilon = epsilon[k], state->face[k].sigma = sigma[k];
+    return HS_OK;
+}
+
 #define WALL_USAGE "<face> <place> <epsilon> <sigma> <cutoff> ... [units lattice|box] [fld no] [pbc no]"
 
 #define WALL_DETAILS                                                                                                   \
@@ -172,7 +230,8 @@ static inline hs_status wall_vector(hs_fix *fix, int i, double *value, hs_error 
     "values. The place is a coordinate, `EDGE` (where the box's face is when the fix is defined), or an "              \
     "equal-style variable "                                                                                            \
     "`v_name`; numbers and variables are in lattice spacings unless `units box` is said. epsilon (energy), sigma and " \
-    "cutoff (distance) are in plain units. Walls must stand across directions that are not periodic. An atom on or "   \
+    "cutoff (distance) are in plain units; epsilon and sigma may be such variables, too. Walls must stand across "     \
+    "directions that are not periodic. An atom on or "                                                                 \
     "behind a wall stops the run.\n\nThe scalar `f_ID` is the energy of all walls, `f_ID[1]` ... the force on each "   \
     "wall. `fix_modify energy yes` adds the energy to the potential energy, `virial yes` the virial, with distances "  \
     "from the walls, to the pressure. "                                                                                \
@@ -180,9 +239,9 @@ static inline hs_status wall_vector(hs_fix *fix, int i, double *value, hs_error 
 
 /** The rest of a wall style's descriptor. */
 #define WALL_HOOKS                                                                                                     \
-    .state_size = sizeof(wall_potential_state), .create = create, .destroy = wall_destroy,                             \
-    .keep_state = wall_keep_state, .post_force = wall_post_force, .acts_in_minimize = true, .scalar = wall_scalar,     \
-    .vector = wall_vector, .n_vector = WALL_MAX, .is_extensive = true, .is_vector_extensive = true,                    \
-    .has_energy = true, .has_virial = true
+    .state_size = sizeof(wall_potential_state), .create = create, .destroy = wall_potential_destroy,                   \
+    .init = wall_potential_init, .keep_state = wall_potential_keep_state, .post_force = wall_post_force,               \
+    .acts_in_minimize = true, .scalar = wall_scalar, .vector = wall_vector, .n_vector = WALL_MAX,                      \
+    .is_extensive = true, .is_vector_extensive = true, .has_energy = true, .has_virial = true
 
 #endif

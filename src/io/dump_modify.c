@@ -28,7 +28,7 @@ const hs_keyword hs_dump_modify_keywords[] = {
     {"image", 1, "yes|no", "style atom: columns ix iy iz (default no)"},
     {"maxfiles", 1, "<N>", "keep only the last N files of a name with *; -1: all (default)"},
     {"pad", 1, "<digits>", "leading zeros of the step in file names"},
-    {"pbc", 1, "yes|no", "wrap positions into the box (default no)"},
+    {"pbc", 1, "yes|no", "write the atoms' images in the box: places, image numbers, velocities (default no)"},
     {"region", 1, "<region | none>", "only atoms in the region"},
     {"scale", 1, "yes|no", "style atom: positions scaled to 0 ... 1 (default yes)"},
     {"sort", 1, "<off | id | N | -N>", "order of rows: in memory, by id (default), or by column N up or down"},

@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "core/atom_style.h"
+#include "style/box_flow.h"
 
 const char *const hs_attributes[] = {
     "id", "type", "element", "mass", "proc",   "procp1", "x",      "y",  "z",      "xs",       "ys", "zs", "xu",
@@ -51,6 +52,18 @@ static double place_value(const hs_env *env, hs_attribute attribute, int axis, b
     }
 }
 
+/** Velocity of the atom's image in the box, along an axis (remap v of fix deform). */
+static double velocity_of_image(const hs_env *env, int axis, int i)
+{
+    const hs_atoms *atoms = env->atoms;
+    double x[3] = {atoms->x[0][i], atoms->x[1][i], atoms->x[2][i]},
+           v[3] = {atoms->v[0][i], atoms->v[1][i], atoms->v[2][i]};
+    int32_t crossed[3] = {0, 0, 0};
+    hs_box_wrap(env->box, x, crossed);
+    hs_box_flow_cross(env, atoms->mask[i], crossed, v);
+    return v[axis];
+}
+
 double hs_attribute_value(const hs_env *env, hs_attribute attribute, bool is_wrapped, int i)
 {
     const hs_atoms *atoms = env->atoms;
@@ -78,7 +91,7 @@ double hs_attribute_value(const hs_env *env, hs_attribute attribute, bool is_wra
     const int axis = (attribute - HS_ATTR_X) % 3;
     switch (attribute - axis) {
     case HS_ATTR_VX:
-        return atoms->v[axis][i];
+        return is_wrapped ? velocity_of_image(env, axis, i) : atoms->v[axis][i];
     case HS_ATTR_FX:
         return atoms->f[axis][i];
     case HS_ATTR_MUX:

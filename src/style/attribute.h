@@ -52,8 +52,8 @@ extern const char *const hs_attributes[];
 int hs_attribute_find(const char *name);
 /** An error when atoms of the present style have no such attribute. */
 HS_MUST_USE hs_status hs_attribute_check(hs_attribute attribute, const hs_atoms *atoms, hs_error *err);
-/** Value of local atom i (the element is its type's number). With @p is_wrapped, positions and images are those within
- *  the box. */
+/** Value of local atom i (the element is its type's number). With @p is_wrapped, positions, images and velocities are
+ *  those of the atom's image in the box. */
 double hs_attribute_value(const hs_env *env, hs_attribute attribute, bool is_wrapped, int i);
 
 #endif

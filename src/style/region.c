@@ -92,7 +92,7 @@ static int count_own(const hs_region_style *style, const hs_args *args)
 }
 
 /** Check the common keywords in args (nothing else may be there). */
-static hs_status check_keywords(const hs_args *args, bool has_variables, hs_error *err)
+static hs_status check_keywords(const hs_region_style *style, const hs_args *args, bool has_variables, hs_error *err)
 {
     static const char *const refused[] = {"move", "rotate", "open", NULL};
     for (int i = 0; i < args->n; ++i)
@@ -102,7 +102,7 @@ static hs_status check_keywords(const hs_args *args, bool has_variables, hs_erro
                                "%s: the keyword '%s' is not supported: regions keep their place and have no open "
                                "faces; the keywords are side and units",
                                args->command, refused[k]);
-    const hs_syntax syntax = {"[side in|out] [units lattice|box]", 0, 0, hs_region_keywords};
+    const hs_syntax syntax = {style->about.syntax.usage, 0, 0, hs_region_keywords};
     return hs_syntax_check(&syntax, args, has_variables, err);
 }
 
@@ -113,7 +113,7 @@ static hs_status check_words(const hs_region_style *style, const hs_args *args, 
     const hs_args own = {.command = args->command, .n = n_own, .word = args->word};
     HS_TRY(hs_syntax_check(&style->about.syntax, &own, has_variables, err));
     const hs_args rest = hs_args_from(args, n_own, NULL);
-    return check_keywords(&rest, has_variables, err);
+    return check_keywords(style, &rest, has_variables, err);
 }
 
 static bool has_dollar(const hs_args *args)

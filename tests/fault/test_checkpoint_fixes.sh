@@ -51,6 +51,21 @@ fix_modify 1 temp bath
 fix 2 all deform 1 xy delta 0.3 remap v
 D
 
+check centers <<'D'
+velocity all set 0.5 NULL 0.1 sum yes
+compute bath all temp/com
+fix 1 all npt temp 1.0 1.2 0.5 iso 1 1 2
+fix_modify 1 temp bath
+D
+
+check chunks_as_bath <<'D'
+velocity all ramp vx 0 1 y 0 4 sum yes
+compute layers all chunk/atom bin/1d y lower 0.3 units reduced
+compute bath all temp/chunk layers com yes
+fix 1 all nvt temp 1.0 1.2 0.5
+fix_modify 1 temp bath
+D
+
 check exclusions <<'D'
 fix 1 all nve
 group few id 1:60
