@@ -118,7 +118,7 @@ static int edit_distance(const char *a, const char *b, int limit)
 
 const char *hs_text_nearest(const char *word, const char *const *words, size_t n)
 {
-    const int n_letters = (int)strlen(word), limit = n_letters > 3 ? n_letters / 3 + 2 : smaller(n_letters, 2);
+    const int n_letters = (int)strlen(word), limit = n_letters > 3 ? n_letters / 3 + 2 : 2;
     int best = limit;
     const char *nearest = NULL;
     for (size_t i = 0; i < n; ++i) {
