@@ -9,7 +9,7 @@ static hs_status create(hs_fix *fix, const hs_args *args, hs_error *err)
 const hs_fix_style hs_fix_style_nph = {
     .about =
         {.name = "nph",
-         .syntax = {.usage = "<iso|aniso|x|y|z> <Pstart> <Pstop> <Pdamp> [keyword value ...]",
+         .syntax = {.usage = "<iso|aniso|tri|x|y|z|xy|xz|yz> <Pstart> <Pstop> <Pdamp> [keyword value ...]",
                     .n_min = 0,
                     .n_max = 0,
                     .keywords = hs_nose_hoover_npt_keywords},
