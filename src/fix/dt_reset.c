@@ -2,7 +2,7 @@
  *
  * For each atom the time is the smaller of those in which its velocity alone, and its acceleration alone, would carry
  * it so far, x/v and sqrt(2 x/a); if both together carry it farther in that time, it is shortened by the ratio of the
- * distances. */
+ * distances. `emax` limits the work that the force does, |F| |v| dt, besides. */
 #include <math.h>
 #include <string.h>
 
@@ -14,10 +14,12 @@ typedef struct reset_state {
     int64_t every;
     double limit[2]; /**< least and largest timestep, time */
     double x_max;    /**< distance */
+    double work_max; /**< energy; INFINITY: not limited */
     int64_t changed_at;
 } reset_state;
 
 static const hs_keyword keywords[] = {
+    {"emax", 1, "<energy>", "largest work, |F| |v| dt, that may be done on an atom in a step (default: any)"},
     {"units", 1, "lattice|box", "the distance is in lattice spacings (default) or in distance units"},
     {NULL, 0, NULL, NULL},
 };
@@ -32,7 +34,15 @@ static hs_status create(hs_fix *fix, const hs_args *args, hs_error *err)
         if (strcmp(args->word[1 + k], "NULL") != 0) HS_TRY(hs_arg_positive(args, 1 + k, &state->limit[k], err));
     if (state->limit[0] >= state->limit[1]) return hs_arg_refuse(args, 2, "greater than the least timestep", NULL, err);
     HS_TRY(hs_arg_positive(args, 3, &state->x_max, err));
-    if (args->n < 6 || strcmp(args->word[5], "lattice") == 0) state->x_max *= fix->env->lattice->spacing[0];
+    bool is_box = false;
+    state->work_max = INFINITY;
+    for (int i = 4; i < args->n; i += 2) {
+        if (strcmp(args->word[i], "emax") == 0)
+            HS_TRY(hs_arg_positive(args, i + 1, &state->work_max, err));
+        else
+            is_box = strcmp(args->word[i + 1], "box") == 0;
+    }
+    if (!is_box) state->x_max *= fix->env->lattice->spacing[0];
     state->changed_at = fix->env->step;
     return HS_OK;
 }
@@ -40,7 +50,8 @@ static hs_status create(hs_fix *fix, const hs_args *args, hs_error *err)
 /** Time in which local atom i moves as far as it may. */
 static double time_of(const hs_fix *fix, int i)
 {
-    const double x_max = ((const reset_state *)fix->state)->x_max;
+    const reset_state *state = fix->state;
+    const double x_max = state->x_max;
     const hs_atoms *atoms = fix->env->atoms;
     const double to_acceleration = fix->env->units->ftm2v / hs_atom_mass(atoms, i);
     double v2 = 0.0, f2 = 0.0, moved2 = 0.0;
@@ -50,7 +61,8 @@ static double time_of(const hs_fix *fix, int i)
     }
     const double by_velocity = v2 > 0.0 ? x_max / sqrt(v2) : INFINITY;
     const double by_force = f2 > 0.0 ? sqrt(2.0 * x_max / (to_acceleration * sqrt(f2))) : INFINITY;
-    const double time = fmin(by_velocity, by_force);
+    const double by_work = v2 * f2 > 0.0 ? state->work_max / sqrt(v2 * f2) : INFINITY;
+    const double time = fmin(fmin(by_velocity, by_force), by_work);
     if (isinf(time)) return time;
     for (int axis = 0; axis < 3; ++axis) {
         const double moved = time * atoms->v[axis][i] + 0.5 * time * time * to_acceleration * atoms->f[axis][i];
@@ -100,7 +112,7 @@ static hs_status keep_state(hs_fix *fix, hs_state *kept, hs_error *err)
 
 const hs_fix_style hs_fix_style_dt_reset = {
     .about = {.name = "dt/reset",
-              .syntax = {.usage = "<N> <Tmin>|NULL <Tmax>|NULL <Xmax> [units lattice|box]",
+              .syntax = {.usage = "<N> <Tmin>|NULL <Tmax>|NULL <Xmax> [emax <energy>] [units lattice|box]",
                          .n_min = 4,
                          .n_max = 4,
                          .keywords = keywords},
@@ -108,7 +120,8 @@ const hs_fix_style hs_fix_style_dt_reset = {
               .details =
                   "Before a run and at steps that are multiples of N the timestep becomes the longest in which no atom "
                   "of the group would move farther than Xmax (in lattice spacings unless `units box` is said), judged "
-                  "by its present velocity and force; not below Tmin and not above Tmax (NULL: no such limit). It "
+                  "by its present velocity and force; not below Tmin and not above Tmax (NULL: no such limit). "
+                  "`emax` also limits the work |F| |v| dt that a force can do on an atom in a step (energy). It "
                   "takes the place of `timestep`. For starts with overlapping atoms and for fast collisions.\n\n"
                   "`f_ID` is the step at which the timestep was last changed. The thermo keywords `dt` and `time` "
                   "follow; ramps go by steps, not by time.",
