@@ -30,6 +30,11 @@ for part in "Run of 5 steps" "108 atoms" "no errors found"; do
     grep -q "$part" out || { echo "check does not say '$part'" >&2; cat out >&2; exit 1; }
 done
 
+# A table that the deck writes and reads is not there yet.
+sed 's/^run 5$/pair_write 1 1 50 r 0.8 2.5 new.table LJ\npair_style table linear 100\npair_coeff * * new.table LJ\nrun 5/' deck.in >table.in
+"$HALFSHELL" check table.in >out 2>err || { cat out err >&2; exit 1; }
+[ ! -e new.table ] && grep -q "'new.table' is not there; unless" out
+
 # What only values can tell is found too, at its line, with exit code 1.
 sed 's/^mass 1 1$//' deck.in >bad.in
 code=0
