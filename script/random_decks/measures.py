@@ -1,4 +1,5 @@
 """Computes of a random deck: of numbers, of values per atom, of chunks."""
+from random_decks.formulas import atom_formula
 from random_decks.system import more_regions
 
 # Computes with numbers of all of a group: words after the style, and the columns that they give.
@@ -89,7 +90,6 @@ def add_atom_compute(deck):
     value = f"c_{name}" + (f"[{deck.random.randint(1, n_columns)}]" if n_columns else "")
     deck.atom_values.append(value)
     formula = deck.name("a")
-    from random_decks.formulas import atom_formula
     deck.add(f'variable {formula} atom "{atom_formula(deck, value)}"')
     deck.atom_values.append(f"v_{formula}")
     mode = deck.pick("sum", "min", "max", "ave", "sumsq", "avesq")

@@ -32,10 +32,6 @@ def thermo_words(deck):
         deck.add(f"compute other{deck.n_names} all {deck.pick('temp/com', 'temp/partial 1 1 0', 'temp')}", f"thermo_modify temp other{deck.n_names}")
 
 
-def file_of(name, is_more):
-    return f"file {name}" + is_more
-
-
 def add_averages(deck):
     """Files of averages of what thermo output shows, histograms and correlations."""
     for _ in range(deck.pick(0, 0, 0, 1, 1, 2)):
@@ -66,7 +62,7 @@ def add_average(deck):
     group = deck.group() if "vector" in words and "ave/h" in words else "all"
     deck.add(f"fix {name} {group} {words}")
     if words.startswith("ave/time") and "[*]" not in words and "mode vector" not in words and deck.chance(0.3):
-        deck.add(f"variable {name} equal f_{name}{deck.pick('', '') if len(words.split('file')[0].split()) == 5 else '[1]'}",
+        deck.add(f"variable {name} equal f_{name}{'' if len(words.split('file')[0].split()) == 5 else '[1]'}",
                  f"fix {name}p all print 10 \"at $(step): ${{{name}}} $(temp:%.8g)\" file p{name}.ave screen no")
     if words.startswith("vector"):
         deck.add(f"variable {name} equal {deck.pick('sum', 'ave', 'max', 'min', 'trap', 'slope')}(f_{name})+f_{name}[1]",

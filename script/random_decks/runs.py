@@ -1,12 +1,12 @@
 """Runs of a random deck, and what happens between them."""
 import re
 
-from random_decks.fixes import add_fix, add_fixes, unused_variables
+from random_decks.fixes import add_fixes
 from random_decks.formulas import random_formula
 from random_decks.measures import add_atom_compute, add_global_compute
 from random_decks.output import add_average, add_dump, thermo_words
 from random_decks.pairs import PAIRS, words_of
-from random_decks.system import add_group, more_regions, velocity_change
+from random_decks.system import add_group, velocity_change
 
 
 def simple_runs(deck):
@@ -38,23 +38,16 @@ def change_fixes(deck):
     old = [line.split()[1] for line in deck.lines if re.match(r"fix e\d+ ", line)]
     old = [name for name in old if not any(re.search(rf"\bf_{name}\b|unfix {name}\b", line) for line in deck.lines)]
     if old and deck.chance(0.6):
-        name = deck.random.choice(old)
-        deck.add(f"unfix {name}")
-        deck.lines = [line if line != f"unfix {name}" else line for line in deck.lines]
+        deck.add(f"unfix {deck.random.choice(old)}")
     else:
         add_fixes_later(deck)
 
 
 def add_fixes_later(deck):
-    """add_fix, with the variables that it needs if they are not there."""
-    n_lines = len(deck.lines)
+    """More fixes, which have no column in the table that is there."""
     kept = list(deck.columns)
     add_fixes(deck)
     deck.columns = kept
-    new = deck.lines[n_lines:]
-    if len(deck.lines) < n_lines:  # unused_variables took earlier ones away
-        return
-    deck.lines = deck.lines[:n_lines] + new
 
 
 def change_computes(deck):
@@ -119,7 +112,7 @@ def redefinitions(deck):
 def box_runs(deck):
     """Changes of the box between runs."""
     if not deck.is_periodic():
-        deck.add("run 10", deck.pick("change_box all x scale 1.02", "change_box all boundary p p p" if False else "change_box all y scale 1.01 remap"), "run 10")
+        deck.add("run 10", deck.pick("change_box all x scale 1.02", "change_box all y scale 1.01 remap"), "run 10")
         return
     length = deck.cells[0]
     changes = ["x scale 1.02 remap", f"x final 0 {length * 1.02:.4g} remap", "y delta -0.1 0.1 remap", "x scale 1.01 y volume remap", "set x delta 0 0.1 remap",
@@ -184,7 +177,7 @@ def language(deck):
                        """if $(is_defined(variable,m)) then "print 'm' append printed.ave" else "print 'no m' append printed.ave" """),
              "next l", "jump SELF inner", "variable l delete", "variable l loop 2", deck.pick("next a w r", "next a w p", "next r a"), "jump SELF outer",
              'print """several "words" $(step) and \'more\'""" append printed.ave', "variable m equal 4", "print '$m ${m}$m ${m}x' append printed.ave",
-             f"variable m equal $m+{deck.random.randint(1, 9)}", "print '$m $(v_m^2) $(floor(v_m/3):%d)' append printed.ave" if False else
+             f"variable m equal $m+{deck.random.randint(1, 9)}",
              "print '$m $(v_m^2) $(floor(v_m/3))' append printed.ave", "variable x string $m", 'if "$x > 5" then "run 3" else "run 4"',
              f"run $(2+v_m%{deck.pick(2, 3)})", deck.pick("quit", "jump SELF end", "") , "run 5", "label end", "print $(step) append printed.ave")
 
@@ -201,37 +194,27 @@ def rereads(deck):
     if style != "data" and deck.may_reset():
         scaled = deck.pick("", "", "u", "s")
         places = " ".join(f"{axis}{scaled}" for axis in "xyz")
-        places = places.replace("u", "u")
         deck.add(f"dump out all custom 5 written.dump id type {places} vx vy vz ix iy iz", "dump_modify out sort id format float %.15g",
                  "run 10", "undump out")
         if style == "rerun":
             more = deck.pick("", "", "first 5", "every 5", "last 5", "skip 2", "start 0 stop 100", "first 5 last 10 post no")
             deck.add(f"rerun written.dump {more} dump {fields if scaled != 'u' else 'x y z vx vy vz'}")
         else:
-            words = deck.pick("", "", "box no", "timestep no", "box no timestep no", "replace yes trim yes", "scaled no" if False else "")
+            words = deck.pick("", "", "box no", "timestep no", "box no timestep no", "replace yes trim yes")
             deck.add(f"read_dump written.dump 5 {fields if scaled != 'u' else 'x y z vx vy vz'} {words}".rstrip(), "run 10")
         return
     if any("remap v" in line for line in deck.lines):
         deck.add("run 20")
         return
     again = again_lines(deck)
-    index = next(i for i, line in enumerate(again) if line.startswith("pair_style"))
-    if deck.chance(0.6):
-        again = [line for line in again if not line.startswith("pair_coeff")] if deck.pair in ("lj/cut", "morse", "yukawa") and deck.chance(0.5) else again
-    has_coefficients = any(line.startswith("pair_coeff") for line in again)
-    read = f"read_data written.data{'' if has_coefficients else ''}"
-    if not has_coefficients:  # the file's, for which the pair style must be known before
-        index = next(i for i, line in enumerate(again) if line.startswith("pair_style")) + 1
-        while index < len(again) and again[index].startswith("pair_modify"):
-            index += 1
-        again = [line for line in again if not line.startswith("pair_modify")]
-        index = next(i for i, line in enumerate(again) if line.startswith("pair_style"))
-        again.insert(index, read.replace("read_data", "read_data"))
-        style_line = again.pop(index + 1)
-        again.insert(index, style_line)
-    else:
-        again.insert(index, read)
-    deck.add("run 10", f"write_data written.data {'nocoeff' if has_coefficients else 'pair ij'}", "clear", *again,
+    styles = [line for line in again if line.startswith("pair_style")]
+    coefficients = [line for line in again if line.startswith(("pair_coeff", "pair_modify"))]
+    others = [line for line in again if line not in styles + coefficients]
+    is_in_file = deck.pair in ("lj/cut", "morse", "yukawa") and deck.chance(0.3)  # coefficients are read after the style is known
+    order = [*styles, "read_data written.data"] if is_in_file else ["read_data written.data", *styles, *coefficients]
+    before = [line for line in others if line.startswith(("units", "dimension", "boundary", "atom_style", "newton"))]
+    after = [line for line in others if line not in before]
+    deck.add("run 10", f"write_data written.data {'pair ij' if is_in_file else 'nocoeff'}", "clear", *before, *order, *after,
              "fix int all nve", "thermo 5", "run 10")
 
 
