@@ -34,10 +34,28 @@ hs_status hs_saved_join(hs_text *text, const char *command, const hs_args *args,
     return HS_OK;
 }
 
+/** The words of `region`, with the places that EDGE stood for: when they are repeated, the box may be another one. */
+static hs_status join_region(hs_deck *deck, const hs_args *args, hs_error *err)
+{
+    const hs_region *region = hs_sim_find_region(deck->sim, args->word[0]);
+    int n_edges = 0;
+    HS_TRY(hs_text_printf(&deck->done, err, "%s", args->command));
+    for (int i = 0; i < args->n; ++i) {
+        const bool is_edge =
+            i > 1 && region != NULL && strncmp(args->word[i], "EDGE", 4) == 0 && n_edges < region->n_edges;
+        if (is_edge)
+            HS_TRY(hs_text_printf(&deck->done, err, "%cEDGE=%.17g", HS_SAVED_WORD, region->edge[n_edges++]));
+        else
+            HS_TRY(hs_text_printf(&deck->done, err, "%c%s", HS_SAVED_WORD, args->word[i]));
+    }
+    return HS_OK;
+}
+
 hs_status hs_deck_remember(hs_deck *deck, const hs_args *args, hs_error *err)
 {
     const char mark = HS_SAVED_COMMAND;
-    HS_TRY(hs_saved_join(&deck->done, args->command, args, err));
+    const bool is_region = strcmp(args->command, "region") == 0;
+    HS_TRY(is_region ? join_region(deck, args, err) : hs_saved_join(&deck->done, args->command, args, err));
     return hs_text_append(&deck->done, &mark, 1, err);
 }
 

@@ -2,6 +2,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "base/memory.h"
@@ -69,9 +70,10 @@ static hs_status refuse_style(const char *command, const char *style, hs_error *
     if (nearest != NULL)
         return hs_fail(err, HS_ERROR_INPUT, "%s: unknown region style '%s'; did you mean '%s'?", command, style,
                        nearest);
-    return hs_fail(err, HS_ERROR_INPUT,
-                   "%s: unknown region style '%s'; expected block, cone, cylinder, plane, prism, sphere, union or intersect",
-                   command, style);
+    return hs_fail(
+        err, HS_ERROR_INPUT,
+        "%s: unknown region style '%s'; expected block, cone, cylinder, plane, prism, sphere, union or intersect",
+        command, style);
 }
 
 static bool is_common_keyword(const char *word)
@@ -204,11 +206,16 @@ hs_status hs_region_length(const hs_region *region, const hs_args *args, int i, 
     return HS_OK;
 }
 
-hs_status hs_region_bound(const hs_region *region, const hs_args *args, int i, int axis, int end, double *value,
+hs_status hs_region_bound(hs_region *region, const hs_args *args, int i, int axis, int end, double *value,
                           hs_error *err)
 {
     HS_TRY(hs_arg_need(args, i, "a bound", err));
     const bool is_inf = strcmp(args->word[i], "INF") == 0, is_edge = strcmp(args->word[i], "EDGE") == 0;
+    if (region->env->is_resuming && strncmp(args->word[i], "EDGE=", 5) == 0) { /* a checkpoint keeps the place */
+        *value = strtod(args->word[i] + 5, NULL);
+        region->edge[region->n_edges++ % 6] = *value;
+        return HS_OK;
+    }
     if (!is_inf && !is_edge) return hs_region_length(region, args, i, axis, value, err);
     const hs_box *box = region->env->box;
     if (!box->exists)
@@ -219,6 +226,6 @@ hs_status hs_region_bound(const hs_region *region, const hs_args *args, int i, i
     if (is_inf)
         *value = end == 0 ? -HS_REGION_FAR : HS_REGION_FAR;
     else
-        *value = end == 0 ? lo[axis] : hi[axis];
+        region->edge[region->n_edges++ % 6] = *value = end == 0 ? lo[axis] : hi[axis];
     return HS_OK;
 }

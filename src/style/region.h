@@ -41,6 +41,8 @@ typedef struct hs_region {
     double extent[3][2]; /**< bounding box [axis][lo, hi], distance */
     bool is_prism; /**< it can be a tilted box, with these bounds before tilting, and tilts xy, xz, yz, distance: */
     double prism_lo[3], prism_hi[3], prism_tilt[3];
+    double edge[6]; /**< what the words EDGE stood for, one after the other: a checkpoint keeps them */
+    int n_edges;
 } hs_region;
 
 /** Whether the region holds x, with side in or out. */
@@ -93,8 +95,8 @@ const hs_region_style *hs_region_style_find(const char *name);
 HS_MUST_USE hs_status hs_region_length(const hs_region *region, const hs_args *args, int i, int axis, double *value,
                                        hs_error *err);
 /** Lower (end 0) or upper (end 1) bound of an axis: a length, INF (the far distance), or EDGE (the box's face). */
-HS_MUST_USE hs_status hs_region_bound(const hs_region *region, const hs_args *args, int i, int axis, int end,
-                                      double *value, hs_error *err);
+HS_MUST_USE hs_status hs_region_bound(hs_region *region, const hs_args *args, int i, int axis, int end, double *value,
+                                      hs_error *err);
 
 /** What INF stands for: farther than any atom, distance. */
 #define HS_REGION_FAR 1.0e20

@@ -51,6 +51,12 @@ fix_modify 1 temp bath
 fix 2 all deform 1 xy delta 0.3 remap v
 D
 
+check edges <<'D'
+fix 1 all npt temp 1.0 1.2 0.5 iso 5 5 1
+region corner block EDGE 2 EDGE 2 2 EDGE
+fix 2 all addforce 1 0 0 region corner
+D
+
 check centers <<'D'
 velocity all set 0.5 NULL 0.1 sum yes
 compute bath all temp/com
