@@ -314,12 +314,15 @@ hs_status hs_sim_minimize(hs_sim *sim, hs_min_plan *plan, hs_error *err)
     settings->check = true;
     settings->once = false;
     hs_env *env = &sim->env;
-    const double time = env->time_origin + (double)(env->step - env->time_origin_step) * env->dt;
+    if (!plan->is_resumed) { /* iterations count as timesteps among themselves, as in LAMMPS */
+        env->time_origin += (double)(env->step - env->time_origin_step) * env->dt;
+        env->time_origin_step = env->step - sim->n_minimized;
+    }
     sim->is_minimizing = true;
     const hs_status status = minimize(sim, plan, err);
     sim->is_minimizing = false;
-    env->time_origin = time; /* iterations are no timesteps: the run that follows goes on at the time of the last one */
-    env->time_origin_step = env->step;
+    sim->n_minimized = env->step - env->time_origin_step;
+    env->time_origin_step = env->step; /* the run that follows goes on at the time of the last one */
     settings->every = before.every;
     settings->delay = before.delay;
     settings->check = before.check;

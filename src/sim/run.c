@@ -179,6 +179,7 @@ static hs_status begin_run(hs_sim *sim, const hs_run_plan *plan, hs_error *err)
         hs_timer_reset(&sim->timer);
         return HS_OK;
     }
+    sim->n_minimized = 0;
     sim->env.first_step = sim->env.step;
     sim->env.last_step = sim->env.step + plan->n_steps;
     sim->env.ramp_start = plan->start;

@@ -90,6 +90,8 @@ typedef struct hs_sim {
     hs_timer timer;
     hs_min_settings minimize; /**< of min_style and min_modify */
     bool is_minimizing;       /**< within hs_sim_minimize: only fixes that act in it are heard */
+    int64_t
+        n_minimized; /**< iterations since the last run: numbered as steps, but the next run does not count their time */
 
     int64_t listed_step; /**< of the last scheduled list build */
     bool is_initialized; /**< a run has been set up since the last change of the system (run pre no is allowed) */
