@@ -18,7 +18,7 @@
  *
  *  A potential that looks numbers up says `#define HS_EVALUATOR_SHARED` before instantiate.h, and its evaluate() has one more
  *  argument after p, `const double *shared`: what the pair style's ->shared() returns, for all pairs of types. p says where
- *  those of a pair of types begin; hs_indices() and hs_gather() of kernel/simd.h look up.
+ *  those of a pair of types begin; hs_to_indices() and hs_gather() of kernel/simd.h look up.
  *
  *  Where r is beyond the cutoff the results are not used, so r2 may be anything; no branches, no libm calls on vectors:
  *  kernel/vector_math.h has exponential, sine and cosine. */
