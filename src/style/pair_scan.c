@@ -71,6 +71,21 @@ static double find_drift(const hs_env *env, const hs_places *places)
     return drift;
 }
 
+/** Atoms that fly off ask for as many copies of the box as they have crossed. All ranks know the same drift. */
+static hs_status check_drift(const hs_env *env, const hs_places *places, double drift, hs_error *err)
+{
+    enum { BOXES_MAX = 4 };
+    double longest = 0.0;
+    for (int axis = 0; axis < 3; ++axis) longest = fmax(longest, hs_box_length(places->box, axis));
+    if (drift <= BOXES_MAX * longest) return HS_OK;
+    return hs_fail(
+        err, HS_ERROR_ATOMS,
+        "at step %lld an atom is %g outside of its part of the box, which is %g long: it has flown off since lists "
+        "were made. Usually atoms overlap or the timestep is too long; 'neigh_modify every 1 delay 0 check yes' "
+        "makes lists in time",
+        (long long)env->step, drift, longest);
+}
+
 /** Types, masks, ids and radii of the halo, and where its atoms come from. */
 static hs_status fill_halo(hs_pair_scan *scan, hs_error *err)
 {
@@ -138,6 +153,7 @@ static hs_status begin(hs_pair_scan *scan, hs_env *env, hs_places places, double
     hs_status status = copy_atoms(scan, env, &places, err);
     if (hs_parallel_agree(env->parallel, err) != HS_OK) return status != HS_OK ? status : err->status;
     const double drift = find_drift(env, &places);
+    HS_TRY(check_drift(env, &places, drift, err));
     HS_TRY(hs_halo_build(&scan->halo, env->domain, env->parallel, places.box, &scan->atoms, range + 2.0 * drift, err));
     status = fill_halo(scan, err);
     if (hs_parallel_agree(env->parallel, err) != HS_OK) return status != HS_OK ? status : err->status;
