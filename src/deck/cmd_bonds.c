@@ -55,7 +55,7 @@ static hs_status run_special(hs_deck *deck, const hs_args *args, hs_error *err)
 #define NO_STYLE(command, of, what)                                                                                    \
     {                                                                                                                  \
         .about = {.name = command,                                                                                     \
-                  .syntax = {.usage = "none", .n_min = 1, .n_max = -1},                                                 \
+                  .syntax = {.usage = "none", .n_min = 1, .n_max = -1},                                                \
                   .summary = "Style of " of ", of which there are none",                                               \
                   .details = "`none` is accepted and changes nothing; all other styles are refused, for " what ".",    \
                   .example = command " none"},                                                                         \

@@ -239,8 +239,7 @@ static hs_status change_run(hs_deck *deck, const hs_args *args, hs_error *err)
     HS_TRY(read_units(&c, args, err));
     /* atoms that have left the box since the last lists come back first: those that do not follow stay where they are */
     const hs_box_flow *flow = sim->env.box_flow;
-    if (flow != NULL && flow->moves_velocities != 0)
-        hs_box_wrap_flowing(&sim->env, flow->edge, flow->moves_velocities);
+    if (flow != NULL && flow->moves_velocities != 0) hs_box_wrap_flowing(&sim->env, flow->edge, flow->moves_velocities);
     HS_TRY(hs_atoms_wrap_all(sim, args->command, err));
     hs_sim_shrink_box(sim); /* to the atoms as they are now, from which new margins and lengths follow, as in LAMMPS */
     c.set = *box;

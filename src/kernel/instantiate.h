@@ -14,8 +14,7 @@ enum { HS_HAS_RADII = 0 };
 
 /** evaluate(), whichever of its two forms the potential has. */
 static inline __attribute__((always_inline)) void evaluate_pairs(const hs_vec *p, const double *shared, hs_vec r2,
-                                                                 hs_vec *force_over_r, hs_vec *energy,
-                                                                 bool with_energy)
+                                                                 hs_vec *force_over_r, hs_vec *energy, bool with_energy)
 {
 #ifdef HS_EVALUATOR_SHARED
     evaluate(p, shared, r2, force_over_r, energy, with_energy);

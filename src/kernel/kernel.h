@@ -38,10 +38,10 @@ enum {
     HS_TABLE_PARAMS     /**< first of the evaluator's parameters */
 };
 typedef struct hs_pair_table {
-    int n_types;     /**< kernel types: atom types times exclusion classes, plus 1 */
-    int stride;      /**< HS_TABLE_PARAMS + n_params */
-    double *values;  /**< owned */
-    bool is_uniform; /**< all rows that can occur are the same, namely row (1, 1) */
+    int n_types;          /**< kernel types: atom types times exclusion classes, plus 1 */
+    int stride;           /**< HS_TABLE_PARAMS + n_params */
+    double *values;       /**< owned */
+    bool is_uniform;      /**< all rows that can occur are the same, namely row (1, 1) */
     const double *shared; /**< borrowed: numbers that the evaluator looks up, of all pairs of types; NULL: none */
 } hs_pair_table;
 

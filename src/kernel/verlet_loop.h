@@ -35,7 +35,8 @@ HS_INLINE void verlet_params(const hs_kernel_input *in, const verlet_atom *atom,
 /** What the pairs of one vector, d from i to j, exert on their j-atoms: terms of the forces, to be settled; energy and virial go
  *  to the sums. Pairs beyond their cutoff, or outside of @p counts, exert nothing. */
 HS_INLINE void vector_terms(const hs_kernel_input *in, const hs_vec *params, const hs_vec d[3], const hs_msk *counts,
-                            hs_magic magic_force, hs_magic magic_energy, verlet_sums *sums, hs_acc term[3], const bool with_energy)
+                            hs_magic magic_force, hs_magic magic_energy, verlet_sums *sums, hs_acc term[3],
+                            const bool with_energy)
 {
     const int stride = HS_TABLE_PARAMS + N_PARAMS;
     const hs_vec r2 = hs_fma(d[2], d[2], hs_fma(d[1], d[1], d[0] * d[0]));
@@ -71,7 +72,8 @@ HS_INLINE void verlet_vector(const hs_kernel_input *in, hs_kernel_output *out, c
     if (n_axes == 3) d[2] = hs_gather(in->x[2], atom->x[2], j) - atom->x_local[2];
     const hs_msk counts = hs_first_lanes(n);
     hs_acc term[3];
-    vector_terms(in, params, d, is_full ? NULL : &counts, atom->magic_force, atom->magic_energy, sums, term, with_energy);
+    vector_terms(in, params, d, is_full ? NULL : &counts, atom->magic_force, atom->magic_energy, sums, term,
+                 with_energy);
     for (int axis = 0; axis < n_axes; ++axis) {
         sums->f[axis] += term[axis];
         hs_acc_settle(&term[axis], 1, atom->magic_force);

@@ -306,7 +306,8 @@ hs_status hs_sim_run(hs_sim *sim, const hs_run_plan *plan, hs_error *err)
     for (int k = 0; k < sim->n_fixes; ++k)
         if (sim->fix[k]->style->end_of_run != NULL) HS_TRY(sim->fix[k]->style->end_of_run(sim->fix[k], err));
     if (plan->post)
-        hs_report_finish(sim, sim->env.step - sim->env.first_step, hs_time_now_s() - start_s, hs_time_cpu_s() - start_cpu_s, NULL);
+        hs_report_finish(sim, sim->env.step - sim->env.first_step, hs_time_now_s() - start_s,
+                         hs_time_cpu_s() - start_cpu_s, NULL);
     hs_thermo_say_means(sim->thermo);
     for (int k = 0; k < sim->n_fixes; ++k)
         if (sim->fix[k]->style->say_results != NULL) sim->fix[k]->style->say_results(sim->fix[k]);

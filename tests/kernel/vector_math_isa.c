@@ -41,4 +41,5 @@ OVER_ARRAY(max_array, max_one)
 #define PASTE_(a, b) a##b
 #define PASTE(a, b)  PASTE_(a, b)
 extern const vector_math PASTE(vector_math_, HS_KERNEL_ISA);
-const vector_math PASTE(vector_math_, HS_KERNEL_ISA) = {exp_array, log_array, sinpi_array, cospi_array, min_array, max_array};
+const vector_math PASTE(vector_math_, HS_KERNEL_ISA) = {exp_array,   log_array, sinpi_array,
+                                                        cospi_array, min_array, max_array};
