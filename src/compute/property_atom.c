@@ -1,64 +1,35 @@
 /* Attributes of atoms as values per atom. */
-#include "base/memory.h"
-#include "style/attribute.h"
-#include "style/compute.h"
+#include "style/atom_source.h"
 #include "style/custom_atom.h"
-#include "style/value.h"
 
 typedef struct property_state {
-    int *attribute;   /**< owned [n]; HS_ATTR_VARIABLE: the value */
-    hs_value **value; /**< owned [n]; NULL: an attribute */
+    hs_atom_source *sources; /**< owned [n] */
     int n;
 } property_state;
 
 static hs_status create(hs_compute *compute, const hs_args *args, hs_error *err)
 {
     property_state *state = compute->state;
-    HS_TRY(HS_ALLOC(state->attribute, (size_t)args->n, err));
-    HS_TRY(HS_ALLOC(state->value, (size_t)args->n, err));
-    for (; state->n < args->n; ++state->n) {
-        if (hs_custom_atom_is_name(args->word[state->n])) {
-            int n;
-            state->attribute[state->n] = HS_ATTR_VARIABLE;
-            HS_TRY(hs_values_create(&state->value[state->n], &n, compute->env, args, state->n, 1, HS_VALUE_ATOMS, err));
-            continue;
-        }
-        HS_TRY(hs_arg_choice(args, state->n, hs_attributes, &state->attribute[state->n], err));
-        if (state->attribute[state->n] == HS_ATTR_ELEMENT)
-            return hs_arg_refuse(args, state->n, "a number of each atom; type is one", NULL, err);
-        HS_TRY(hs_attribute_check((hs_attribute)state->attribute[state->n], compute->env->atoms, err));
-    }
-    compute->n_atom_columns = args->n == 1 ? 0 : args->n;
+    for (int i = 0, which; i < args->n; ++i) /* i_NAME and d_NAME, but no c_ID and the like */
+        if (!hs_custom_atom_is_name(args->word[i])) HS_TRY(hs_arg_choice(args, i, hs_attributes, &which, err));
+    HS_TRY(hs_atom_sources_read(&state->sources, &state->n, compute->env, args, 0, args->n, hs_attributes, err));
+    compute->n_atom_columns = state->n == 1 ? 0 : state->n;
     return HS_OK;
 }
 
 static void destroy(hs_compute *compute)
 {
     property_state *state = compute->state;
-    for (int k = 0; k < state->n; ++k)
-        if (state->value[k] != NULL) hs_values_destroy(&state->value[k], 1);
-    HS_FREE(state->value);
-    HS_FREE(state->attribute);
+    hs_atom_sources_destroy(&state->sources, state->n);
 }
 
 static hs_status per_atom(hs_compute *compute, hs_error *err)
 {
     const property_state *state = compute->state;
-    const hs_atoms *atoms = compute->env->atoms;
-    const int n = atoms->n_local;
-    for (int k = 0; k < state->n; ++k) {
-        double *values = compute->atoms + (size_t)k * (size_t)n;
-        const hs_attribute attribute = (hs_attribute)state->attribute[k];
-        if (state->value[k] != NULL) {
-            HS_TRY(hs_value_atoms(compute->env, state->value[k], values, err));
-            for (int i = 0; i < n; ++i)
-                if (!(atoms->mask[i] & compute->mask)) values[i] = 0.0;
-            continue;
-        }
-#pragma omp parallel for schedule(static)
-        for (int i = 0; i < n; ++i)
-            values[i] = atoms->mask[i] & compute->mask ? hs_attribute_value(compute->env, attribute, false, i) : 0.0;
-    }
+    const size_t n_local = (size_t)compute->env->atoms->n_local;
+    for (int k = 0; k < state->n; ++k)
+        HS_TRY(hs_atom_source_values(compute->env, &state->sources[k], compute->mask,
+                                     compute->atoms + (size_t)k * n_local, err));
     return HS_OK;
 }
 

@@ -4,83 +4,44 @@
 
 #include "base/memory.h"
 #include "io/average.h"
-#include "style/attribute.h"
-#include "style/value.h"
+#include "style/atom_source.h"
 
-/** One of the values. */
+/** Of one of the sources. */
 typedef struct column {
-    hs_attribute attribute; /**< HS_ATTR_VARIABLE: `value` */
-    hs_value *value;        /**< owned */
-    char *name[2];          /**< owned: of the fields */
-    double *sum, *mean;     /**< atom fields: of the present window; of the last one, 0 before its end */
+    char *name[2];      /**< owned: of the fields */
+    double *sum, *mean; /**< atom fields: of the present window; of the last one, 0 before its end */
 } column;
 
 typedef struct ave_state {
     hs_schedule schedule;
-    column *columns; /**< owned [n]; stays in place, for the atoms point into it */
+    hs_atom_source *sources; /**< owned [n] */
+    column *columns;         /**< owned [n]; stays in place, for the atoms point into it */
     int n;
     double *sample; /**< owned [capacity]: of each local atom */
     size_t capacity;
 } ave_state;
 
-/** x, y, z, vx ... fz, c_ID, f_ID or v_name; ranges are several. */
-static hs_status read_values(hs_fix *fix, const hs_args *args, int i, hs_value **values, int *n, hs_error *err)
+static hs_status add_field(hs_fix *fix, char **name, const char *what, int k, double **field, hs_error *err)
 {
-    static const char *const own[] = {"x", "y", "z", "vx", "vy", "vz", "fx", "fy", "fz", NULL};
-    int which;
-    *n = 1;
-    *values = NULL;
-    if (!hs_value_is_reference(args->word[i])) return hs_arg_choice(args, i, own, &which, err);
-    return hs_values_create(values, n, fix->env, args, i, 1, HS_VALUE_ATOMS, err);
-}
-
-static hs_status add_field(hs_fix *fix, char **name, const char *what, double **field, hs_error *err)
-{
-    const ave_state *state = fix->state;
     char text[160];
-    snprintf(text, sizeof text, "fix %.100s %s %d", fix->id, what, state->n);
+    snprintf(text, sizeof text, "fix %.100s %s %d", fix->id, what, k + 1);
     HS_TRY(hs_memory_strdup(name, text, err));
     return hs_atoms_add_field(fix->env->atoms, *name, (void **)field, sizeof(double), false, err);
-}
-
-/** Take over the value; *value is cleared. */
-static hs_status add_column(hs_fix *fix, const char *word, hs_value *value, hs_error *err)
-{
-    ave_state *state = fix->state;
-    column *c = &state->columns[state->n++];
-    c->attribute = HS_ATTR_VARIABLE;
-    if (value == NULL) {
-        c->attribute = (hs_attribute)hs_attribute_find(word);
-    } else {
-        HS_TRY(HS_ALLOC(c->value, 1, err));
-        *c->value = *value;
-        *value = (hs_value){.kind = 0};
-    }
-    HS_TRY(add_field(fix, &c->name[0], "sum", &c->sum, err));
-    return add_field(fix, &c->name[1], "mean", &c->mean, err);
 }
 
 static hs_status create(hs_fix *fix, const hs_args *args, hs_error *err)
 {
     ave_state *state = fix->state;
-    int n_columns = 0;
     HS_TRY(hs_schedule_init(&state->schedule, args, 0, err));
-    for (int i = 3, n; i < args->n; ++i, n_columns += n) {
-        hs_value *values;
-        HS_TRY(read_values(fix, args, i, &values, &n, err));
-        hs_values_destroy(&values, n);
+    HS_TRY(
+        hs_atom_sources_read(&state->sources, &state->n, fix->env, args, 3, args->n - 3, hs_atom_source_motion, err));
+    HS_TRY(HS_ALLOC(state->columns, (size_t)state->n, err));
+    for (int k = 0; k < state->n; ++k) {
+        column *c = &state->columns[k];
+        HS_TRY(add_field(fix, &c->name[0], "sum", k, &c->sum, err));
+        HS_TRY(add_field(fix, &c->name[1], "mean", k, &c->mean, err));
     }
-    HS_TRY(HS_ALLOC(state->columns, (size_t)n_columns, err));
-    for (int i = 3, n; i < args->n; ++i) {
-        hs_value *values;
-        HS_TRY(read_values(fix, args, i, &values, &n, err));
-        hs_status status = HS_OK;
-        for (int k = 0; k < n && status == HS_OK; ++k)
-            status = add_column(fix, args->word[i], values != NULL ? &values[k] : NULL, err);
-        hs_values_destroy(&values, n);
-        HS_TRY(status);
-    }
-    fix->n_atom_columns = n_columns > 1 ? n_columns : 0;
+    fix->n_atom_columns = state->n > 1 ? state->n : 0;
     hs_schedule_begin(&state->schedule, fix->env->step);
     return HS_OK;
 }
@@ -88,15 +49,15 @@ static hs_status create(hs_fix *fix, const hs_args *args, hs_error *err)
 static void destroy(hs_fix *fix)
 {
     ave_state *state = fix->state;
-    for (int k = 0; k < state->n; ++k) {
+    for (int k = 0; state->columns != NULL && k < state->n; ++k) {
         column *c = &state->columns[k];
-        if (c->sum != NULL) hs_atoms_remove_field(fix->env->atoms, (void **)&c->sum);
-        if (c->mean != NULL) hs_atoms_remove_field(fix->env->atoms, (void **)&c->mean);
+        hs_atoms_remove_field(fix->env->atoms, (void **)&c->sum);
+        hs_atoms_remove_field(fix->env->atoms, (void **)&c->mean);
         HS_FREE(c->name[0]);
         HS_FREE(c->name[1]);
-        hs_values_destroy(&c->value, 1);
     }
     HS_FREE(state->columns);
+    hs_atom_sources_destroy(&state->sources, state->n);
     HS_FREE(state->sample);
 }
 
@@ -106,37 +67,29 @@ static hs_status init(hs_fix *fix, hs_error *err)
     char command[128];
     snprintf(command, sizeof command, "fix '%.80s' (ave/atom)", fix->id);
     hs_schedule_renew(&state->schedule, fix->env->step);
-    for (int k = 0; k < state->n; ++k)
-        if (state->columns[k].value != NULL)
-            HS_TRY(hs_value_check(fix->env, state->columns[k].value, HS_VALUE_ATOMS, command, err));
-    return HS_OK;
+    return hs_atom_sources_check(fix->env, state->sources, state->n, command, err);
 }
 
 static bool needs_energy(const hs_fix *fix, int64_t step)
 {
     const ave_state *state = fix->state;
-    bool is_needed = false;
-    for (int k = 0; k < state->n; ++k)
-        is_needed |= state->columns[k].value != NULL && hs_value_needs_energy(fix->env, state->columns[k].value);
-    return is_needed && hs_schedule_is_due(&state->schedule, step);
+    return hs_schedule_is_due(&state->schedule, step) &&
+           hs_atom_sources_need_energy(fix->env, state->sources, state->n);
 }
 
-static hs_status take_sample(hs_fix *fix, column *c, bool is_first, hs_error *err)
+static hs_status take_sample(hs_fix *fix, int k, bool is_first, hs_error *err)
 {
     ave_state *state = fix->state;
     const hs_atoms *atoms = fix->env->atoms;
+    double *sum = state->columns[k].sum;
     const int n = atoms->n_local;
     if ((size_t)n >= state->capacity) {
         state->capacity = (size_t)n + (size_t)n / 8 + 1;
         HS_TRY(HS_GROW(state->sample, 0, state->capacity, err));
     }
-    if (c->value != NULL) {
-        HS_TRY(hs_value_atoms(fix->env, c->value, state->sample, err));
-    } else {
-        for (int i = 0; i < n; ++i) state->sample[i] = hs_attribute_value(fix->env, c->attribute, false, i);
-    }
+    HS_TRY(hs_atom_source_values(fix->env, &state->sources[k], fix->mask, state->sample, err));
     for (int i = 0; i < n; ++i)
-        if (atoms->mask[i] & fix->mask) c->sum[i] = (is_first ? 0.0 : c->sum[i]) + state->sample[i];
+        if (atoms->mask[i] & fix->mask) sum[i] = (is_first ? 0.0 : sum[i]) + state->sample[i];
     return HS_OK;
 }
 
@@ -154,7 +107,7 @@ static hs_status end_of_step(hs_fix *fix, hs_error *err)
     HS_TRY(hs_fix_need_sample(fix, state->schedule.next, err));
     if (!hs_schedule_is_due(&state->schedule, fix->env->step)) return HS_OK;
     const bool is_first = state->schedule.n_taken == 0;
-    for (int k = 0; k < state->n; ++k) HS_TRY(take_sample(fix, &state->columns[k], is_first, err));
+    for (int k = 0; k < state->n; ++k) HS_TRY(take_sample(fix, k, is_first, err));
     if (!hs_schedule_advance(&state->schedule, fix->env->step)) return HS_OK;
     for (int k = 0; k < state->n; ++k) finish(fix, &state->columns[k]);
     return HS_OK;

@@ -3,23 +3,21 @@
 #include <string.h>
 
 #include "base/memory.h"
-#include "style/attribute.h"
+#include "style/atom_source.h"
 #include "style/moments.h"
-#include "style/value.h"
 
-/** One of the values. */
+/** Of one of the sources. */
 typedef struct column {
-    hs_attribute attribute; /**< HS_ATTR_VARIABLE: `value` */
-    hs_value *value;        /**< owned */
-    char *name;             /**< owned: of the field */
-    double *stored;         /**< atom field */
+    char *name;     /**< owned: of the field */
+    double *stored; /**< atom field */
 } column;
 
 typedef struct store_state {
-    int64_t every;        /**< 0: once */
-    bool is_about_center; /**< unwrapped places are those from the group's center of mass */
-    bool is_waiting;      /**< values of computes and the like come with the first run: there was none yet */
-    column *columns;      /**< owned [n]; stays in place, for the atoms point into it */
+    int64_t every;           /**< 0: once */
+    bool is_about_center;    /**< unwrapped places are those from the group's center of mass */
+    bool is_waiting;         /**< values of computes and the like come with the first run: there was none yet */
+    hs_atom_source *sources; /**< owned [n] */
+    column *columns;         /**< owned [n]; stays in place, for the atoms point into it */
     int n;
 } store_state;
 
@@ -28,68 +26,30 @@ static const hs_keyword keywords[] = {
     {NULL, 0, NULL, NULL},
 };
 
-static hs_status read_values(hs_fix *fix, const hs_args *args, int i, hs_value **values, int *n, hs_error *err)
+static hs_status add_field(hs_fix *fix, int k, hs_error *err)
 {
-    int which;
-    *n = 1;
-    *values = NULL;
-    if (hs_value_is_reference(args->word[i]))
-        return hs_values_create(values, n, fix->env, args, i, 1, HS_VALUE_ATOMS, err);
-    HS_TRY(hs_arg_choice(args, i, hs_attributes, &which, err));
-    if (which == HS_ATTR_ELEMENT) return hs_arg_refuse(args, i, "a number of each atom; type is one", NULL, err);
-    return hs_attribute_check((hs_attribute)which, fix->env->atoms, err);
-}
-
-/** Take over the value; *value is cleared. */
-static hs_status add_column(hs_fix *fix, const char *word, hs_value *value, hs_error *err)
-{
-    store_state *state = fix->state;
-    column *c = &state->columns[state->n++];
+    column *c = &((store_state *)fix->state)->columns[k];
     char name[160];
-    c->attribute = HS_ATTR_VARIABLE;
-    if (value == NULL) {
-        c->attribute = (hs_attribute)hs_attribute_find(word);
-    } else {
-        HS_TRY(HS_ALLOC(c->value, 1, err));
-        *c->value = *value;
-        *value = (hs_value){.kind = 0};
-    }
-    snprintf(name, sizeof name, "fix %.100s stored %d", fix->id, state->n);
+    snprintf(name, sizeof name, "fix %.100s stored %d", fix->id, k + 1);
     HS_TRY(hs_memory_strdup(&c->name, name, err));
     return hs_atoms_add_field(fix->env->atoms, c->name, (void **)&c->stored, sizeof(double), false, err);
 }
 
-/** What is known before a run: attributes of the atoms. */
-static void store_attribute(const hs_fix *fix, const column *c, const double center[3])
-{
-    const hs_atoms *atoms = fix->env->atoms;
-    const int axis = (int)c->attribute - HS_ATTR_XU;
-    const bool is_about_center = ((const store_state *)fix->state)->is_about_center && axis >= 0 && axis < 3;
-    for (int i = 0; i < atoms->n_local; ++i)
-        c->stored[i] = atoms->mask[i] & fix->mask ? hs_attribute_value(fix->env, c->attribute, false, i) -
-                                                        (is_about_center ? center[axis] : 0.0)
-                                                  : 0.0;
-}
-
-static void store_attributes(const hs_fix *fix)
+/** Store the attributes, which are known before a run, or all else. */
+static hs_status store(const hs_fix *fix, bool is_attribute, hs_error *err)
 {
     const store_state *state = fix->state;
+    const hs_atoms *atoms = fix->env->atoms;
     double center[3] = {0.0, 0.0, 0.0};
-    if (state->is_about_center) (void)hs_center_of_mass(fix->env, fix->mask, center, NULL);
-    for (int k = 0; k < state->n; ++k)
-        if (state->columns[k].value == NULL) store_attribute(fix, &state->columns[k], center);
-}
-
-static hs_status store_values(const hs_fix *fix, hs_error *err)
-{
-    const store_state *state = fix->state;
-    const hs_atoms *atoms = fix->env->atoms;
+    if (state->is_about_center && is_attribute) (void)hs_center_of_mass(fix->env, fix->mask, center, NULL);
     for (int k = 0; k < state->n; ++k) {
-        const column *c = &state->columns[k];
-        if (c->value == NULL) continue;
-        HS_TRY(hs_value_atoms(fix->env, c->value, c->stored, err));
-        for (int i = 0; i < atoms->n_local; ++i)
-            if (!(atoms->mask[i] & fix->mask)) c->stored[i] = 0.0;
+        const hs_atom_source *source = &state->sources[k];
+        double *stored = state->columns[k].stored;
+        if ((source->attribute >= 0) != is_attribute) continue;
+        HS_TRY(hs_atom_source_values(fix->env, source, fix->mask, stored, err));
+        const int axis = source->attribute - HS_ATTR_XU;
+        for (int i = 0; i < atoms->n_local && state->is_about_center && axis >= 0 && axis < 3; ++i)
+            if (atoms->mask[i] & fix->mask) stored[i] -= center[axis];
     }
     return HS_OK;
 }
@@ -98,40 +58,27 @@ static hs_status create(hs_fix *fix, const hs_args *args, hs_error *err)
 {
     store_state *state = fix->state;
     const int end = hs_syntax_first_keyword(&fix->style->about.syntax, args);
-    int n_columns = 0;
     HS_TRY(hs_arg_int(args, 0, 0, INT64_MAX, &state->every, err));
     for (int i = end; i < args->n; i += 2) HS_TRY(hs_arg_bool(args, i + 1, &state->is_about_center, err));
-    for (int i = 1, n; i < end; ++i, n_columns += n) {
-        hs_value *values;
-        HS_TRY(read_values(fix, args, i, &values, &n, err));
-        state->is_waiting |= values != NULL;
-        hs_values_destroy(&values, n);
+    HS_TRY(hs_atom_sources_read(&state->sources, &state->n, fix->env, args, 1, end - 1, hs_attributes, err));
+    HS_TRY(HS_ALLOC(state->columns, (size_t)state->n, err));
+    for (int k = 0; k < state->n; ++k) {
+        state->is_waiting |= state->sources[k].attribute < 0;
+        HS_TRY(add_field(fix, k, err));
     }
-    HS_TRY(HS_ALLOC(state->columns, (size_t)n_columns, err));
-    for (int i = 1, n; i < end; ++i) {
-        hs_value *values;
-        HS_TRY(read_values(fix, args, i, &values, &n, err));
-        hs_status status = HS_OK;
-        for (int k = 0; k < n && status == HS_OK; ++k)
-            status = add_column(fix, args->word[i], values != NULL ? &values[k] : NULL, err);
-        hs_values_destroy(&values, n);
-        HS_TRY(status);
-    }
-    fix->n_atom_columns = n_columns > 1 ? n_columns : 0;
-    store_attributes(fix);
-    return HS_OK;
+    fix->n_atom_columns = state->n > 1 ? state->n : 0;
+    return store(fix, true, err);
 }
 
 static void destroy(hs_fix *fix)
 {
     store_state *state = fix->state;
-    for (int k = 0; k < state->n; ++k) {
-        column *c = &state->columns[k];
-        if (c->stored != NULL) hs_atoms_remove_field(fix->env->atoms, (void **)&c->stored);
-        HS_FREE(c->name);
-        hs_values_destroy(&c->value, 1);
+    for (int k = 0; state->columns != NULL && k < state->n; ++k) {
+        hs_atoms_remove_field(fix->env->atoms, (void **)&state->columns[k].stored);
+        HS_FREE(state->columns[k].name);
     }
     HS_FREE(state->columns);
+    hs_atom_sources_destroy(&state->sources, state->n);
 }
 
 static hs_status init(hs_fix *fix, hs_error *err)
@@ -139,10 +86,7 @@ static hs_status init(hs_fix *fix, hs_error *err)
     const store_state *state = fix->state;
     char command[128];
     snprintf(command, sizeof command, "fix '%.80s' (store/state)", fix->id);
-    for (int k = 0; k < state->n; ++k)
-        if (state->columns[k].value != NULL)
-            HS_TRY(hs_value_check(fix->env, state->columns[k].value, HS_VALUE_ATOMS, command, err));
-    return HS_OK;
+    return hs_atom_sources_check(fix->env, state->sources, state->n, command, err);
 }
 
 static bool is_due(const store_state *state, int64_t step) { return state->every > 0 && step % state->every == 0; }
@@ -150,10 +94,7 @@ static bool is_due(const store_state *state, int64_t step) { return state->every
 static bool needs_energy(const hs_fix *fix, int64_t step)
 {
     const store_state *state = fix->state;
-    bool is_needed = false;
-    for (int k = 0; k < state->n; ++k)
-        is_needed |= state->columns[k].value != NULL && hs_value_needs_energy(fix->env, state->columns[k].value);
-    return is_needed && is_due(state, step);
+    return is_due(state, step) && hs_atom_sources_need_energy(fix->env, state->sources, state->n);
 }
 
 static hs_status setup(hs_fix *fix, hs_error *err)
@@ -161,14 +102,14 @@ static hs_status setup(hs_fix *fix, hs_error *err)
     store_state *state = fix->state;
     if (!state->is_waiting) return HS_OK;
     state->is_waiting = false;
-    return store_values(fix, err);
+    return store(fix, false, err);
 }
 
 static hs_status end_of_step(hs_fix *fix, hs_error *err)
 {
     if (!is_due(fix->state, fix->env->step)) return HS_OK;
-    store_attributes(fix);
-    return store_values(fix, err);
+    HS_TRY(store(fix, true, err));
+    return store(fix, false, err);
 }
 
 static hs_status per_atom(hs_fix *fix, int k, double *values, hs_error *err)

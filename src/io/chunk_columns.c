@@ -10,38 +10,35 @@ static const char *const words[] = {
 
 void hs_chunk_columns_fini(hs_chunk_columns *columns)
 {
-    for (int k = 0; k < columns->n; ++k) hs_value_fini(&columns->column[k].value);
+    for (int k = 0; k < columns->n; ++k) hs_value_fini(&columns->column[k].source.value);
     HS_FREE(columns->column);
     HS_FREE(columns->bias_id);
 }
 
 hs_status hs_chunk_columns_add(hs_chunk_columns *columns, hs_env *env, const hs_args *args, int i, hs_error *err)
 {
-    hs_value *values = NULL;
-    int n = 1, which = -1;
-    if (hs_value_is_reference(args->word[i])) {
-        HS_TRY(hs_values_create(&values, &n, env, args, i, 1, HS_VALUE_ATOMS, err));
-    } else if (hs_arg_choice(args, i, words, &which, err) != HS_OK) {
+    hs_atom_source *sources = NULL;
+    int n = 1, which = HS_CHUNK_SOURCE;
+    if (!hs_value_is_reference(args->word[i]) && hs_arg_choice(args, i, words, &which, err) != HS_OK) {
         hs_error_clear(err);
         return hs_arg_refuse(args, i,
                              "vx, vy, vz, fx, fy, fz, mass, temp, density/number, density/mass or a value per atom",
                              words, err);
     }
+    if (which >= HS_CHUNK_SOURCE)
+        HS_TRY(hs_atom_sources_read(&sources, &n, env, args, i, 1, hs_atom_source_motion, err));
     const hs_status status = HS_GROW(columns->column, (size_t)columns->n, (size_t)(columns->n + n), err);
     if (status != HS_OK) {
-        hs_values_destroy(&values, n);
+        hs_atom_sources_destroy(&sources, n);
         return status;
     }
     for (int k = 0; k < n; ++k) {
         hs_chunk_column *c = &columns->column[columns->n++];
-        *c = (hs_chunk_column){.kind = values != NULL               ? HS_CHUNK_REFERENCE
-                                       : which < HS_CHUNK_ATTRIBUTE ? (hs_chunk_quantity)which
-                                                                    : HS_CHUNK_ATTRIBUTE};
-        if (c->kind == HS_CHUNK_ATTRIBUTE) c->attribute = (hs_attribute)hs_attribute_find(words[which]);
-        if (values != NULL) c->value = values[k];
-        c->name = values != NULL ? c->value.word : words[which];
+        c->kind = sources != NULL ? HS_CHUNK_SOURCE : (hs_chunk_quantity)which;
+        if (sources != NULL) c->source = sources[k];
+        c->name = c->source.value.word != NULL ? c->source.value.word : words[which];
     }
-    HS_FREE(values);
+    HS_FREE(sources);
     return HS_OK;
 }
 
@@ -75,17 +72,14 @@ hs_status hs_chunk_columns_check(const hs_chunk_columns *columns, const hs_fix *
     hs_compute *bias;
     HS_TRY(hs_chunk_columns_bias(columns, fix, &bias, err));
     for (int k = 0; k < columns->n; ++k)
-        if (columns->column[k].kind == HS_CHUNK_REFERENCE)
-            HS_TRY(hs_value_check(fix->env, &columns->column[k].value, HS_VALUE_ATOMS, command, err));
+        HS_TRY(hs_atom_sources_check(fix->env, &columns->column[k].source, 1, command, err));
     return HS_OK;
 }
 
 bool hs_chunk_columns_need_energy(const hs_chunk_columns *columns, hs_env *env)
 {
     bool is_needed = false;
-    for (int k = 0; k < columns->n; ++k)
-        is_needed |=
-            columns->column[k].kind == HS_CHUNK_REFERENCE && hs_value_needs_energy(env, &columns->column[k].value);
+    for (int k = 0; k < columns->n; ++k) is_needed |= hs_atom_sources_need_energy(env, &columns->column[k].source, 1);
     return is_needed;
 }
 
@@ -94,13 +88,12 @@ hs_status hs_chunk_columns_fill(const hs_chunk_columns *columns, hs_env *env, in
 {
     const hs_atoms *atoms = env->atoms;
     const hs_chunk_quantity kind = k < 0 ? HS_CHUNK_NUMBER : columns->column[k].kind;
-    if (kind == HS_CHUNK_REFERENCE) return hs_value_atoms(env, &columns->column[k].value, values, err);
+    if (kind == HS_CHUNK_SOURCE) return hs_atom_source_values(env, &columns->column[k].source, UINT32_MAX, values, err);
 #pragma omp parallel for schedule(static)
     for (int i = 0; i < atoms->n_local; ++i) {
         double b[3] = {0.0}, v2 = 0.0;
         values[i] = 1.0;
         if (kind == HS_CHUNK_MASS || kind == HS_CHUNK_MASS_DENSITY) values[i] = hs_atom_mass(atoms, i);
-        if (kind == HS_CHUNK_ATTRIBUTE) values[i] = hs_attribute_value(env, columns->column[k].attribute, false, i);
         if (kind != HS_CHUNK_TEMPERATURE) continue;
         if (bias != NULL && bias->style->bias != NULL) bias->style->bias(bias, i, b);
         for (int axis = 0; axis < 3; ++axis) v2 += (atoms->v[axis][i] - b[axis]) * (atoms->v[axis][i] - b[axis]);

@@ -2,9 +2,8 @@
 #ifndef HS_IO_CHUNK_COLUMNS_H
 #define HS_IO_CHUNK_COLUMNS_H
 
-#include "style/attribute.h"
+#include "style/atom_source.h"
 #include "style/chunks.h"
-#include "style/value.h"
 
 typedef enum { HS_NORM_ALL, HS_NORM_SAMPLE, HS_NORM_NONE } hs_chunk_norm;
 typedef enum {
@@ -12,15 +11,13 @@ typedef enum {
     HS_CHUNK_MASS_DENSITY,
     HS_CHUNK_MASS,
     HS_CHUNK_TEMPERATURE,
-    HS_CHUNK_ATTRIBUTE,
-    HS_CHUNK_REFERENCE
+    HS_CHUNK_SOURCE
 } hs_chunk_quantity;
 
 typedef struct hs_chunk_column {
     hs_chunk_quantity kind;
-    hs_attribute attribute;
-    hs_value value;   /**< HS_CHUNK_REFERENCE */
-    const char *name; /**< borrowed: a literal, or value.word */
+    hs_atom_source source; /**< HS_CHUNK_SOURCE; empty for others */
+    const char *name;      /**< borrowed: a literal, or source.value.word */
 } hs_chunk_column;
 
 typedef struct hs_chunk_columns {

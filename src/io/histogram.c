@@ -11,8 +11,7 @@ const double hs_histogram_nothing[2] = {1e20, -1e20};
 void hs_histogram_destroy(hs_fix *fix)
 {
     hs_histogram *histogram = fix->state;
-    for (int k = 0; k < histogram->n_inputs; ++k) hs_value_fini(&histogram->inputs[k].value);
-    HS_FREE(histogram->inputs);
+    hs_atom_sources_destroy(&histogram->inputs, histogram->n_inputs);
     HS_FREE(histogram->count);
     HS_FREE(histogram->extremes);
     HS_FREE(histogram->value);
@@ -38,11 +37,8 @@ hs_status hs_histogram_init(hs_fix *fix, hs_error *err)
 bool hs_histogram_needs_energy(const hs_fix *fix, int64_t step)
 {
     const hs_histogram *histogram = fix->state;
-    bool is_needed = false;
-    if (!hs_schedule_is_due(&histogram->schedule, step)) return false;
-    for (int k = 0; k < histogram->n_inputs; ++k)
-        is_needed |= histogram->inputs[k].attribute < 0 && hs_value_needs_energy(fix->env, &histogram->inputs[k].value);
-    return is_needed;
+    return hs_schedule_is_due(&histogram->schedule, step) &&
+           hs_atom_sources_need_energy(fix->env, histogram->inputs, histogram->n_inputs);
 }
 
 /* Counting */
@@ -83,7 +79,7 @@ static void count_weights(const hs_histogram *histogram, const hs_fix *fix, int6
 }
 
 /** values[0 .. *n) of one input on this rank. */
-static hs_status read_input(hs_fix *fix, const hs_histogram_input *input, bool is_weight, int64_t *n, hs_error *err)
+static hs_status read_input(hs_fix *fix, const hs_atom_source *input, bool is_weight, int64_t *n, hs_error *err)
 {
     hs_histogram *histogram = fix->state;
     hs_env *env = fix->env;
@@ -97,17 +93,13 @@ static hs_status read_input(hs_fix *fix, const hs_histogram_input *input, bool i
         histogram->capacity = *n;
     }
     double *out = is_weight ? histogram->weight : histogram->value;
-    if (input->attribute >= 0) {
-        for (int i = 0; i < *n; ++i) out[i] = hs_attribute_value(env, (hs_attribute)input->attribute, false, i);
-        return HS_OK;
-    }
     switch (histogram->shape) {
     case HS_VALUE_NUMBER:
         return hs_value_number(env, &input->value, out, err);
     case HS_VALUE_VECTOR:
         return hs_value_vector(env, &input->value, out, err);
     default:
-        return hs_value_atoms(env, &input->value, out, err);
+        return hs_atom_source_values(env, input, fix->mask, out, err);
     }
 }
 

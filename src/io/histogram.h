@@ -3,14 +3,7 @@
 #define HS_IO_HISTOGRAM_H
 
 #include "io/average.h"
-#include "style/attribute.h"
-#include "style/value.h"
-
-/** One thing that is counted (or the weights): an attribute of atoms, or a reference. */
-typedef struct hs_histogram_input {
-    int attribute; /**< hs_attribute; -1: a reference */
-    hs_value value;
-} hs_histogram_input;
+#include "style/atom_source.h"
 
 typedef enum { HS_BEYOND_IGNORE, HS_BEYOND_END, HS_BEYOND_EXTRA } hs_beyond;
 
@@ -24,10 +17,10 @@ typedef struct hs_histogram {
     int n_bins;   /**< with beyond extra the first and the last are for what is below lo and above hi */
     double width; /**< of a bin */
     hs_beyond beyond;
-    bool is_weighted;           /**< the second input is the weight of the first */
-    bool is_vector;             /**< mode vector */
-    hs_value_shape shape;       /**< of all inputs */
-    hs_histogram_input *inputs; /**< owned [n_inputs] */
+    bool is_weighted;       /**< the second input is the weight of the first */
+    bool is_vector;         /**< mode vector */
+    hs_value_shape shape;   /**< of all inputs */
+    hs_atom_source *inputs; /**< owned [n_inputs] */
     int n_inputs;
     double *count;          /**< owned [HS_HISTO_BINS + n_bins]: of the present window */
     double extreme[2];      /**< least and greatest value of the present window */

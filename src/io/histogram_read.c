@@ -14,8 +14,6 @@ const hs_keyword hs_histogram_keywords[] = {
 
 /* Words */
 
-static const char *const attributes[] = {"x", "y", "z", "vx", "vy", "vz", "fx", "fy", "fz", NULL};
-
 /** Mode, kind and beyond decide how the inputs and bins are read. @p kind: HS_VALUE_VECTOR, HS_VALUE_ATOMS, or
  *  HS_VALUE_NUMBER when nothing was said. */
 static hs_status read_own_keywords(hs_histogram *histogram, const hs_args *args, int first, hs_value_shape *kind,
@@ -57,39 +55,24 @@ static hs_status read_references(hs_fix *fix, const hs_args *args, int i, hs_val
 static hs_status add_inputs(hs_fix *fix, const hs_args *args, int i, hs_error *err)
 {
     hs_histogram *histogram = fix->state;
-    int attribute = -1, n = 1;
+    const int attribute = hs_attribute_find(args->word[i]);
+    int n = 0, which;
     hs_value *values = NULL;
     if (hs_value_is_reference(args->word[i])) {
         HS_TRY(read_references(fix, args, i, &values, &n, err));
-    } else {
-        attribute = hs_attribute_find(args->word[i]);
-        int which;
-        if (hs_arg_choice(args, i, attributes, &which, err) != HS_OK) {
-            hs_error_clear(err);
-            return hs_arg_refuse(args, i, "x, y, z, vx, vy, vz, fx, fy, fz, c_ID, c_ID[i], f_ID, f_ID[i] or v_name",
-                                 attributes, err);
-        }
+    } else if (hs_arg_choice(args, i, hs_atom_source_motion, &which, err) != HS_OK) {
+        hs_error_clear(err);
+        return hs_arg_refuse(args, i, "x, y, z, vx, vy, vz, fx, fy, fz, c_ID, c_ID[i], f_ID, f_ID[i] or v_name",
+                             hs_atom_source_motion, err);
     }
-    const hs_status status =
-        HS_GROW(histogram->inputs, (size_t)histogram->n_inputs, (size_t)(histogram->n_inputs + n), err);
-    if (status != HS_OK) {
-        hs_values_destroy(&values, n);
-        return status;
-    }
-    for (int k = 0; k < n; ++k) {
-        hs_histogram_input *input = &histogram->inputs[histogram->n_inputs++];
-        *input = (hs_histogram_input){.attribute = attribute};
-        if (values != NULL) input->value = values[k];
-    }
-    HS_FREE(values);
-    return HS_OK;
+    return hs_atom_sources_add(&histogram->inputs, &histogram->n_inputs, attribute, &values, n, err);
 }
 
 /** Shape of the inputs: what the first one is, unless the words say it. */
 static hs_status find_shape(const hs_fix *fix, const hs_args *args, hs_value_shape kind, hs_error *err)
 {
     hs_histogram *histogram = fix->state;
-    const hs_histogram_input *first = &histogram->inputs[0];
+    const hs_atom_source *first = &histogram->inputs[0];
     if (histogram->is_vector) {
         const bool is_vector = first->attribute < 0 && hs_value_has(fix->env, &first->value, HS_VALUE_VECTOR);
         histogram->shape = kind != HS_VALUE_NUMBER ? kind : is_vector ? HS_VALUE_VECTOR : HS_VALUE_ATOMS;
@@ -119,7 +102,7 @@ hs_status hs_histogram_check(const hs_fix *fix, const char *command, hs_error *e
 {
     const hs_histogram *histogram = fix->state;
     for (int k = 0; k < histogram->n_inputs; ++k) {
-        const hs_histogram_input *input = &histogram->inputs[k];
+        const hs_atom_source *input = &histogram->inputs[k];
         if (input->attribute < 0)
             HS_TRY(hs_value_check(fix->env, &input->value, histogram->shape, command, err));
         else if (histogram->shape != HS_VALUE_ATOMS)

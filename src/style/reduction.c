@@ -5,45 +5,16 @@
 
 #include "base/memory.h"
 #include "style/atom_sum.h"
-#include "style/attribute.h"
 #include "style/region.h"
 
 typedef enum { MODE_SUM, MODE_MIN, MODE_MAX, MODE_AVE, MODE_SUMSQ, MODE_AVESQ } reduce_mode;
 static const char *const modes[] = {"sum", "min", "max", "ave", "sumsq", "avesq", NULL};
-
-static const char *const allowed[] = {"x", "y", "z", "vx", "vy", "vz", "fx", "fy", "fz", NULL};
 
 const hs_keyword hs_reduction_keywords[] = {
     {"replace", 2, "<input 1> <input 2>",
      "with min or max: input 1 (by number) is given at the atom where input 2 has its extreme"},
     {NULL, 0, NULL, NULL},
 };
-
-static hs_status add_input(hs_compute *compute, const hs_args *args, int i, hs_error *err)
-{
-    hs_reduction *state = compute->state;
-    int attribute = -1, n = 1;
-    hs_value *values = NULL;
-    if (hs_value_is_reference(args->word[i])) {
-        HS_TRY(hs_values_create(&values, &n, compute->env, args, i, 1, HS_VALUE_ATOMS, err));
-    } else {
-        int which;
-        HS_TRY(hs_arg_choice(args, i, allowed, &which, err));
-        attribute = hs_attribute_find(args->word[i]);
-    }
-    hs_status status = HS_GROW(state->inputs, (size_t)state->n, (size_t)(state->n + n), err);
-    if (status != HS_OK) {
-        hs_values_destroy(&values, n);
-        return status;
-    }
-    for (int k = 0; k < n; ++k) {
-        hs_reduction_input *new = &state->inputs[state->n++];
-        *new = (hs_reduction_input){.attribute = attribute, .replaced_by = -1};
-        if (values != NULL) new->value = values[k];
-    }
-    HS_FREE(values);
-    return HS_OK;
-}
 
 static hs_status add_replacement(hs_reduction *state, const hs_args *args, int i, hs_error *err)
 {
@@ -53,9 +24,9 @@ static hs_status add_replacement(hs_reduction *state, const hs_args *args, int i
                        args->command);
     HS_TRY(hs_arg_int(args, i + 1, 1, state->n, &which, err));
     HS_TRY(hs_arg_int(args, i + 2, 1, state->n, &at, err));
-    if (which == at || state->inputs[at - 1].replaced_by >= 0)
+    if (which == at || state->replaced_by[at - 1] >= 0)
         return hs_arg_refuse(args, i + 2, "another input, one that is not replaced itself", NULL, err);
-    state->inputs[which - 1].replaced_by = (int)at - 1;
+    state->replaced_by[which - 1] = (int)at - 1;
     return HS_OK;
 }
 
@@ -75,14 +46,16 @@ hs_status hs_reduction_create(hs_compute *compute, const hs_args *args, hs_error
     HS_TRY(hs_arg_choice(args, i++, modes, &state->mode, err));
     if (i == args->n) return hs_arg_need(args, i, "an input", err);
     HS_TRY(find_region(compute, err));
-    for (; i < args->n && strcmp(args->word[i], "replace") != 0; ++i) HS_TRY(add_input(compute, args, i, err));
-    for (; i < args->n; i += 3) HS_TRY(add_replacement(state, args, i, err));
+    int end = i;
+    while (end < args->n && strcmp(args->word[end], "replace") != 0) ++end;
+    HS_TRY(hs_atom_sources_read(&state->inputs, &state->n, compute->env, args, i, end - i, hs_atom_source_motion, err));
+    HS_TRY(HS_ALLOC(state->replaced_by, (size_t)state->n, err));
+    for (int k = 0; k < state->n; ++k) state->replaced_by[k] = -1;
+    for (i = end; i < args->n; i += 3) HS_TRY(add_replacement(state, args, i, err));
     compute->n_vector = state->n > 1 ? state->n : 0;
     compute->has_vector = state->n > 1;
     compute->has_scalar = !compute->has_vector;
-    for (int k = 0; k < state->n; ++k)
-        compute->may_need_energy |=
-            state->inputs[k].attribute < 0 && hs_value_needs_energy(compute->env, &state->inputs[k].value);
+    compute->may_need_energy = hs_atom_sources_need_energy(compute->env, state->inputs, state->n);
     compute->is_extensive = compute->is_vector_extensive = state->mode == MODE_SUM || state->mode == MODE_SUMSQ;
     return HS_ALLOC(compute->vector, (size_t)state->n, err);
 }
@@ -90,8 +63,8 @@ hs_status hs_reduction_create(hs_compute *compute, const hs_args *args, hs_error
 void hs_reduction_destroy(hs_compute *compute)
 {
     hs_reduction *state = compute->state;
-    for (int k = 0; k < state->n; ++k) hs_value_fini(&state->inputs[k].value);
-    HS_FREE(state->inputs);
+    hs_atom_sources_destroy(&state->inputs, state->n);
+    HS_FREE(state->replaced_by);
     hs_where_fini(&state->where);
     HS_FREE(state->values);
     HS_FREE(compute->vector);
@@ -102,14 +75,12 @@ hs_status hs_reduction_init(hs_compute *compute, hs_error *err)
     const hs_reduction *state = compute->state;
     char command[128];
     snprintf(command, sizeof command, "compute '%.80s' (%s)", compute->id, compute->style->about.name);
-    for (int k = 0; k < state->n; ++k)
-        if (state->inputs[k].attribute < 0)
-            HS_TRY(hs_value_check(compute->env, &state->inputs[k].value, HS_VALUE_ATOMS, command, err));
+    HS_TRY(hs_atom_sources_check(compute->env, state->inputs, state->n, command, err));
     return find_region(compute, err);
 }
 
 /** Values of an input for the local atoms into state->values. */
-static hs_status fetch(hs_compute *compute, const hs_reduction_input *from, hs_error *err)
+static hs_status fetch(hs_compute *compute, int input, hs_error *err)
 {
     hs_reduction *state = compute->state;
     const hs_atoms *atoms = compute->env->atoms;
@@ -117,10 +88,7 @@ static hs_status fetch(hs_compute *compute, const hs_reduction_input *from, hs_e
         HS_TRY(HS_GROW(state->values, 0, (size_t)atoms->n_local, err));
         state->capacity = atoms->n_local;
     }
-    if (from->attribute < 0) return hs_value_atoms(compute->env, &from->value, state->values, err);
-    for (int i = 0; i < atoms->n_local; ++i)
-        state->values[i] = hs_attribute_value(compute->env, (hs_attribute)from->attribute, false, i);
-    return HS_OK;
+    return hs_atom_source_values(compute->env, &state->inputs[input], compute->mask, state->values, err);
 }
 
 /** Whether local atom i is one of those that are reduced. */
@@ -172,22 +140,22 @@ static void find_extreme(const hs_compute *compute, double *extreme, int64_t *id
     *extreme = sign * (*id == 0 ? -1e20 : best);
 }
 
-static hs_status reduce_one(hs_compute *compute, const hs_reduction_input *from, double *value, hs_error *err)
+static hs_status reduce_one(hs_compute *compute, int input, double *value, hs_error *err)
 {
     const hs_reduction *state = compute->state;
     const hs_env *env = compute->env;
     int64_t id;
-    if (from->replaced_by >= 0) {
-        HS_TRY(fetch(compute, &state->inputs[from->replaced_by], err));
+    if (state->replaced_by[input] >= 0) {
+        HS_TRY(fetch(compute, state->replaced_by[input], err));
         find_extreme(compute, value, &id);
-        HS_TRY(fetch(compute, from, err));
+        HS_TRY(fetch(compute, input, err));
         *value = 0.0;
         for (int i = 0; i < env->atoms->n_local; ++i)
             if (env->atoms->id[i] == id) *value = state->values[i];
         hs_parallel_sum_double(env->parallel, value, 1);
         return HS_OK;
     }
-    HS_TRY(fetch(compute, from, err));
+    HS_TRY(fetch(compute, input, err));
     if (state->mode == MODE_MIN || state->mode == MODE_MAX) {
         find_extreme(compute, value, &id);
         return HS_OK;
@@ -202,15 +170,14 @@ static hs_status reduce_one(hs_compute *compute, const hs_reduction_input *from,
 
 hs_status hs_reduction_scalar(hs_compute *compute, double *value, hs_error *err)
 {
-    const hs_reduction *state = compute->state;
     HS_TRY(find_region(compute, err));
-    return reduce_one(compute, &state->inputs[0], value, err);
+    return reduce_one(compute, 0, value, err);
 }
 
 hs_status hs_reduction_vector(hs_compute *compute, hs_error *err)
 {
     const hs_reduction *state = compute->state;
     HS_TRY(find_region(compute, err));
-    for (int k = 0; k < state->n; ++k) HS_TRY(reduce_one(compute, &state->inputs[k], &compute->vector[k], err));
+    for (int k = 0; k < state->n; ++k) HS_TRY(reduce_one(compute, k, &compute->vector[k], err));
     return HS_OK;
 }

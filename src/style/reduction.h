@@ -2,20 +2,14 @@
 #ifndef HS_STYLE_REDUCTION_H
 #define HS_STYLE_REDUCTION_H
 
+#include "style/atom_source.h"
 #include "style/region.h"
-#include "style/value.h"
-
-/** What is reduced: an attribute of atoms, or a value per atom. */
-typedef struct hs_reduction_input {
-    int attribute; /**< -1: a reference */
-    hs_value value;
-    int replaced_by; /**< -1, or the input at whose extreme atom this one is taken */
-} hs_reduction_input;
 
 /** State of a compute that reduces. */
 typedef struct hs_reduction {
     int mode;
-    hs_reduction_input *inputs; /**< owned [n] */
+    hs_atom_source *inputs; /**< owned [n] */
+    int *replaced_by;       /**< owned [n]: -1, or the input at whose extreme atom this one is taken */
     int n;
     hs_where where;
     double *values; /**< owned [n_local] scratch */
