@@ -50,25 +50,6 @@ static hs_status check_axis(const hs_fix *fix, const hs_args *args, int axis, hs
     return HS_OK;
 }
 
-static hs_status check_tilt(const hs_fix *fix, const hs_args *args, int tilt, hs_error *err)
-{
-    const hs_box *box = fix->env->box;
-    const int second = hs_tilt_second(tilt);
-    if (second >= box->dimension)
-        return hs_fail(err, HS_ERROR_INPUT, "%s: a 2d box can be tilted along xy only, not along %s", args->command,
-                       hs_tilt_names[tilt]);
-    if (!box->is_tilted)
-        return hs_fail(err, HS_ERROR_INPUT,
-                       "%s: the tilt %s of an orthogonal box cannot change; 'change_box all triclinic' makes the box "
-                       "one that can be tilted, as does a region of style prism in create_box",
-                       args->command, hs_tilt_names[tilt]);
-    if (!box->periodic[second])
-        return hs_fail(err, HS_ERROR_INPUT,
-                       "%s: the tilt %s shifts what crosses the faces of %c, which must be periodic ('boundary')",
-                       args->command, hs_tilt_names[tilt], "xyz"[second]);
-    return HS_OK;
-}
-
 static hs_status check_volumes(const deform_state *state, const hs_args *args, hs_error *err)
 {
     int n_volumes = 0, n_others = 0, n_tilts = 0;
@@ -92,7 +73,8 @@ static hs_status read_path(hs_fix *fix, const hs_args *args, int i, bool is_box,
     while (strcmp(args->word[i], path_names[k]) != 0) ++k;
     const bool is_tilt = k >= 3;
     const int axis = is_tilt ? hs_tilt_first(k - 3) : k;
-    HS_TRY(is_tilt ? check_tilt(fix, args, k - 3, err) : check_axis(fix, args, k, err));
+    HS_TRY(is_tilt ? hs_box_check_tilt_changes(fix->env->box, k - 3, args->command, err)
+                   : check_axis(fix, args, k, err));
     HS_TRY(hs_deform_path_read(&state->plan.path[k], args, i + 1, is_tilt,
                                is_box ? 1.0 : fix->env->lattice->spacing[axis], n_used, err));
     ++*n_used;

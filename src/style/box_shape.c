@@ -32,3 +32,21 @@ hs_status hs_box_check_shape(const hs_box *box, bool may_be_skewed, hs_sink *out
     }
     return HS_OK;
 }
+
+hs_status hs_box_check_tilt_changes(const hs_box *box, int tilt, const char *command, hs_error *err)
+{
+    const int second = hs_tilt_second(tilt);
+    if (second >= box->dimension)
+        return hs_fail(err, HS_ERROR_INPUT, "%s: a 2d box can be tilted along xy only, not along %s", command,
+                       hs_tilt_names[tilt]);
+    if (!box->is_tilted)
+        return hs_fail(err, HS_ERROR_INPUT,
+                       "%s: the tilt %s of an orthogonal box cannot change; 'change_box all triclinic' makes the box "
+                       "one that can be tilted, as does a region of style prism in create_box",
+                       command, hs_tilt_names[tilt]);
+    if (!box->periodic[second])
+        return hs_fail(err, HS_ERROR_INPUT,
+                       "%s: the tilt %s shifts what crosses the faces of %c, which must be periodic ('boundary')",
+                       command, hs_tilt_names[tilt], "xyz"[second]);
+    return HS_OK;
+}

@@ -18,5 +18,8 @@ void hs_box_say(hs_sink *out, const char *before, const hs_box *box);
  *  warning. */
 HS_MUST_USE hs_status hs_box_check_shape(const hs_box *box, bool may_be_skewed, hs_sink *out, const char *command,
                                          hs_error *err);
+/** Refuse, naming @p command, that a tilt changes while atoms move: the box must be tilted, and periodic along the tilt's
+ *  second axis. */
+HS_MUST_USE hs_status hs_box_check_tilt_changes(const hs_box *box, int tilt, const char *command, hs_error *err);
 
 #endif

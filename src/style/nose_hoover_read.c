@@ -170,25 +170,6 @@ static hs_status check_coupling(const hs_fix *fix, const hs_args *args, hs_error
     return HS_OK;
 }
 
-static hs_status check_tilt(const hs_fix *fix, const hs_args *args, int tilt, hs_error *err)
-{
-    const hs_box *box = fix->env->box;
-    const int second = hs_tilt_second(tilt);
-    if (second >= box->dimension)
-        return hs_fail(err, HS_ERROR_INPUT, "%s: a 2d box can be tilted along xy only, not along %s", args->command,
-                       hs_tilt_names[tilt]);
-    if (!box->is_tilted)
-        return hs_fail(err, HS_ERROR_INPUT,
-                       "%s: the tilt %s of an orthogonal box cannot change; 'change_box all triclinic' makes the box "
-                       "one that can be tilted, as does a region of style prism in create_box",
-                       args->command, hs_tilt_names[tilt]);
-    if (!box->periodic[second])
-        return hs_fail(err, HS_ERROR_INPUT,
-                       "%s: the tilt %s shifts what crosses the faces of %c, which must be periodic ('boundary')",
-                       args->command, hs_tilt_names[tilt], "xyz"[second]);
-    return HS_OK;
-}
-
 static hs_status check_axis(const hs_fix *fix, const hs_args *args, int axis, hs_error *err)
 {
     const hs_box *box = fix->env->box;
@@ -208,7 +189,8 @@ static hs_status check_targets(const hs_fix *fix, const hs_args *args, const int
     hs_nose_hoover *nh = fix->state;
     for (int k = 0; k < HS_NH_COMPONENTS; ++k) {
         if (!nh->moves[k]) continue;
-        HS_TRY(k < HS_NH_XY ? check_axis(fix, args, k, err) : check_tilt(fix, args, k - HS_NH_XY, err));
+        HS_TRY(k < HS_NH_XY ? check_axis(fix, args, k, err)
+                            : hs_box_check_tilt_changes(fix->env->box, k - HS_NH_XY, args->command, err));
         ++nh->n_moves;
         nh->n_axes += k < HS_NH_XY;
         nh->has_tilts |= k >= HS_NH_XY;
