@@ -11,21 +11,6 @@ static hs_powers powers_of(const hs_pair_coeff *c)
     return (hs_powers){.a = 4.0 * epsilon * pow(sigma, 9.0), .n = 9.0, .b = 4.0 * epsilon * pow(sigma, 6.0), .m = 6.0};
 }
 
-static void params(const hs_pair *pair, int i, int j, double *cutoff, double *p)
-{
-    const hs_pair_coeff *c = hs_pair_coeffs_at(pair, i, j);
-    const hs_powers powers = powers_of(c);
-    *cutoff = c->cutoff;
-    hs_powers_params(&powers, c->cutoff, pair->shift, p);
-}
-
-static void tail(const hs_pair *pair, int i, int j, double *energy, double *virial)
-{
-    const hs_pair_coeff *c = hs_pair_coeffs_at(pair, i, j);
-    const hs_powers powers = powers_of(c);
-    hs_powers_tail(&powers, c->cutoff, energy, virial);
-}
-
 const hs_pair_style hs_pair_style_lj96_cut = {
     .about = {.name = "lj96/cut",
               .syntax = {.usage = "<cutoff>", .n_min = 1, .n_max = 1},
@@ -44,8 +29,8 @@ const hs_pair_style hs_pair_style_lj96_cut = {
     .destroy = hs_pair_coeffs_destroy,
     .coeff = hs_lj_coeff,
     .mix = hs_lj_mix,
-    .params = params,
-    .tail = tail,
+    .params = hs_powers_params,
+    .tail = hs_powers_tail,
     .write_coeff = hs_pair_coeffs_write,
     .evaluator = &hs_evaluator_mie_cut,
 };

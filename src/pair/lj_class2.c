@@ -24,21 +24,6 @@ static hs_status mix(hs_pair *pair, int i, int j, hs_error *err)
     return status;
 }
 
-static void params(const hs_pair *pair, int i, int j, double *cutoff, double *p)
-{
-    const hs_pair_coeff *c = hs_pair_coeffs_at(pair, i, j);
-    const hs_powers powers = powers_of(c);
-    *cutoff = c->cutoff;
-    hs_powers_params(&powers, c->cutoff, pair->shift, p);
-}
-
-static void tail(const hs_pair *pair, int i, int j, double *energy, double *virial)
-{
-    const hs_pair_coeff *c = hs_pair_coeffs_at(pair, i, j);
-    const hs_powers powers = powers_of(c);
-    hs_powers_tail(&powers, c->cutoff, energy, virial);
-}
-
 const hs_pair_style hs_pair_style_lj_class2 = {
     .about = {.name = "lj/class2",
               .syntax = {.usage = "<cutoff>", .n_min = 1, .n_max = 1},
@@ -61,8 +46,8 @@ const hs_pair_style hs_pair_style_lj_class2 = {
     .destroy = hs_pair_coeffs_destroy,
     .coeff = hs_lj_coeff,
     .mix = mix,
-    .params = params,
-    .tail = tail,
+    .params = hs_powers_params,
+    .tail = hs_powers_tail,
     .write_coeff = hs_pair_coeffs_write,
     .evaluator = &hs_evaluator_mie_cut,
 };

@@ -50,22 +50,7 @@ static hs_powers powers_of(const hs_pair_coeff *c)
     return (hs_powers){.a = scale * pow(sigma, n), .n = n, .b = scale * pow(sigma, m), .m = m};
 }
 
-static void params(const hs_pair *pair, int i, int j, double *cutoff, double *p)
-{
-    const hs_pair_coeff *c = hs_pair_coeffs_at(pair, i, j);
-    const hs_powers powers = powers_of(c);
-    *cutoff = c->cutoff;
-    hs_powers_params(&powers, c->cutoff, pair->shift, p);
-}
-
 static hs_status init(hs_pair *pair, hs_error *err) { return hs_powers_check_tail(pair, REPULSION, err); }
-
-static void tail(const hs_pair *pair, int i, int j, double *energy, double *virial)
-{
-    const hs_pair_coeff *c = hs_pair_coeffs_at(pair, i, j);
-    const hs_powers powers = powers_of(c);
-    hs_powers_tail(&powers, c->cutoff, energy, virial);
-}
 
 const hs_pair_style hs_pair_style_mie_cut = {
     .about =
@@ -94,8 +79,8 @@ const hs_pair_style hs_pair_style_mie_cut = {
     .coeff = coeff,
     .mix = mix,
     .init = init,
-    .params = params,
-    .tail = tail,
+    .params = hs_powers_params,
+    .tail = hs_powers_tail,
     .write_coeff = hs_pair_coeffs_write,
     .evaluator = &hs_evaluator_mie_cut,
 };

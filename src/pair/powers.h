@@ -15,27 +15,36 @@ typedef struct hs_powers {
     double a, n, b, m;
 } hs_powers;
 
-static inline void hs_powers_params(const hs_powers *u, double cutoff, bool shift, double *p)
+/** Of the coefficients of one pair of types: every style that includes this defines it. */
+static hs_powers powers_of(const hs_pair_coeff *c);
+
+/** ->params */
+static inline void hs_powers_params(const hs_pair *pair, int i, int j, double *cutoff, double *p)
 {
-    p[MINUS_HALF_N] = -0.5 * u->n;
-    p[MINUS_HALF_M] = -0.5 * u->m;
-    p[A] = u->a;
-    p[B] = u->b;
-    p[N_A] = u->n * u->a;
-    p[M_B] = u->m * u->b;
-    p[SHIFT] = shift && cutoff > 0.0 ? u->a * pow(cutoff, -u->n) - u->b * pow(cutoff, -u->m) : 0.0;
+    const hs_pair_coeff *c = hs_pair_coeffs_at(pair, i, j);
+    const hs_powers u = powers_of(c);
+    *cutoff = c->cutoff;
+    p[MINUS_HALF_N] = -0.5 * u.n;
+    p[MINUS_HALF_M] = -0.5 * u.m;
+    p[A] = u.a;
+    p[B] = u.b;
+    p[N_A] = u.n * u.a;
+    p[M_B] = u.m * u.b;
+    p[SHIFT] = pair->shift && c->cutoff > 0.0 ? u.a * pow(c->cutoff, -u.n) - u.b * pow(c->cutoff, -u.m) : 0.0;
 }
 
-/** Integrals of U and of r dU/dr from the cutoff to infinity with g(r) = 1, per n_i n_j / V: both exponents above 3. */
-static inline void hs_powers_tail(const hs_powers *u, double cutoff, double *energy, double *virial)
+/** ->tail: integrals of U and of r dU/dr from the cutoff to infinity with g(r) = 1, per n_i n_j / V: both exponents above 3. */
+static inline void hs_powers_tail(const hs_pair *pair, int i, int j, double *energy, double *virial)
 {
-    const double repulsion = u->a * pow(cutoff, 3.0 - u->n) / (u->n - 3.0),
-                 attraction = u->b * pow(cutoff, 3.0 - u->m) / (u->m - 3.0);
+    const hs_pair_coeff *c = hs_pair_coeffs_at(pair, i, j);
+    const hs_powers u = powers_of(c);
+    const double repulsion = u.a * pow(c->cutoff, 3.0 - u.n) / (u.n - 3.0),
+                 attraction = u.b * pow(c->cutoff, 3.0 - u.m) / (u.m - 3.0);
     *energy = 2.0 * M_PI * (repulsion - attraction);
-    *virial = 2.0 * M_PI / 3.0 * (u->n * repulsion - u->m * attraction);
+    *virial = 2.0 * M_PI / 3.0 * (u.n * repulsion - u.m * attraction);
 }
 
-/** Word i: an exponent of the repulsion, and word i + 1: a smaller one of the attraction. */
+/** Read word i, an exponent of the repulsion, and word i + 1, a smaller one of the attraction. */
 static inline HS_MUST_USE hs_status hs_powers_read(const hs_args *args, int i, double *n, double *m, hs_error *err)
 {
     HS_TRY(hs_arg_positive(args, i, n, err));
