@@ -31,9 +31,7 @@ static hs_status create(hs_compute *compute, const hs_args *args, hs_error *err)
     HS_TRY(HS_ALLOC(compute->vector, 4, err));
     HS_TRY(hs_atom_vector_add(env->atoms, &state->origin, "compute", compute->id, "origin", err));
     if (state->has_com) hs_center_of_mass(env, compute->mask, state->center, NULL);
-    for (int axis = 0; axis < 3; ++axis)
-        for (int i = 0; i < env->atoms->n_local; ++i)
-            state->origin.of[axis][i] = hs_unwrapped(env, axis, i) - state->center[axis];
+    hs_atom_vector_set_places(&state->origin, env, state->center);
     return HS_OK;
 }
 

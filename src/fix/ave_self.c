@@ -175,13 +175,9 @@ static void begin_origin(hs_fix *fix, self_origin *origin, int64_t sample)
     const hs_atoms *atoms = fix->env->atoms;
     origin->begun = sample;
     memcpy(origin->center, state->center, sizeof state->center);
-    for (int axis = 0; axis < 3; ++axis) {
-#pragma omp parallel for schedule(static)
-        for (int i = 0; i < atoms->n_local; ++i) {
-            origin->x.of[axis][i] = hs_unwrapped(fix->env, axis, i) - state->center[axis];
-            if (state->needs_velocities) origin->v.of[axis][i] = atoms->v[axis][i];
-        }
-    }
+    hs_atom_vector_set_places(&origin->x, fix->env, state->center);
+    for (int axis = 0; axis < 3 && state->needs_velocities; ++axis)
+        memcpy(origin->v.of[axis], atoms->v[axis], sizeof(double) * (size_t)atoms->n_local);
 }
 
 /** Mean of exp(-i q d) over all directions of q. */

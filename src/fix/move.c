@@ -117,7 +117,6 @@ static hs_status read_path(hs_fix *fix, const hs_args *args, int n, hs_error *er
 static hs_status create(hs_fix *fix, const hs_args *args, hs_error *err)
 {
     move_state *state = fix->state;
-    const hs_atoms *atoms = fix->env->atoms;
     HS_TRY(hs_syntax_check(&fix->style->about.syntax, args, false, err));
     const int n = hs_syntax_first_keyword(&fix->style->about.syntax, args);
     bool is_box = false;
@@ -127,8 +126,7 @@ static hs_status create(hs_fix *fix, const hs_args *args, hs_error *err)
     for (int axis = 0; axis < 3 && !is_box; ++axis) state->given[axis] *= fix->env->lattice->spacing[axis];
     state->start = fix->env->step;
     HS_TRY(hs_atom_vector_add(fix->env->atoms, &state->r0, "fix", fix->id, "r0", err));
-    for (int axis = 0; axis < 3; ++axis)
-        for (int i = 0; i < atoms->n_local; ++i) state->r0.of[axis][i] = hs_unwrapped(fix->env, axis, i);
+    hs_atom_vector_set_places(&state->r0, fix->env, (const double[3]){0.0});
     fix->n_atom_columns = 3;
     return HS_OK;
 }

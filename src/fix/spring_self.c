@@ -23,11 +23,7 @@ static hs_status create(hs_fix *fix, const hs_args *args, hs_error *err)
     for (int axis = 0; axis < 3; ++axis)
         state->acts[axis] = strchr(directions[direction], "xyz"[axis]) != NULL && axis < fix->env->box->dimension;
     HS_TRY(hs_atom_vector_add(fix->env->atoms, &state->r0, "fix", fix->id, "r0", err));
-    for (int i = 0; i < fix->env->atoms->n_local; ++i) {
-        double r[3];
-        hs_fix_unwrapped(fix, i, r);
-        for (int axis = 0; axis < 3; ++axis) state->r0.of[axis][i] = r[axis];
-    }
+    hs_atom_vector_set_places(&state->r0, fix->env, (const double[3]){0.0});
     return HS_OK;
 }
 

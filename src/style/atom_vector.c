@@ -2,6 +2,7 @@
 
 #include "base/memory.h"
 #include "base/text.h"
+#include "style/moments.h"
 
 hs_status hs_atom_vector_add(hs_atoms *atoms, hs_atom_vector *vector, const char *kind, const char *id,
                              const char *what, hs_error *err)
@@ -13,6 +14,14 @@ hs_status hs_atom_vector_add(hs_atoms *atoms, hs_atom_vector *vector, const char
         HS_TRY(hs_atoms_add_field(atoms, vector->name[axis], (void **)&vector->of[axis], sizeof(double), false, err));
     }
     return HS_OK;
+}
+
+void hs_atom_vector_set_places(const hs_atom_vector *vector, const hs_env *env, const double origin[3])
+{
+    for (int axis = 0; axis < 3; ++axis) {
+#pragma omp parallel for schedule(static)
+        for (int i = 0; i < env->atoms->n_local; ++i) vector->of[axis][i] = hs_unwrapped(env, axis, i) - origin[axis];
+    }
 }
 
 void hs_atom_vector_remove(hs_atoms *atoms, hs_atom_vector *vector)

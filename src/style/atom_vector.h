@@ -2,7 +2,7 @@
 #ifndef HS_STYLE_ATOM_VECTOR_H
 #define HS_STYLE_ATOM_VECTOR_H
 
-#include "core/atoms.h"
+#include "style/env.h"
 
 /** Zero it before first use. */
 typedef struct hs_atom_vector {
@@ -13,6 +13,8 @@ typedef struct hs_atom_vector {
 /** Register it, zero at first; @p kind is "fix" or "compute". */
 HS_MUST_USE hs_status hs_atom_vector_add(hs_atoms *atoms, hs_atom_vector *vector, const char *kind, const char *id,
                                          const char *what, hs_error *err);
+/** Set it to the unwrapped places of the local atoms, distance, less @p origin. */
+void hs_atom_vector_set_places(const hs_atom_vector *vector, const hs_env *env, const double origin[3]);
 /** Also for one that was never, or not wholly, added. */
 void hs_atom_vector_remove(hs_atoms *atoms, hs_atom_vector *vector);
 
