@@ -1,9 +1,8 @@
 /* Holds the center of mass of a group at a place by shifting atoms after each drift. */
+#include <math.h>
 #include <string.h>
 
-#include "core/atom_style.h"
 #include "core/lattice.h"
-#include "style/atom_sum.h"
 #include "style/fix.h"
 #include "style/moments.h"
 
@@ -22,26 +21,6 @@ static const hs_keyword keywords[] = {
     {"units", 1, "lattice|box|fraction", "of the place; fraction: of the box; default lattice"},
     {NULL, 0, NULL, NULL},
 };
-
-static void center_terms(const hs_atoms *atoms, const void *context, int begin, int end, hs_exact_sum *sums)
-{
-    const hs_fix *fix = context;
-    for (int i = begin; i < end; ++i) {
-        if (!(atoms->mask[i] & fix->mask)) continue;
-        const double mass = hs_atom_mass(atoms, i);
-        hs_exact_add(&sums[3], mass);
-        for (int axis = 0; axis < 3; ++axis) hs_exact_add(&sums[axis], mass * hs_unwrapped(fix->env, axis, i));
-    }
-}
-
-/** Center of mass; false without atoms. */
-static bool center_of(const hs_fix *fix, double center[3])
-{
-    double sums[4];
-    hs_atom_sum(fix->env->atoms, fix->env->parallel, center_terms, fix, 4, sums);
-    for (int axis = 0; axis < 3 && sums[3] > 0.0; ++axis) center[axis] = sums[axis] / sums[3];
-    return sums[3] > 0.0;
-}
 
 static hs_status create(hs_fix *fix, const hs_args *args, hs_error *err)
 {
@@ -69,14 +48,14 @@ static hs_status create(hs_fix *fix, const hs_args *args, hs_error *err)
         }
     }
     double center[3];
-    if (center_of(fix, center)) return HS_OK;
+    if (hs_center_of_mass(fix->env, fix->mask, center, NULL) > 0.0) return HS_OK;
     return hs_fail(err, HS_ERROR_INPUT, "%s: the group has no atoms", args->command);
 }
 
 static hs_status init(hs_fix *fix, hs_error *err)
 {
     (void)err;
-    (void)center_of(fix, ((recenter_state *)fix->state)->initial); /* without atoms nothing is shifted */
+    hs_center_of_mass(fix->env, fix->mask, ((recenter_state *)fix->state)->initial, NULL);
     return HS_OK;
 }
 
@@ -100,7 +79,7 @@ static hs_status initial_integrate(hs_fix *fix, hs_error *err)
     double center[3];
     (void)err;
     memset(state->shift, 0, sizeof state->shift);
-    if (!center_of(fix, center)) return HS_OK;
+    if (!(hs_center_of_mass(fix->env, fix->mask, center, NULL) > 0.0)) return HS_OK; /* no atoms */
     for (int axis = 0; axis < 3; ++axis) {
         if (!state->is_held[axis]) continue;
         const double shift = target(fix, axis) - center[axis];
