@@ -135,6 +135,16 @@ const char *hs_text_nearest(const char *word, const char *const *words, size_t n
     return nearest;
 }
 
+bool hs_text_is_style(const char *word, const char *name)
+{
+    static const char *const suffixes[] = {"", "/omp", "/opt", "/intel", "/gpu", "/kk", "/kk/device", "/kk/host"};
+    const size_t n = strlen(name);
+    if (strncmp(word, name, n) != 0) return false;
+    for (size_t k = 0; k < sizeof suffixes / sizeof suffixes[0]; ++k)
+        if (strcmp(word + n, suffixes[k]) == 0) return true;
+    return false;
+}
+
 bool hs_text_glob(const char *pattern, const char *word)
 {
     for (; *pattern != '\0'; ++pattern, ++word) {

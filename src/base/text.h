@@ -31,6 +31,10 @@ bool hs_text_to_int64(const char *word, int64_t *value);
  *  before a slash in @p word; NULL when none is near enough to be meant. Borrowed from @p words. */
 const char *hs_text_nearest(const char *word, const char *const *words, size_t n);
 
+/** Whether a word of the deck names a style: by its name, or by that of one of its variants in LAMMPS's accelerators, such as nve/omp, of
+ *  which Halfshell has none. */
+bool hs_text_is_style(const char *word, const char *name);
+
 /** `pattern` with `*` and `?` matches all of `word`. */
 bool hs_text_glob(const char *pattern, const char *word);
 

@@ -1,6 +1,7 @@
 /* Commands that make and remove fixes and computes. */
 #include <string.h>
 
+#include "base/text.h"
 #include "deck/command.h"
 
 static const hs_keyword modify_keywords[] = {
@@ -74,7 +75,7 @@ static hs_status check_style(const char *kind, const hs_description *const *abou
     if (args->n < 3 || strchr(args->word[2], '$') != NULL) return HS_OK;
     for (size_t k = 0; k < n; ++k) {
         if (n_names < 256) names[n_names++] = abouts[k]->name;
-        if (strcmp(abouts[k]->name, args->word[2]) != 0) continue;
+        if (!hs_text_is_style(args->word[2], abouts[k]->name)) continue;
         hs_text command = {0};
         hs_status status = hs_text_printf(&command, err, "%s %s", kind, abouts[k]->name);
         const hs_args words = hs_args_from(args, 3, hs_text_get(&command));

@@ -24,6 +24,9 @@ static const hs_keyword modify_keywords[] = {
     {"page", 1, "<n>", "accepted: Halfshell's lists grow by themselves"},
     {"one", 1, "<n>", "accepted: Halfshell's lists grow by themselves"},
     {"cluster", 1, "yes|no", "accepted: for bonded atoms, which there are none of"},
+    {"binsize", 1, "<length>", "accepted: cells are laid out by `neighbor_method`"},
+    {"collection/type", -1, "<N> <types> ...", "accepted: it is for LAMMPS's style `multi`"},
+    {"collection/interval", -1, "<N> <r> ...", "accepted: it is for LAMMPS's style `multi`"},
     {"include", 1, "<group-ID>", "only `all` is supported"},
     {0},
 };
@@ -67,11 +70,22 @@ static hs_status exclude(hs_sim *sim, const hs_args *args, int i, int *n_used, h
     return HS_OK;
 }
 
+/** collection/type N ..., collection/interval N ...: so many lists of types, or so many sizes. */
+static hs_status skip_collections(const hs_args *args, int i, int *n_used, hs_error *err)
+{
+    int64_t n;
+    HS_TRY(hs_arg_int(args, i + 1, 1, 1000, &n, err));
+    HS_TRY(hs_arg_need(args, i + 1 + (int)n, "a word for each collection", err));
+    *n_used = 2 + (int)n;
+    return HS_OK;
+}
+
 static hs_status modify_word(hs_sim *sim, const hs_args *args, int i, int *n_used, hs_error *err)
 {
     hs_neighbor_settings *settings = &sim->neighbor.settings;
     const char *keyword = args->word[i];
     int64_t ignored;
+    double length;
     bool flag;
     *n_used = 2;
     if (strcmp(keyword, "delay") == 0) return hs_arg_int(args, i + 1, 0, INT64_MAX, &settings->delay, err);
@@ -80,6 +94,8 @@ static hs_status modify_word(hs_sim *sim, const hs_args *args, int i, int *n_use
     if (strcmp(keyword, "once") == 0) return hs_arg_bool(args, i + 1, &settings->once, err);
     if (strcmp(keyword, "exclude") == 0) return exclude(sim, args, i, n_used, err);
     if (strcmp(keyword, "cluster") == 0) return hs_arg_bool(args, i + 1, &flag, err);
+    if (strncmp(keyword, "collection/", 11) == 0) return skip_collections(args, i, n_used, err);
+    if (strcmp(keyword, "binsize") == 0) return hs_arg_not_negative(args, i + 1, &length, err);
     if (strcmp(keyword, "include") == 0) {
         if (strcmp(args->word[i + 1], "all") == 0) return HS_OK;
         return hs_fail(err, HS_ERROR_INPUT, "neigh_modify: 'include %s' is not supported; only 'include all' is",
@@ -221,6 +237,8 @@ static hs_status check_reproducible(const hs_args *args, bool has_variables, hs_
 
 static const hs_keyword comm_keywords[] = {
     {"cutoff", 1, "<distance>", "accepted: the halo is as wide as the forces need"},
+    {"cutoff/multi", 2, "<collection> <distance>", "accepted: the halo is as wide as the forces need"},
+    {"reduce/multi", 0, "", "accepted: the halo is as wide as the forces need"},
     {"mode", 1, "single|multi", "accepted: the halo is as wide as the forces need, for `multi` too"},
     {"vel", 1, "yes|no", "accepted: halo velocities are exchanged when a style needs them"},
     {"group", 1, "all", "all atoms are exchanged"},
@@ -231,7 +249,7 @@ static hs_status run_comm_modify(hs_deck *deck, const hs_args *args, hs_error *e
 {
     (void)deck;
     double cutoff;
-    for (int i = 0; i < args->n; i += 2)
+    for (int i = 0; i < args->n; ++i)
         if (strcmp(args->word[i], "cutoff") == 0) HS_TRY(hs_arg_not_negative(args, i + 1, &cutoff, err));
     return HS_OK;
 }

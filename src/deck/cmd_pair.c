@@ -2,6 +2,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/text.h"
 #include "deck/command.h"
 #include "style/pair_hybrid.h"
 
@@ -19,7 +20,7 @@ static hs_status check_pair_style(const hs_args *args, bool has_variables, hs_er
     for (size_t k = 0; hs_pair_styles[k] != NULL; ++k) {
         const hs_description *about = &hs_pair_styles[k]->about;
         if (n < 256) names[n++] = about->name;
-        if (strcmp(about->name, args->word[0]) != 0) continue;
+        if (!hs_text_is_style(args->word[0], about->name)) continue;
         char command[128];
         snprintf(command, sizeof command, "pair_style %s", about->name);
         const hs_args words = hs_args_from(args, 1, command);

@@ -36,16 +36,19 @@ static hs_status restart_check(const hs_args *args, bool has_variables, hs_error
 static hs_status restart_run(hs_deck *deck, const hs_args *args, hs_error *err)
 {
     hs_saving *saving = deck->sim->saving;
+    hs_restarts *restart = &saving->restart[args->n == 3];
     hs_text name = {0};
+    int64_t every;
     HS_TRY(restart_check(args, false, err));
-    HS_TRY(hs_arg_int(args, 0, 0, INT64_MAX, &saving->restart_every, err));
+    HS_TRY(hs_arg_int(args, 0, 0, INT64_MAX, &every, err));
     hs_saving_be_asked(saving);
-    saving->n_restart_files = args->n - 1;
-    saving->restart_turn = 0;
-    for (int i = 1; i < args->n; ++i) HS_TRY(set_text(&saving->restart_file[i - 1], args->word[i], err));
+    if (every == 0) saving->restart[0].every = saving->restart[1].every = 0;
+    restart->every = every;
+    restart->turn = 0;
+    for (int i = 1; i < args->n; ++i) HS_TRY(set_text(&restart->file[i - 1], args->word[i], err));
     if (args->n != 2 || strchr(args->word[1], '*') != NULL) return HS_OK;
     hs_status status = hs_text_printf(&name, err, "%s.*", args->word[1]); /* as in LAMMPS */
-    if (status == HS_OK) status = set_text(&saving->restart_file[0], hs_text_get(&name), err);
+    if (status == HS_OK) status = set_text(&restart->file[0], hs_text_get(&name), err);
     hs_text_fini(&name);
     return status;
 }
@@ -158,7 +161,9 @@ const hs_command hs_commands_restart[] = {
                .syntax = {"0 | <N> <file> [file2]", 1, 3, NULL},
                .summary = "Write checkpoints every N steps, by LAMMPS's word",
                .details = "A `*` in the name becomes the step; without one, `.*` is added. With two names the files "
-                          "take turns. The files are those of `checkpoint`; LAMMPS cannot read them. 0 ends it.",
+                          "take turns. A command with one name and a command with two hold side by side; 0 ends both. "
+                          "The files are "
+                          "those of `checkpoint`; LAMMPS cannot read them.",
                .example = "restart 1000 run.restart\nrestart 500 a.restart b.restart\nrestart 0"},
      .run = restart_run,
      .check = restart_check},

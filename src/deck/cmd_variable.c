@@ -1,6 +1,9 @@
 /* Commands about variables, and words of LAMMPS about its surroundings: variable, shell, package, suffix. */
+#include <errno.h>
 #include <string.h>
+#include <sys/stat.h>
 
+#include "base/memory.h"
 #include "deck/command.h"
 #include "deck/variables.h"
 
@@ -16,17 +19,41 @@ static hs_status variable_run(hs_deck *deck, const hs_args *args, hs_error *err)
 
 static hs_status shell_check(const hs_args *args, bool has_variables, hs_error *err)
 {
-    (void)args;
-    (void)has_variables;
+    if (has_variables && args->n > 0 && strchr(args->word[0], '$') != NULL) return HS_OK;
+    if (args->n > 0 && strcmp(args->word[0], "mkdir") == 0) return hs_arg_need(args, 1, "the name of a folder", err);
     return hs_fail(err, HS_ERROR_INPUT,
-                   "shell: a deck cannot run programs or change files around it; do that in a script that calls "
-                   "Halfshell (-var hands values in, print ... file hands them out)");
+                   "shell: a deck can make folders (shell mkdir), but not run programs or change files around it; do "
+                   "that in a script that calls Halfshell (-var hands values in, print ... file hands them out)");
+}
+
+/** Make a folder and those it is in; one that is there already is left alone. */
+static hs_status make_folder(const char *name, hs_error *err)
+{
+    char *path;
+    HS_TRY(hs_memory_strdup(&path, name, err));
+    int reason = 0;
+    for (char *at = path; at != NULL && reason == 0;) {
+        at = strchr(at + 1, '/');
+        if (at != NULL) *at = '\0';
+        if (mkdir(path, 0777) != 0 && errno != EEXIST) reason = errno;
+        if (at != NULL) *at = '/';
+    }
+    struct stat what;
+    if (reason == 0 && (stat(path, &what) != 0 || !S_ISDIR(what.st_mode))) reason = ENOTDIR;
+    HS_FREE(path);
+    return reason == 0 ? HS_OK
+                       : hs_fail(err, HS_ERROR_IO, "shell mkdir: the folder '%.400s' cannot be made: %s", name,
+                                 strerror(reason));
 }
 
 static hs_status shell_run(hs_deck *deck, const hs_args *args, hs_error *err)
 {
-    (void)deck;
-    return shell_check(args, false, err);
+    HS_TRY(shell_check(args, false, err));
+    if (deck->options.dry_run) return HS_OK;
+    if (deck->sim->parallel.rank == 0)
+        for (int i = 1; i < args->n; ++i)
+            if (strcmp(args->word[i], "-p") != 0) HS_UNLESS_FAILED(err, make_folder(args->word[i], err));
+    return hs_parallel_agree(&deck->sim->parallel, err);
 }
 
 static hs_status package_check(const hs_args *args, bool has_variables, hs_error *err)
@@ -108,11 +135,13 @@ const hs_command hs_commands_variable[] = {
         .about =
             {
                 .name = "shell",
-                .syntax = {"<words>", 0, -1, NULL},
-                .summary = "Refused: decks cannot run programs",
-                .details = "A deck changes nothing around it. Let a script call Halfshell: `-var` hands values in, "
-                           "`print ... file` hands them out.\n",
-                .example = NULL,
+                .syntax = {"mkdir <folder> ...", 0, -1, NULL},
+                .summary = "Make folders; nothing else of a shell",
+                .details =
+                    "Folders that are there already are left alone; those on the way are made, too. A deck runs no "
+                    "programs, and changes no files but its own. Let a script call Halfshell: `-var` hands "
+                    "values in, `print ... file` hands them out.\n",
+                .example = "shell mkdir frames\ndump 1 all custom 100 frames/*.dump id x y z",
             },
         .run = shell_run,
         .check = shell_check,
@@ -135,7 +164,8 @@ const hs_command hs_commands_variable[] = {
                 .name = "suffix",
                 .syntax = {"on|off|gpu|intel|kk|omp|opt, or hybrid <first> <second>", 1, 3, NULL},
                 .summary = "Variants of LAMMPS's styles, accepted without effect",
-                .details = "Halfshell has one variant of each style and chooses its kernels itself.\n",
+                .details = "Halfshell has one variant of each style and chooses its kernels itself. Names of "
+                           "LAMMPS's variants (`lj/cut/omp`, `nve/kk`, ...) mean the style itself.\n",
                 .example = "suffix omp",
             },
         .run = no_effect_run,

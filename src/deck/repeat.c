@@ -87,6 +87,7 @@ static bool is_done_once(const char *name)
                                         "reset_timestep",
                                         "run",
                                         "set",
+                                        "shell",
                                         "variable",
                                         "velocity",
                                         "write_data",

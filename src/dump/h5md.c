@@ -91,7 +91,7 @@ static hs_status modify(hs_dump *dump, const hs_args *args, int *n_used, hs_erro
     *n_used = 2;
     HS_TRY(hs_arg_need(args, 1, "the value after the keyword", err));
     const char *keyword = args->word[0];
-    if (strcmp(keyword, "every") == 0) return hs_arg_int(args, 1, 1, INT64_MAX, &dump->every, err);
+    if (strcmp(keyword, "every") == 0) return hs_dump_read_every(dump, args, err);
     if (strcmp(keyword, "first") == 0) return hs_arg_bool(args, 1, &dump->write_first, err);
     if (strcmp(keyword, "flush") == 0 || strcmp(keyword, "buffer") == 0) return hs_arg_bool(args, 1, &ignored, err);
     if (strcmp(keyword, "sort") == 0) {

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "base/memory.h"
+#include "base/text.h"
 #include "core/atom_style.h"
 #include "style/attribute.h"
 #include "style/pair_coeffs.h"
@@ -141,7 +142,7 @@ static hs_status find_part(const hs_fix *fix, target *t, hs_error *err)
     int n = 0;
     t->part = NULL;
     for (int k = 0; pair != NULL && k < pair->n_parts; ++k) {
-        if (strcmp(pair->part[k]->style->about.name, t->style) != 0) continue;
+        if (!hs_text_is_style(t->style, pair->part[k]->style->about.name)) continue;
         if (++n == t->number || t->number == 0) t->part = pair->part[k];
     }
     if (n > 0 && t->part == NULL)

@@ -65,19 +65,13 @@ static hs_status find_next(hs_fix *fix, hs_error *err)
 {
     print_state *state = fix->state;
     const hs_env *env = fix->env;
-    double next;
+    char who[160];
     if (state->every_variable == NULL) {
         state->next = env->step + state->every - env->step % state->every;
         return HS_OK;
     }
-    HS_TRY(env->variable_value(env->deck, state->every_variable, &next, err));
-    if (!(next > (double)env->step))
-        return hs_fail(err, HS_ERROR_INPUT,
-                       "fix '%s' (print): the variable '%s' gave %g as the step of the next line, which must be "
-                       "greater than the present step, %lld",
-                       fix->id, state->every_variable, next, (long long)env->step);
-    state->next = next < 9e18 ? (int64_t)next : INT64_MAX; /* stride() and the like say "never" with 2^63 */
-    return HS_OK;
+    snprintf(who, sizeof who, "fix '%.120s' (print)", fix->id);
+    return hs_next_step(env, state->every_variable, who, "line", &state->next, err);
 }
 
 static hs_status init(hs_fix *fix, hs_error *err)

@@ -19,7 +19,8 @@ const hs_keyword hs_dump_modify_keywords[] = {
     {"delay", 1, "<step>", "write nothing before this step"},
     {"element", -1, "<name of type 1> <name of type 2> ...",
      "names of the types for xyz files and the attribute element"},
-    {"every", 1, "<N>", "steps between snapshots"},
+    {"every", 1, "<N>|v_<name>",
+     "steps between snapshots, or an equal-style variable that gives the step of the next one"},
     {"first", 1, "yes|no",
      "write a snapshot at the first step of the dump's first run even if it is not due (default no)"},
     {"flush", 1, "yes|no", "accepted: every snapshot goes to the system when it is whole"},
@@ -162,7 +163,7 @@ static hs_status modify_number(hs_dump *dump, const hs_args *args, bool *is_mine
     hs_dump_table *table = dump->state;
     int64_t value;
     *is_mine = true;
-    if (strcmp(args->word[0], "every") == 0) return hs_arg_int(args, 1, 1, INT64_MAX, &dump->every, err);
+    if (strcmp(args->word[0], "every") == 0) return hs_dump_read_every(dump, args, err);
     if (strcmp(args->word[0], "delay") == 0) return hs_arg_int(args, 1, -1, INT64_MAX, &table->delay, err);
     if (strcmp(args->word[0], "pad") == 0) {
         HS_TRY(hs_arg_int(args, 1, 0, 18, &value, err));

@@ -106,7 +106,8 @@ hs_status hs_sim_rerun(hs_sim *sim, const hs_rerun_plan *plan, hs_error *err)
 {
     rerun self = {.sim = sim, .plan = plan};
     const double start_s = hs_time_now_s(), start_cpu_s = hs_time_cpu_s();
-    if (sim->saving->restart_every > 0 || sim->saving->every_steps > 0 || sim->saving->every_s > 0.0)
+    if (sim->saving->restart[0].every > 0 || sim->saving->restart[1].every > 0 || sim->saving->every_steps > 0 ||
+        sim->saving->every_s > 0.0)
         hs_warn(sim->env.out, "rerun writes no checkpoints: it can be begun anew at any snapshot (keyword first)");
     HS_TRY(hs_frames_open(&self.frames, &plan->read.plan, &sim->parallel, err));
     sim->is_rerunning = true;

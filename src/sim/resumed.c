@@ -107,7 +107,7 @@ hs_status hs_sim_keep_run(hs_sim *sim, hs_state *state, hs_error *err)
     if (state->is_reading ? hs_state_find(state, "is halted") != NULL : env->is_halted)
         HS_TRY(hs_state_bool(state, "is halted", &env->is_halted, err));
     HS_TRY(hs_state_double(state, "mass", sim->atoms.mass, sim->atoms.n_types + 1, err));
-    HS_TRY(hs_state_int(state, "restart turn", &sim->saving->restart_turn, err));
+    HS_TRY(hs_state_int(state, "restart turn", &sim->saving->restart[1].turn, err));
     HS_TRY(hs_sim_keep_box_of_forces(sim, state, err));
     HS_TRY(keep_adapted(sim->pair, state, err));
     return keep_neighbor(&sim->neighbor, &sim->box, state, err);

@@ -9,6 +9,7 @@
 #include "sim/sim.h"
 #include "sim/thermo.h"
 #include "sim/violation.h"
+#include "style/varying.h"
 
 /** Everything that must be right before atoms move. */
 static hs_status check_system(hs_sim *sim, hs_error *err)
@@ -102,7 +103,8 @@ hs_status hs_sim_setup_forces(hs_sim *sim, hs_error *err)
 static bool is_dump_due(const hs_dump *dump, int64_t step, bool is_first)
 {
     if (dump->last_written == step) return false;
-    if (dump->every > 0 && step % dump->every == 0) return true;
+    if (dump->every_variable != NULL && !is_first && step == dump->next_due) return true;
+    if (dump->every_variable == NULL && dump->every > 0 && step % dump->every == 0) return true;
     return is_first && dump->write_first && dump->last_written < 0;
 }
 
@@ -121,12 +123,20 @@ hs_status hs_sim_write_all_dumps(hs_sim *sim, hs_error *err)
     return HS_OK;
 }
 
+static hs_status find_next(const hs_sim *sim, hs_dump *dump, hs_error *err)
+{
+    char who[160];
+    snprintf(who, sizeof who, "dump '%.120s'", dump->id);
+    return hs_next_step(&sim->env, dump->every_variable, who, "snapshot", &dump->next_due, err);
+}
+
 static hs_status write_dumps(hs_sim *sim, bool is_first, hs_error *err)
 {
     for (int k = 0; k < sim->n_dumps; ++k) {
         hs_dump *dump = sim->dump[k];
-        if (!is_dump_due(dump, sim->env.step, is_first)) continue;
-        HS_TRY(write_dump(sim, dump, err));
+        const bool is_due = is_dump_due(dump, sim->env.step, is_first);
+        if (is_due) HS_TRY(write_dump(sim, dump, err));
+        if (dump->every_variable != NULL && (is_due || is_first)) HS_TRY(find_next(sim, dump, err));
     }
     return HS_OK;
 }
@@ -305,9 +315,11 @@ hs_status hs_sim_run(hs_sim *sim, const hs_run_plan *plan, hs_error *err)
     if (status != HS_OK) return tell_what_is_left(sim, status, err);
     for (int k = 0; k < sim->n_fixes; ++k)
         if (sim->fix[k]->style->end_of_run != NULL) HS_TRY(sim->fix[k]->style->end_of_run(sim->fix[k], err));
+    const double loop_s = hs_time_now_s() - start_s;
     if (plan->post)
-        hs_report_finish(sim, sim->env.step - sim->env.first_step, hs_time_now_s() - start_s,
-                         hs_time_cpu_s() - start_cpu_s, NULL);
+        hs_report_finish(sim, sim->env.step - sim->env.first_step, loop_s, hs_time_cpu_s() - start_cpu_s, NULL);
+    else
+        hs_report_loop(sim, sim->env.step - sim->env.first_step, loop_s);
     hs_thermo_say_means(sim->thermo);
     for (int k = 0; k < sim->n_fixes; ++k)
         if (sim->fix[k]->style->say_results != NULL) sim->fix[k]->style->say_results(sim->fix[k]);

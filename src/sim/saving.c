@@ -18,8 +18,7 @@ void hs_saving_fini(hs_saving *saving)
     if (saving == NULL) return;
     for (int k = 0; k < saving->n_recent; ++k) HS_FREE(saving->recent[k]);
     HS_FREE(saving->recent);
-    HS_FREE(saving->restart_file[0]);
-    HS_FREE(saving->restart_file[1]);
+    for (int k = 0; k < 4; ++k) HS_FREE(saving->restart[k / 2].file[k % 2]);
     HS_FREE(saving->pattern);
     HS_FREE(saving->last_path);
 }
@@ -206,20 +205,31 @@ static bool is_checkpoint_due(hs_sim *sim)
     return (saving->every_steps > 0 && sim->env.step % saving->every_steps == 0) || is_due_by_time(sim);
 }
 
-static bool is_restart_due(const hs_sim *sim)
+static bool is_restart_due(const hs_sim *sim, int k)
 {
-    return sim->saving->restart_every > 0 && sim->env.step % sim->saving->restart_every == 0;
+    const int64_t every = sim->saving->restart[k].every;
+    return every > 0 && sim->env.step % every == 0;
 }
 
 bool hs_sim_is_save_due(hs_sim *sim)
 {
-    return (!sim->saving->is_automatic && is_checkpoint_due(sim)) || is_restart_due(sim);
+    return (!sim->saving->is_automatic && is_checkpoint_due(sim)) || is_restart_due(sim, 0) || is_restart_due(sim, 1);
+}
+
+static hs_status write_restart(hs_sim *sim, hs_restarts *restart, hs_error *err)
+{
+    char *path = NULL;
+    const int turn = restart->turn;
+    if (restart->file[1] != NULL) restart->turn = 1 - turn;
+    hs_status status = hs_writer_step_name(&path, restart->file[turn], sim->env.step, 0, err);
+    if (status == HS_OK) status = write_file(sim, path, err);
+    HS_FREE(path);
+    return status;
 }
 
 hs_status hs_sim_save_if_due(hs_sim *sim, hs_error *err)
 {
     hs_saving *saving = sim->saving;
-    const int64_t step = sim->env.step;
     char *path = NULL;
     hs_status status = HS_OK;
     const bool is_due = is_checkpoint_due(sim);
@@ -229,13 +239,9 @@ hs_status hs_sim_save_if_due(hs_sim *sim, hs_error *err)
         status = hs_sim_save_now(sim, &path, err);
     HS_FREE(path);
     HS_TRY(status);
-    if (!is_restart_due(sim)) return HS_OK;
-    const int turn = saving->restart_turn;
-    if (saving->n_restart_files == 2) saving->restart_turn = 1 - turn;
-    status = hs_writer_step_name(&path, saving->restart_file[turn], step, 0, err);
-    if (status == HS_OK) status = write_file(sim, path, err);
-    HS_FREE(path);
-    return status;
+    for (int k = 0; k < 2; ++k)
+        if (is_restart_due(sim, k)) HS_TRY(write_restart(sim, &saving->restart[k], err));
+    return HS_OK;
 }
 
 hs_status hs_sim_stop(hs_sim *sim, const char *where, hs_error *err)

@@ -4,13 +4,17 @@
 
 #include "sim/sim.h"
 
+/** What `restart N file [file2]` asks for. */
+typedef struct hs_restarts {
+    int64_t every; /**< steps; 0: none */
+    char *file[2]; /**< owned; a name with *, or two that take turns */
+    int turn;      /**< of two names: the next one */
+} hs_restarts;
+
 /** Settings of `restart` and `checkpoint`, of the options of the command line, and what was written. Zero is: no
  *  files. */
 typedef struct hs_saving {
-    /* restart N file [file2] */
-    int64_t restart_every;
-    char *restart_file[2]; /**< owned; a name with *, or two that take turns */
-    int n_restart_files, restart_turn;
+    hs_restarts restart[2]; /**< with one name, with two: LAMMPS's decks may ask for both */
     /* checkpoint every N steps|minutes keep K file NAME */
     int64_t every_steps; /**< 0: not by steps */
     double every_s;      /**< wall time, 0: not by time */

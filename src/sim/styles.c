@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "base/memory.h"
+#include "base/text.h"
 #include "sim/restored.h"
 #include "sim/sim.h"
 
@@ -26,6 +27,7 @@ static void destroy_fix(hs_fix *fix)
 static void destroy_dump(hs_dump *dump)
 {
     HS_FREE(dump->file);
+    HS_FREE(dump->every_variable);
     DESTROY_STYLE(dump);
 }
 
@@ -59,7 +61,7 @@ static hs_status unknown_style(const char *kind, const char *name, const char *c
         (found) = NULL;                                                                                                \
         for (size_t k_ = 0; (table)[k_] != NULL; ++k_) {                                                               \
             if (n_ < 256) names_[n_++] = (table)[k_]->about.name;                                                      \
-            if (strcmp((table)[k_]->about.name, (name)) == 0) (found) = (table)[k_];                                   \
+            if (hs_text_is_style((name), (table)[k_]->about.name)) (found) = (table)[k_];                              \
         }                                                                                                              \
         if ((found) == NULL) return unknown_style((kind), (name), names_, n_, (err));                                  \
     } while (0)

@@ -6,6 +6,7 @@
 #include "base/memory.h"
 #include "base/text.h"
 #include "sim/thermo_internal.h"
+#include "style/varying.h"
 
 /** thermo_modify's settings as they are after thermo_style. */
 static void reset_modify(hs_thermo *thermo)
@@ -104,18 +105,8 @@ hs_status hs_thermo_find_computes(hs_thermo *thermo, hs_error *err)
 static hs_status find_next_due(hs_thermo *thermo, hs_error *err)
 {
     const hs_env *env = &thermo->sim->env;
-    double next;
     if (thermo->every_variable == NULL) return HS_OK;
-    if (env->variable_value == NULL)
-        return hs_fail(err, HS_ERROR_INPUT, "thermo: there is no variable '%s'", thermo->every_variable);
-    HS_TRY(env->variable_value(env->deck, thermo->every_variable, &next, err));
-    if (!(next > (double)env->step))
-        return hs_fail(err, HS_ERROR_INPUT,
-                       "thermo: the variable '%s' gave %g as the step of the next row, which must be greater than the "
-                       "present step, %lld",
-                       thermo->every_variable, next, (long long)env->step);
-    /* stride() and the like say "never" with 2^63, which no integer holds. */
-    thermo->next_due = next < 9e18 ? (int64_t)next : INT64_MAX;
+    HS_TRY(hs_next_step(env, thermo->every_variable, "thermo", "row", &thermo->next_due, err));
     /* As in LAMMPS, the last step has a row if another step between it and the first one has. */
     if (env->step != env->first_step && thermo->next_due > env->last_step) thermo->next_due = env->last_step;
     return HS_OK;

@@ -3,11 +3,12 @@
 #include <string.h>
 
 #include "base/memory.h"
+#include "base/text.h"
 
 const hs_compute_style *hs_compute_style_find(const char *name)
 {
     for (int k = 0; hs_compute_styles[k] != NULL; ++k)
-        if (strcmp(hs_compute_styles[k]->about.name, name) == 0) return hs_compute_styles[k];
+        if (hs_text_is_style(name, hs_compute_styles[k]->about.name)) return hs_compute_styles[k];
     return NULL;
 }
 

@@ -32,12 +32,17 @@ typedef struct hs_dump {
     void *state;   /**< style's own */
     char *file;    /**< owned by hs_sim; as in the deck; `*` stands for the step, a name ending in .gz is compressed */
     int64_t every; /**< steps between snapshots */
-    int64_t last_written;                              /**< step, -1 for never: a step is written once */
+    char *every_variable; /**< owned by hs_sim; gives the step of the next snapshot in place of every; NULL: none */
+    int64_t next_due;     /**< by that variable */
+    int64_t last_written; /**< step, -1 for never: a step is written once */
     bool sort_by_id, write_first, append, flush, wrap; /**< dump_modify sort id, first, append, flush, pbc */
     bool is_resumed;   /**< the run goes on from a checkpoint: what was written of later steps is to be dropped */
     int64_t resume_at; /**< of text files then: bytes to be kept, -1: all */
     bool is_single;    /**< write_dump: one snapshot, a file that appears whole */
 } hs_dump;
+
+/** dump_modify every <N>|v_<name>: the value is word 1. */
+HS_MUST_USE hs_status hs_dump_read_every(hs_dump *dump, const hs_args *args, hs_error *err);
 
 /** All dump styles, ended by NULL; made by the build. */
 extern const hs_dump_style *const hs_dump_styles[];

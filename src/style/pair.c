@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "base/memory.h"
+#include "base/text.h"
 
 double hs_pair_mix_energy(hs_mix_rule rule, double eps_i, double eps_j, double sigma_i, double sigma_j)
 {
@@ -26,7 +27,7 @@ double hs_pair_mix_distance(hs_mix_rule rule, double sigma_i, double sigma_j)
 const hs_pair_style *hs_pair_style_find(const char *name)
 {
     for (size_t k = 0; hs_pair_styles[k] != NULL; ++k)
-        if (strcmp(hs_pair_styles[k]->about.name, name) == 0) return hs_pair_styles[k];
+        if (hs_text_is_style(name, hs_pair_styles[k]->about.name)) return hs_pair_styles[k];
     return NULL;
 }
 

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "base/memory.h"
+#include "base/text.h"
 
 enum { PARTS_MAX = 256 };
 
@@ -36,7 +37,7 @@ static bool has_same_parts(const hs_pair *pair, const hs_args *args)
 {
     int k = 0;
     for (int i = 0; i < args->n; i = end_of_style(args, i), ++k)
-        if (k >= pair->n_parts || strcmp(pair->part[k]->style->about.name, args->word[i]) != 0) return false;
+        if (k >= pair->n_parts || !hs_text_is_style(args->word[i], pair->part[k]->style->about.name)) return false;
     return k == pair->n_parts;
 }
 

@@ -33,3 +33,19 @@ hs_status hs_varying_update(hs_varying *number, const hs_env *env, hs_error *err
 {
     return number->variable == NULL ? HS_OK : env->variable_value(env->deck, number->variable, &number->value, err);
 }
+
+hs_status hs_next_step(const hs_env *env, const char *variable, const char *who, const char *what, int64_t *next,
+                       hs_error *err)
+{
+    double value;
+    if (env->variable_value == NULL)
+        return hs_fail(err, HS_ERROR_INPUT, "%s: there is no variable '%s'", who, variable);
+    HS_TRY(env->variable_value(env->deck, variable, &value, err));
+    if (!(value > (double)env->step))
+        return hs_fail(err, HS_ERROR_INPUT,
+                       "%s: the variable '%s' gave %g as the step of the next %s, which must be greater than the "
+                       "present step, %lld",
+                       who, variable, value, what, (long long)env->step);
+    *next = value < 9e18 ? (int64_t)value : INT64_MAX; /* stride() and the like say "never" with 2^63 */
+    return HS_OK;
+}

@@ -21,4 +21,9 @@ HS_MUST_USE hs_status hs_varying_update(hs_varying *number, const hs_env *env, h
 /** The same check for a variable that a fix has by name. */
 HS_MUST_USE hs_status hs_fix_need_equal_style(const hs_fix *fix, const char *variable, hs_error *err);
 
+/** The step of the next output as a variable gives it: greater than the present one, INT64_MAX for never. @p who ("dump 'd'") and
+ *  @p what ("snapshot") are for the message (collective). */
+HS_MUST_USE hs_status hs_next_step(const hs_env *env, const char *variable, const char *who, const char *what,
+                                   int64_t *next, hs_error *err);
+
 #endif
