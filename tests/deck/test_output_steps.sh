@@ -51,7 +51,7 @@ run 10 pre no post no
 D
 
 steps() { # of a dump
-    echo $(grep -A1 TIMESTEP "$1" | grep '^[0-9]')
+    grep -A1 TIMESTEP "$1" | grep '^[0-9]' | paste -s -d ' '
 }
 
 # What LAMMPS of 29 Sep 2021 gives.
