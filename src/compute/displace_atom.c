@@ -1,32 +1,28 @@
 /* Displacement of each atom from where it was when the compute was defined. */
 #include <math.h>
 
+#include "style/atom_vector.h"
 #include "style/compute.h"
 #include "style/moments.h"
 
 typedef struct displace_state {
-    double *origin[3]; /**< atom fields: unwrapped places at the start */
+    hs_atom_vector origin; /**< unwrapped places at the start */
 } displace_state;
 
 static hs_status create(hs_compute *compute, const hs_args *args, hs_error *err)
 {
-    static const char *const names[] = {"displace_x", "displace_y", "displace_z"};
     displace_state *state = compute->state;
     const hs_env *env = compute->env;
     HS_TRY(hs_syntax_check(&compute->style->about.syntax, args, false, err));
     compute->n_atom_columns = 4;
-    for (int axis = 0; axis < 3; ++axis)
-        HS_TRY(hs_atoms_add_field(env->atoms, names[axis], (void **)&state->origin[axis], sizeof(double), false, err));
-    for (int axis = 0; axis < 3; ++axis)
-        for (int i = 0; i < env->atoms->n_local; ++i) state->origin[axis][i] = hs_unwrapped(env, axis, i);
+    HS_TRY(hs_atom_vector_add(env->atoms, &state->origin, "compute", compute->id, "origin", err));
+    hs_atom_vector_set_places(&state->origin, env, (const double[3]){0.0});
     return HS_OK;
 }
 
 static void destroy(hs_compute *compute)
 {
-    displace_state *state = compute->state;
-    for (int axis = 0; axis < 3; ++axis)
-        if (state->origin[axis] != NULL) hs_atoms_remove_field(compute->env->atoms, (void **)&state->origin[axis]);
+    hs_atom_vector_remove(compute->env->atoms, &((displace_state *)compute->state)->origin);
 }
 
 static hs_status per_atom(hs_compute *compute, hs_error *err)
@@ -42,7 +38,7 @@ static hs_status per_atom(hs_compute *compute, hs_error *err)
         double sum = 0.0;
         for (int axis = 0; axis < 3; ++axis) {
             const double d =
-                atoms->mask[i] & compute->mask ? hs_unwrapped(compute->env, axis, i) - state->origin[axis][i] : 0.0;
+                atoms->mask[i] & compute->mask ? hs_unwrapped(compute->env, axis, i) - state->origin.of[axis][i] : 0.0;
             column[axis][i] = d;
             sum += d * d;
         }
@@ -59,7 +55,8 @@ const hs_compute_style hs_compute_style_displace_atom = {
          .details =
              "The values per atom `c_ID[1]` ... `c_ID[4]` are dx, dy, dz and their length (distance units), from the "
              "place where the atom was when the compute was defined, crossings of periodic faces included; atoms "
-             "outside the group have 0. Starting places travel with the atoms and are part of checkpoints.",
+             "outside the group have 0. Starting places travel with the atoms and are part of checkpoints; "
+             "after `read_restart` a compute of the same ID goes on from them.",
          .example = "compute d all displace/atom\ncompute far all reduce max c_d[4]"},
     .state_size = sizeof(displace_state),
     .create = create,

@@ -122,16 +122,17 @@ void hs_restored_give_fields(hs_sim *sim, hs_restored_kind kind, const char *id)
         const successor now = find_successor(sim, kept);
         if (now.fix != NULL || now.compute != NULL) old = kept;
     }
-    if (old == NULL) return;
-    for (int k = 0; k < sim->restored->n_fields; ++k) {
+    for (int k = 0; sim->restored != NULL && k < sim->restored->n_fields; ++k) {
         kept_field *kept = sim->restored->field[k];
         for (int j = 0; kept != NULL && j < atoms->n_fields; ++j) {
             const hs_atom_field *field = &atoms->field[j];
             if (field->array == &kept->array || field->size != kept->size || strcmp(field->name, kept->name) != 0)
                 continue;
-            memcpy(*field->array, kept->array, kept->size * (size_t)atoms->n_local);
+            if (old != NULL) {
+                memcpy(*field->array, kept->array, kept->size * (size_t)atoms->n_local);
+                old->has_got_back = true;
+            }
             drop_field(sim, k);
-            old->has_got_back = true;
             break;
         }
     }

@@ -16,7 +16,8 @@ HS_MUST_USE hs_status hs_restored_keep_style(hs_sim *sim, hs_restored_kind kind,
                                              hs_state *state, hs_error *err);
 /** Keep a field of the atoms, to be filled with what the file has of that name. */
 HS_MUST_USE hs_status hs_restored_keep_field(hs_sim *sim, const char *name, size_t size, hs_error *err);
-/** A fix or compute was made: its fields of the atoms get what is kept. */
+/** A fix or compute was made: its fields of the atoms get what is kept of their names, or, where that was of another ID
+ *  or style, it is forgotten. */
 void hs_restored_give_fields(hs_sim *sim, hs_restored_kind kind, const char *id);
 /** A run begins, and fixes and computes are ready: they get their states; the rest is forgotten. States that do not fit
  *  are told of. */

@@ -23,7 +23,10 @@ compute far all msd
 compute near some msd com yes
 compute mean all msd average yes
 compute turn all vacf
-thermo_style custom step temp pe f_mean[1] f_mean[2] f_tie v_sum c_far[4] c_near[4] c_mean[4] c_turn[4] v_one c_own[*]
+compute path all displace/atom
+compute path_some some displace/atom
+compute way all reduce sum c_path[4] c_path_some[4]
+thermo_style custom step temp pe f_mean[1] f_mean[2] f_tie v_sum c_far[4] c_near[4] c_mean[4] c_turn[4] v_one c_own[*] c_way[*]
 thermo_modify format float %.17g
 thermo 10
 END
@@ -53,7 +56,8 @@ rows first.log >expected
 [ "$(awk 'END { print $12 }' expected)" = 3.5 ] || fail "d_w[7] is not what was set: $(cat expected)"
 rows second.log | cmp - expected >&2 || { rows second.log; cat expected; fail "fixes did not go on from their states"; } >&2
 [ "$(grep -c 'fix style: .*, fix ID: ' out)" -eq 5 ] || fail "not told: $(cat out)"
-for compute in "msd, compute ID: far" "msd, compute ID: near" "vacf, compute ID: turn"; do
+for compute in "msd, compute ID: far" "msd, compute ID: near" "vacf, compute ID: turn" \
+    "displace/atom, compute ID: path" "displace/atom, compute ID: path_some"; do
     grep -q "compute style: $compute\$" out || fail "not told of $compute: $(cat out)"
 done
 
