@@ -64,6 +64,22 @@ hs_status hs_memory_grow(void **array, size_t n_keep, size_t n_new, size_t size,
     return HS_OK;
 }
 
+hs_status hs_memory_reserve(void **array, size_t *capacity, size_t n, size_t size, hs_error *err)
+{
+    if (*array != NULL && n <= *capacity) return HS_OK;
+    HS_TRY(hs_memory_grow(array, 0, n + n / 8, size, err));
+    *capacity = n + n / 8;
+    return HS_OK;
+}
+
+hs_status hs_memory_extend(void **array, size_t n, size_t *capacity, size_t size, hs_error *err)
+{
+    if (n < *capacity) return HS_OK;
+    HS_TRY(hs_memory_grow(array, n, 2 * n + 16, size, err));
+    *capacity = 2 * n + 16;
+    return HS_OK;
+}
+
 void hs_memory_free(void *array)
 {
     if (array == NULL) return;

@@ -15,6 +15,12 @@ HS_MUST_USE hs_status hs_memory_alloc(void **array, size_t n, size_t size, hs_er
 /** Move an array into a new one of @p n_new zeroed elements, keeping the first @p n_keep. */
 HS_MUST_USE hs_status hs_memory_grow(void **array, size_t n_keep, size_t n_new, size_t size, hs_error *err);
 
+/** Room for @p n elements whose former values are not needed: where *capacity is less, or there is no array, a new one of zeros
+ *  with an eighth to spare. Use HS_RESERVE. */
+HS_MUST_USE hs_status hs_memory_reserve(void **array, size_t *capacity, size_t n, size_t size, hs_error *err);
+/** Room for one more element behind the first @p n, which stay: *capacity is doubled when they fill it. Use HS_EXTEND. */
+HS_MUST_USE hs_status hs_memory_extend(void **array, size_t n, size_t *capacity, size_t size, hs_error *err);
+
 /** Give an array of hs_memory_alloc back; NULL is fine. Use HS_FREE, which clears the pointer too. */
 void hs_memory_free(void *array);
 
@@ -35,6 +41,10 @@ size_t hs_memory_physical(void);
 #define HS_ALLOC(pointer, n, err) hs_memory_alloc((void **)&(pointer), (n), sizeof *(pointer), (err))
 #define HS_GROW(pointer, n_keep, n_new, err)                                                                           \
     hs_memory_grow((void **)&(pointer), (n_keep), (n_new), sizeof *(pointer), (err))
+#define HS_RESERVE(pointer, capacity, n, err)                                                                          \
+    hs_memory_reserve((void **)&(pointer), &(capacity), (n), sizeof *(pointer), (err))
+#define HS_EXTEND(pointer, n, capacity, err)                                                                           \
+    hs_memory_extend((void **)&(pointer), (size_t)(n), &(capacity), sizeof *(pointer), (err))
 #define HS_FREE(pointer) (hs_memory_free(pointer), (pointer) = NULL)
 
 #endif

@@ -9,7 +9,7 @@ enum { N_TERMS = 9 }; /* Lx Ly Lz Ixx Iyy Izz Ixy Iyz Ixz */
 typedef struct omega_state {
     hs_per_chunk base; /**< first */
     double *sum;       /**< owned [n][N_TERMS] */
-    int64_t capacity;
+    size_t capacity;
 } omega_state;
 
 static hs_status create(hs_compute *compute, const hs_args *args, hs_error *err)
@@ -48,10 +48,7 @@ static hs_status array(hs_compute *compute, hs_error *err)
     omega_state *state = compute->state;
     HS_TRY(hs_per_chunk_begin(compute, err));
     HS_TRY(hs_per_chunk_find_centers(compute, err));
-    if (state->base.n > state->capacity || state->sum == NULL) {
-        HS_TRY(HS_GROW(state->sum, 0, N_TERMS * ((size_t)state->base.n + 1), err));
-        state->capacity = state->base.n;
-    }
+    HS_TRY(HS_RESERVE(state->sum, state->capacity, N_TERMS * (size_t)state->base.n, err));
     for (int k = 0; k < N_TERMS; ++k) HS_TRY(hs_per_chunk_add_up(compute, term, &k, state->sum + k, N_TERMS, err));
     for (int64_t c = 0; c < state->base.n; ++c) solve(state->sum + N_TERMS * c, hs_per_chunk_at(compute, c, 0));
     return HS_OK;

@@ -70,10 +70,7 @@ static hs_status evaluate(hs_compute *compute, hs_error *err)
     reduce_state *state = compute->state;
     const size_t n_local = (size_t)compute->env->atoms->n_local;
     HS_TRY(hs_per_chunk_begin(compute, err));
-    if (n_local > state->capacity || state->input == NULL) {
-        state->capacity = n_local + 1;
-        HS_TRY(HS_GROW(state->input, 0, state->capacity, err));
-    }
+    HS_TRY(HS_RESERVE(state->input, state->capacity, n_local, err));
     for (int k = 0; k < state->n; ++k) {
         HS_TRY(hs_value_atoms(compute->env, &state->values[k], state->input, err));
         if (state->mode == MODE_SUM)

@@ -20,7 +20,7 @@ typedef struct profile_state {
     double *sum;         /**< owned [n_bins] */
     uint64_t mean_at;    /**< revision they are of; 0: none */
     double *bin, *value; /**< owned [capacity]: of each local atom while sums are made */
-    size_t capacity;
+    size_t capacity_bin, capacity_value;
 } profile_state;
 
 static const hs_keyword keywords[] = {
@@ -133,13 +133,8 @@ static hs_status sort_into_bins(hs_compute *compute, hs_error *err)
 {
     profile_state *state = compute->state;
     const size_t n = (size_t)compute->env->atoms->n_local;
-    hs_status status = HS_OK;
-    if (n > state->capacity || state->bin == NULL) {
-        const size_t room = n + n / 8 + 1;
-        status = HS_GROW(state->bin, 0, room, err);
-        if (status == HS_OK) status = HS_GROW(state->value, 0, room, err);
-        if (status == HS_OK) state->capacity = room;
-    }
+    hs_status status = HS_RESERVE(state->bin, state->capacity_bin, n, err);
+    if (status == HS_OK) status = HS_RESERVE(state->value, state->capacity_value, n, err);
     if (hs_parallel_agree(compute->env->parallel, err) != HS_OK) return status != HS_OK ? status : err->status;
 #pragma omp parallel for schedule(static)
     for (size_t i = 0; i < n; ++i) state->bin[i] = (double)(bin_of(compute, (int)i) + 1);

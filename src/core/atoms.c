@@ -16,11 +16,7 @@ static size_t room(int capacity_local, int capacity_halo)
 static hs_status add_field(hs_atoms *atoms, const char *name, void **array, size_t size, bool has_halo, bool is_force,
                            hs_error *err)
 {
-    if (atoms->n_fields == atoms->capacity_fields) {
-        int capacity = atoms->capacity_fields + 16;
-        HS_TRY(HS_GROW(atoms->field, (size_t)atoms->n_fields, (size_t)capacity, err));
-        atoms->capacity_fields = capacity;
-    }
+    HS_TRY(HS_EXTEND(atoms->field, atoms->n_fields, atoms->capacity_fields, err));
     HS_TRY(hs_memory_alloc(array, room(atoms->capacity_local, atoms->capacity_halo), size, err));
     atoms->field[atoms->n_fields++] = (hs_atom_field){.name = name,
                                                       .array = array,

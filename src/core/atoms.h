@@ -62,7 +62,8 @@ typedef struct hs_atoms {
 
     /* owned by hs_atoms.c */
     hs_atom_field *field;
-    int n_fields, capacity_fields;
+    int n_fields;
+    size_t capacity_fields;
     int capacity_local, capacity_halo; /**< room for atoms, without padding */
 } hs_atoms;
 

@@ -98,17 +98,14 @@ hs_status hs_by_id_visit(const hs_sim *sim, const unsigned char *selected, hs_by
 
 /** IDs so far, for hs_by_id_members. */
 typedef struct id_list {
-    int64_t *ids, n, capacity;
+    int64_t *ids, n;
+    size_t capacity;
 } id_list;
 
 static hs_status append(void *context, int64_t id, hs_error *err)
 {
     id_list *list = context;
-    if (list->n == list->capacity) {
-        const int64_t capacity = 2 * list->capacity + 1024;
-        HS_TRY(HS_GROW(list->ids, (size_t)list->n, (size_t)capacity, err));
-        list->capacity = capacity;
-    }
+    HS_TRY(HS_EXTEND(list->ids, list->n, list->capacity, err));
     list->ids[list->n++] = id;
     return HS_OK;
 }

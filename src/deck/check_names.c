@@ -10,11 +10,7 @@ enum { COMBINATIONS_MAX = 64, DEPTH_MAX = 8 };
 
 hs_status hs_name_list_add(hs_name_list *list, const char *name, hs_error *err)
 {
-    if (list->n == list->capacity) {
-        int capacity = list->capacity == 0 ? 8 : 2 * list->capacity;
-        HS_TRY(HS_GROW(list->name, (size_t)list->n, (size_t)capacity, err));
-        list->capacity = capacity;
-    }
+    HS_TRY(HS_EXTEND(list->name, list->n, list->capacity, err));
     HS_TRY(hs_memory_strdup(&list->name[list->n], name, err));
     ++list->n;
     return HS_OK;
@@ -31,7 +27,8 @@ void hs_name_list_fini(hs_name_list *list)
 {
     for (int i = 0; i < list->n; ++i) HS_FREE(list->name[i]);
     HS_FREE(list->name);
-    list->n = list->capacity = 0;
+    list->n = 0;
+    list->capacity = 0;
 }
 
 static hs_known_variable *find(const hs_check_names *names, const char *name, size_t n)
@@ -44,11 +41,7 @@ static hs_known_variable *find(const hs_check_names *names, const char *name, si
 
 static hs_status add(hs_check_names *names, const char *name, hs_known_variable **added, hs_error *err)
 {
-    if (names->n_variables == names->capacity) {
-        int capacity = names->capacity == 0 ? 16 : 2 * names->capacity;
-        HS_TRY(HS_GROW(names->variable, (size_t)names->n_variables, (size_t)capacity, err));
-        names->capacity = capacity;
-    }
+    HS_TRY(HS_EXTEND(names->variable, names->n_variables, names->capacity, err));
     *added = &names->variable[names->n_variables];
     memset(*added, 0, sizeof **added);
     HS_TRY(hs_memory_strdup(&(*added)->name, name, err));
@@ -78,7 +71,8 @@ void hs_check_names_fini(hs_check_names *names)
         hs_name_list_fini(&names->variable[i].values);
     }
     HS_FREE(names->variable);
-    names->n_variables = names->capacity = 0;
+    names->n_variables = 0;
+    names->capacity = 0;
 }
 
 hs_status hs_check_names_define(hs_check_names *names, const hs_args *args, hs_error *err)

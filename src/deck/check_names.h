@@ -7,7 +7,8 @@
 
 typedef struct hs_name_list {
     char **name; /**< owned [n] */
-    int n, capacity;
+    int n;
+    size_t capacity;
 } hs_name_list;
 
 HS_MUST_USE hs_status hs_name_list_add(hs_name_list *list, const char *name, hs_error *err);
@@ -26,7 +27,8 @@ typedef struct hs_check_names {
     hs_name_list visited;        /**< files that were checked */
     hs_name_list written;        /**< files that the deck itself writes */
     hs_known_variable *variable; /**< owned [n_variables] */
-    int n_variables, capacity;
+    int n_variables;
+    size_t capacity;
 } hs_check_names;
 
 /** Start with the index variables of the command line. */

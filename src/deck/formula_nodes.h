@@ -57,7 +57,8 @@ typedef struct hs_node {
 struct hs_formula {
     char *text;    /**< owned */
     hs_node *node; /**< owned [n_nodes] */
-    int n_nodes, capacity;
+    int n_nodes;
+    size_t capacity;
 };
 
 /** What random numbers a function draws. */
@@ -66,7 +67,8 @@ typedef enum { HS_DRAWS_NOTHING, HS_DRAWS_UNIFORM, HS_DRAWS_NORMAL } hs_draw_kin
 /** Random numbers of one evaluation of an atom-style formula and of the atom-style variables that are part of it. */
 typedef struct hs_atom_draws {
     hs_draw_kind *kind; /**< owned [n]: what the formula draws for each atom, in the order of evaluation */
-    int n, capacity;
+    int n;
+    size_t capacity;
     int next; /**< draw that comes next */
     double
         *number; /**< owned [n][n_local], made at the first draw; draw k of local atom i is number[k * n_local + i] */

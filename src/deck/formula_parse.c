@@ -68,11 +68,7 @@ static hs_status fail_here(const parser *p, const char *what)
 static hs_status add_node(parser *p, const hs_node *node, int *index)
 {
     hs_formula *formula = p->formula;
-    if (formula->n_nodes == formula->capacity) {
-        int capacity = formula->capacity == 0 ? 8 : 2 * formula->capacity;
-        HS_TRY(HS_GROW(formula->node, (size_t)formula->n_nodes, (size_t)capacity, p->err));
-        formula->capacity = capacity;
-    }
+    HS_TRY(HS_EXTEND(formula->node, formula->n_nodes, formula->capacity, p->err));
     *index = formula->n_nodes++;
     formula->node[*index] = *node;
     return HS_OK;

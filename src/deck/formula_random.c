@@ -19,11 +19,7 @@ hs_status hs_random_seed(const hs_function *function, double value, int *seed, h
 
 static hs_status append(hs_atom_draws *draws, hs_draw_kind kind, hs_error *err)
 {
-    if (draws->n == draws->capacity) {
-        const int capacity = 2 * draws->capacity + 4;
-        HS_TRY(HS_GROW(draws->kind, (size_t)draws->n, (size_t)capacity, err));
-        draws->capacity = capacity;
-    }
+    HS_TRY(HS_EXTEND(draws->kind, draws->n, draws->capacity, err));
     draws->kind[draws->n++] = kind;
     return HS_OK;
 }

@@ -69,11 +69,7 @@ static hs_status check_name(const char *name, hs_error *err)
 static hs_status add(hs_variables *variables, const char *name, hs_variable_style style, hs_variable **variable,
                      hs_error *err)
 {
-    if (variables->n == variables->capacity) {
-        int capacity = variables->capacity == 0 ? 16 : 2 * variables->capacity;
-        HS_TRY(HS_GROW(variables->variable, (size_t)variables->n, (size_t)capacity, err));
-        variables->capacity = capacity;
-    }
+    HS_TRY(HS_EXTEND(variables->variable, variables->n, variables->capacity, err));
     *variable = NULL;
     HS_TRY(HS_ALLOC(*variable, 1, err));
     hs_status status = hs_memory_strdup(&(*variable)->name, name, err);

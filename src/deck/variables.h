@@ -38,7 +38,8 @@ typedef struct hs_variable {
 
 typedef struct hs_variables {
     hs_variable **variable; /**< owned [n] */
-    int n, capacity;
+    int n;
+    size_t capacity;
     hs_marsaglia generator;      /**< random() and normal() of equal-style formulas */
     hs_marsaglia atom_generator; /**< the same of atom-style ones, between runs */
     int64_t n_draws;             /**< during runs: evaluations of random functions per atom so far */

@@ -3,13 +3,9 @@
 #include "deck/variables.h"
 #include "io/line_reader.h"
 
-static hs_status append(hs_variable *variable, int *capacity, const char *word, hs_error *err)
+static hs_status append(hs_variable *variable, size_t *capacity, const char *word, hs_error *err)
 {
-    if (variable->n_values == *capacity) {
-        const int wanted = 2 * *capacity + 16;
-        HS_TRY(HS_GROW(variable->value, (size_t)variable->n_values, (size_t)wanted, err));
-        *capacity = wanted;
-    }
+    HS_TRY(HS_EXTEND(variable->value, variable->n_values, *capacity, err));
     HS_TRY(hs_memory_strdup(&variable->value[variable->n_values], word, err));
     ++variable->n_values;
     return HS_OK;
@@ -17,7 +13,7 @@ static hs_status append(hs_variable *variable, int *capacity, const char *word, 
 
 static hs_status read_lines(hs_variable *variable, hs_lines *lines, hs_error *err)
 {
-    int capacity = 0;
+    size_t capacity = 0;
     for (;;) {
         HS_TRY(hs_lines_next_filled(lines, err));
         if (lines->at_end) break;

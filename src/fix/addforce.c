@@ -69,10 +69,7 @@ static hs_status update_energies(hs_fix *fix, hs_error *err)
     const hs_env *env = fix->env;
     const size_t n = (size_t)env->atoms->n_local;
     if (state->energy_variable == NULL) return HS_OK;
-    if (n >= state->capacity) {
-        HS_TRY(HS_GROW(state->energy_of_atom, 0, n + n / 8 + 1, err));
-        state->capacity = n + n / 8 + 1;
-    }
+    HS_TRY(HS_RESERVE(state->energy_of_atom, state->capacity, n, err));
     return env->variable_atoms(env->deck, state->energy_variable, state->energy_of_atom, err);
 }
 

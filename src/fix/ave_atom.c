@@ -83,10 +83,7 @@ static hs_status take_sample(hs_fix *fix, int k, bool is_first, hs_error *err)
     const hs_atoms *atoms = fix->env->atoms;
     double *sum = state->columns[k].sum;
     const int n = atoms->n_local;
-    if ((size_t)n >= state->capacity) {
-        state->capacity = (size_t)n + (size_t)n / 8 + 1;
-        HS_TRY(HS_GROW(state->sample, 0, state->capacity, err));
-    }
+    HS_TRY(HS_RESERVE(state->sample, state->capacity, (size_t)n, err));
     HS_TRY(hs_atom_source_values(fix->env, &state->sources[k], fix->mask, state->sample, err));
     for (int i = 0; i < n; ++i)
         if (atoms->mask[i] & fix->mask) sum[i] = (is_first ? 0.0 : sum[i]) + state->sample[i];

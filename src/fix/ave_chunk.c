@@ -173,10 +173,7 @@ static hs_status take_sample(hs_fix *fix, hs_compute *compute, hs_error *err)
     double ignored;
     HS_TRY(hs_chunk_columns_bias(&state->columns, fix, &bias, err));
     if (bias != NULL) HS_TRY(hs_compute_scalar(bias, &ignored, err));
-    if (n_local >= state->capacity) {
-        HS_TRY(HS_GROW(state->values, 0, n_local + n_local / 8 + 1, err));
-        state->capacity = n_local + n_local / 8 + 1;
-    }
+    HS_TRY(HS_RESERVE(state->values, state->capacity, n_local, err));
     for (int k = -1; k < state->columns.n; ++k) {
         HS_TRY(hs_chunk_columns_fill(&state->columns, fix->env, k, bias, state->values, err));
         HS_TRY(

@@ -53,10 +53,7 @@ static hs_status find_forces(hs_fix *fix, hs_error *err)
     const size_t n = 3 * (size_t)env->atoms->n_local;
     hs_pair_scan scan = {0};
     difference context = {.scan = &scan, .delta = state->delta};
-    if (n > state->capacity || state->force == NULL) {
-        HS_TRY(HS_GROW(state->force, 0, n, err));
-        state->capacity = n;
-    }
+    HS_TRY(HS_RESERVE(state->force, state->capacity, n, err));
     if (n > 0) memset(state->force, 0, n * sizeof *state->force);
     env->view_pairs(env, &context.view);
     if (context.view.pair == NULL) return HS_OK;

@@ -121,11 +121,7 @@ static hs_status remember(hs_data_reader *reader, int64_t id, int32_t index, lon
     const bool was_here =
         reader->n_before > 0 && bsearch(&id, reader->before, (size_t)reader->n_before, sizeof id, ascending) != NULL;
     if (index < 0 && !was_here && !is_watched(reader, id)) return HS_OK;
-    if (reader->n_ids == reader->capacity_ids) {
-        const int64_t capacity = reader->capacity_ids * 2 + 1024;
-        HS_TRY(HS_GROW(reader->id, (size_t)reader->n_ids, (size_t)capacity, err));
-        reader->capacity_ids = capacity;
-    }
+    HS_TRY(HS_EXTEND(reader->id, reader->n_ids, reader->capacity_ids, err));
     reader->id[reader->n_ids++] = (hs_data_id){.id = id, .line = line, .index = index};
     return HS_OK;
 }

@@ -32,7 +32,8 @@ typedef struct hs_data_reader {
     int n_before; /**< local atoms there were */
     int64_t id_offset;
     hs_data_id *id; /**< owned [n_ids], sorted once the section Atoms is read */
-    int64_t n_ids, capacity_ids;
+    int64_t n_ids;
+    size_t capacity_ids;
     int64_t *before;     /**< owned [n_before], sorted: ids of the local atoms there were */
     hs_error late;       /**< an error that only this rank has met; agreed at the end of the section */
     bool image_reset[3]; /**< image flags along an axis that is not periodic were met */

@@ -62,11 +62,12 @@ typedef struct hs_dump_table {
     int sort_column;           /**< 1 .. n_columns; 0: by id */
     bool is_scaled, has_image; /**< of style atom */
 
-    hs_writer *writer;          /**< owned; of a growing file, open from init on; on the first rank only */
-    bool is_open;               /**< the first rank has it open; the same on all ranks */
-    int32_t *order;             /**< owned; atoms of the snapshot being written */
-    int n_rows, capacity_order; /**< n_rows: of this rank */
-    int64_t n_rows_all;         /**< of all ranks */
+    hs_writer *writer; /**< owned; of a growing file, open from init on; on the first rank only */
+    bool is_open;      /**< the first rank has it open; the same on all ranks */
+    int32_t *order;    /**< owned; atoms of the snapshot being written */
+    size_t capacity_order;
+    int n_rows;         /**< of this rank */
+    int64_t n_rows_all; /**< of all ranks */
 } hs_dump_table;
 
 /** Columns named by words (attributes or v_name); the former ones are forgotten. */

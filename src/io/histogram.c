@@ -87,11 +87,8 @@ static hs_status read_input(hs_fix *fix, const hs_atom_source *input, bool is_we
     *n = histogram->shape == HS_VALUE_NUMBER   ? 1
          : histogram->shape == HS_VALUE_VECTOR ? hs_value_length(env, &input->value)
                                                : env->atoms->n_local;
-    if (*n > histogram->capacity || histogram->value == NULL) {
-        HS_TRY(HS_GROW(histogram->value, 0, (size_t)*n, err));
-        HS_TRY(HS_GROW(histogram->weight, 0, (size_t)*n, err));
-        histogram->capacity = *n;
-    }
+    HS_TRY(is_weight ? HS_RESERVE(histogram->weight, histogram->capacity_weight, (size_t)*n, err)
+                     : HS_RESERVE(histogram->value, histogram->capacity_value, (size_t)*n, err));
     double *out = is_weight ? histogram->weight : histogram->value;
     switch (histogram->shape) {
     case HS_VALUE_NUMBER:

@@ -25,8 +25,8 @@ typedef struct hs_histogram {
     double *count;          /**< owned [HS_HISTO_BINS + n_bins]: of the present window */
     double extreme[2];      /**< least and greatest value of the present window */
     double (*extremes)[2];  /**< owned: of the windows that count (ave window), else of all */
-    double *value, *weight; /**< owned [capacity] scratch */
-    int64_t capacity;
+    double *value, *weight; /**< owned [capacity] scratch: of one input, and of the weights */
+    size_t capacity_value, capacity_weight;
     hs_fold fold; /**< of count[] */
     hs_average_file file;
 } hs_histogram;

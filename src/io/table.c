@@ -51,16 +51,12 @@ char *hs_table_next_line(hs_table_lines *lines)
     return line;
 }
 
-hs_status hs_table_split(char *line, const char ***words, int *capacity, int *n, hs_error *err)
+hs_status hs_table_split(char *line, const char ***words, size_t *capacity, int *n, hs_error *err)
 {
     char *rest = NULL;
     *n = 0;
     for (char *word = strtok_r(line, " \t", &rest); word != NULL; word = strtok_r(NULL, " \t", &rest)) {
-        if (*n == *capacity) {
-            const int more = *capacity > 0 ? 2 * *capacity : 32;
-            HS_TRY(HS_GROW(*words, (size_t)*n, (size_t)more, err));
-            *capacity = more;
-        }
+        HS_TRY(HS_EXTEND(*words, *n, *capacity, err));
         (*words)[(*n)++] = word;
     }
     return HS_OK;

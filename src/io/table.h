@@ -60,7 +60,7 @@ typedef struct hs_table_lines {
 /** The next line, NULL at the end; borrowed, and may be cut into words. */
 char *hs_table_next_line(hs_table_lines *lines);
 /** Cut a line at blanks. Words are borrowed; *words grows as needed and is freed by the caller. */
-HS_MUST_USE hs_status hs_table_split(char *line, const char ***words, int *capacity, int *n, hs_error *err);
+HS_MUST_USE hs_status hs_table_split(char *line, const char ***words, size_t *capacity, int *n, hs_error *err);
 /** One more table with these columns at the end of the file. */
 HS_MUST_USE hs_status hs_table_add(hs_table_file *file, const char *const *names, int n, int64_t step, hs_error *err);
 /** One more row at the end of the file's last table, which has as many columns as there are words. */

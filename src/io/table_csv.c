@@ -7,7 +7,7 @@
 #include "io/table.h"
 
 /** Cut a line at its commas, in place; cells in double quotes may hold commas, and "" for a quote. */
-static hs_status split_commas(char *line, const char ***words, int *capacity, int *n, hs_error *err)
+static hs_status split_commas(char *line, const char ***words, size_t *capacity, int *n, hs_error *err)
 {
     *n = 0;
     for (char *from = line; from != NULL;) {
@@ -28,11 +28,7 @@ static hs_status split_commas(char *line, const char ***words, int *capacity, in
         }
         if (from != NULL) ++from;
         *to = '\0';
-        if (*n == *capacity) {
-            const int more = *capacity > 0 ? 2 * *capacity : 32;
-            HS_TRY(HS_GROW(*words, (size_t)*n, (size_t)more, err));
-            *capacity = more;
-        }
+        HS_TRY(HS_EXTEND(*words, *n, *capacity, err));
         (*words)[(*n)++] = cell;
     }
     return HS_OK;
@@ -54,7 +50,7 @@ static hs_status add_numbered(hs_table_file *file, int n, hs_error *err)
     return status;
 }
 
-static hs_status read_lines(hs_table_file *file, hs_table_lines *lines, const char ***words, int *capacity,
+static hs_status read_lines(hs_table_file *file, hs_table_lines *lines, const char ***words, size_t *capacity,
                             hs_error *err)
 {
     bool has_commas = false;
@@ -90,7 +86,7 @@ static hs_status read_lines(hs_table_file *file, hs_table_lines *lines, const ch
 hs_status hs_table_read_csv(hs_table_file *file, hs_table_lines *lines, hs_error *err)
 {
     const char **words = NULL;
-    int capacity = 0;
+    size_t capacity = 0;
     file->kind = HS_TABLE_CSV;
     const hs_status status = read_lines(file, lines, &words, &capacity, err);
     HS_FREE(words);

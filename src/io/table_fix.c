@@ -16,9 +16,11 @@ typedef struct fix_reader {
     hs_table_file *file;
     char *names[2];    /**< comment lines, without #: the block's, the rows'; borrowed */
     const char **name; /**< owned: names of the rows' columns */
-    int n_names, capacity_names;
+    int n_names;
+    size_t capacity_names;
     const char **word; /**< owned */
-    int n, capacity;
+    int n;
+    size_t capacity;
     int64_t rows_left; /**< of the present block */
 } fix_reader;
 

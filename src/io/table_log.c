@@ -20,7 +20,8 @@ static bool is_row(const char *const *words, int n, int n_columns)
 typedef struct log_reader {
     hs_table_file *file;
     const char **word; /**< owned [capacity] */
-    int n, capacity;
+    int n;
+    size_t capacity;
     const char **name, **value; /**< thermo_style multi: of the present step, borrowed; owned arrays */
     int n_pairs, capacity_pairs;
 } log_reader;

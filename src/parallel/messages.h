@@ -10,7 +10,8 @@
 /** Zero it before first use. */
 typedef struct hs_messages {
     void *request; /**< owned [capacity] */
-    int n, capacity;
+    int n;
+    size_t capacity;
 } hs_messages;
 
 /** Forget all messages; none may be under way. */

@@ -32,13 +32,7 @@ static hs_status add(hs_messages *messages, int64_t n, size_t size, MPI_Request 
     if (n > INT_MAX)
         return hs_fail(err, HS_ERROR_RUN, "a message of %lld words to another rank is too long: use more ranks",
                        (long long)n);
-    if (messages->n == messages->capacity) {
-        const int capacity = 2 * messages->capacity + 16;
-        MPI_Request *grown = messages->request;
-        HS_TRY(HS_GROW(grown, (size_t)messages->n, (size_t)capacity, err));
-        messages->request = grown;
-        messages->capacity = capacity;
-    }
+    HS_TRY(hs_memory_extend(&messages->request, (size_t)messages->n, &messages->capacity, sizeof(MPI_Request), err));
     *request = (MPI_Request *)messages->request + messages->n++;
     MPI_Type_contiguous((int)size, MPI_BYTE, type);
     MPI_Type_commit(type);

@@ -21,11 +21,7 @@ void hs_thermo_clear_columns(hs_thermo *thermo)
 /** Append an empty column with the given header. */
 static hs_status add_column(hs_thermo *thermo, const char *header, hs_thermo_column **column, hs_error *err)
 {
-    if (thermo->n_columns == thermo->capacity_columns) {
-        const int capacity = thermo->capacity_columns * 2 + 16;
-        HS_TRY(HS_GROW(thermo->column, (size_t)thermo->n_columns, (size_t)capacity, err));
-        thermo->capacity_columns = capacity;
-    }
+    HS_TRY(HS_EXTEND(thermo->column, thermo->n_columns, thermo->capacity_columns, err));
     *column = &thermo->column[thermo->n_columns++];
     memset(*column, 0, sizeof **column);
     return hs_memory_strdup(&(*column)->header, header, err);

@@ -35,7 +35,8 @@ struct hs_thermo {
 
     hs_thermo_style style;
     hs_thermo_column *column; /**< owned [n_columns] */
-    int n_columns, capacity_columns;
+    int n_columns;
+    size_t capacity_columns;
 
     /* thermo_modify; reset by thermo_style */
     bool is_modified;

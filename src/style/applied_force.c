@@ -63,10 +63,7 @@ hs_status hs_applied_force_update(hs_applied_force *force, const hs_fix *fix, hs
             HS_TRY(env->variable_value(env->deck, force->variable[axis], &force->value[axis], err));
             continue;
         }
-        if (n > force->capacity[axis]) {
-            HS_TRY(HS_GROW(force->of_atom[axis], 0, n + n / 8, err));
-            force->capacity[axis] = n + n / 8;
-        }
+        HS_TRY(HS_RESERVE(force->of_atom[axis], force->capacity[axis], n, err));
         HS_TRY(env->variable_atoms(env->deck, force->variable[axis], force->of_atom[axis], err));
     }
     return HS_OK;

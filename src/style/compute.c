@@ -110,10 +110,7 @@ hs_status hs_compute_eval_atoms(hs_compute *compute, hs_error *err)
     if (is_current(compute, compute->atoms_at)) return HS_OK;
     const size_t n =
         (size_t)compute->env->atoms->n_local * (size_t)(compute->n_atom_columns + !compute->n_atom_columns);
-    if (n > compute->capacity_atoms || compute->atoms == NULL) {
-        HS_TRY(HS_GROW(compute->atoms, 0, n, err));
-        compute->capacity_atoms = n;
-    }
+    HS_TRY(HS_RESERVE(compute->atoms, compute->capacity_atoms, n, err));
     HS_TRY(compute->style->per_atom(compute, err));
     compute->atoms_at = compute->env->revision;
     return HS_OK;

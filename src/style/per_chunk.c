@@ -61,11 +61,7 @@ hs_status hs_per_chunk_begin(hs_compute *compute, hs_error *err)
     const size_t n_local = (size_t)compute->env->atoms->n_local;
     HS_TRY(find(compute, err));
     HS_TRY(hs_compute_eval_atoms(state->chunk_atom, err));
-    hs_status status = HS_OK;
-    if (n_local > state->capacity_atoms || state->value == NULL) {
-        state->capacity_atoms = n_local + 1;
-        status = HS_GROW(state->value, 0, state->capacity_atoms, err);
-    }
+    hs_status status = HS_RESERVE(state->value, state->capacity_atoms, n_local, err);
     if (status == HS_OK) status = set_rows(compute, hs_chunks_of(state->chunk_atom)->n, err);
     if (hs_parallel_agree(compute->env->parallel, err) != HS_OK) return status != HS_OK ? status : err->status;
     return HS_OK;
@@ -103,10 +99,7 @@ hs_status hs_per_chunk_find_centers(hs_compute *compute, hs_error *err)
 {
     hs_per_chunk *state = compute->state;
     const size_t n = (size_t)state->n;
-    if (n > state->capacity_center || state->center == NULL) {
-        HS_TRY(HS_GROW(state->center, 0, 4 * n + 4, err));
-        state->capacity_center = n;
-    }
+    HS_TRY(HS_RESERVE(state->center, state->capacity_center, 4 * n, err));
     for (int k = 0; k < 4; ++k) HS_TRY(hs_per_chunk_add_up(compute, mass_moment, &k, state->center + k, 4, err));
     for (size_t c = 0; c < n; ++c) {
         double *center = state->center + 4 * c;

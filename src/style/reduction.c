@@ -83,11 +83,7 @@ hs_status hs_reduction_init(hs_compute *compute, hs_error *err)
 static hs_status fetch(hs_compute *compute, int input, hs_error *err)
 {
     hs_reduction *state = compute->state;
-    const hs_atoms *atoms = compute->env->atoms;
-    if (state->capacity < atoms->n_local || state->values == NULL) {
-        HS_TRY(HS_GROW(state->values, 0, (size_t)atoms->n_local, err));
-        state->capacity = atoms->n_local;
-    }
+    HS_TRY(HS_RESERVE(state->values, state->capacity, (size_t)compute->env->atoms->n_local, err));
     return hs_atom_source_values(compute->env, &state->inputs[input], compute->mask, state->values, err);
 }
 

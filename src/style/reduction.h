@@ -12,8 +12,8 @@ typedef struct hs_reduction {
     int *replaced_by;       /**< owned [n]: -1, or the input at whose extreme atom this one is taken */
     int n;
     hs_where where;
-    double *values; /**< owned [n_local] scratch */
-    int capacity;
+    double *values; /**< owned [capacity] scratch: of each local atom */
+    size_t capacity;
 } hs_reduction;
 
 extern const hs_keyword hs_reduction_keywords[];
