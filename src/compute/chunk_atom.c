@@ -80,10 +80,9 @@ static hs_status read_keyword(hs_compute *compute, const hs_args *args, int i, h
 static hs_status count_raw(hs_compute *compute, hs_error *err)
 {
     chunk_state *state = compute->state;
-    char command[128];
-    snprintf(command, sizeof command, "compute '%.80s' (chunk/atom)", compute->id);
     int64_t n_bins; /* without bins it is one, the whole box */
-    HS_TRY(hs_chunk_bins_lay(&state->bins, compute->env, command, &n_bins, &state->chunks.volume, err));
+    HS_TRY(hs_chunk_bins_lay(&state->bins, compute->env, hs_compute_who(compute).text, &n_bins, &state->chunks.volume,
+                             err));
     if (state->kind == BY_TYPE) state->n_raw = compute->env->atoms->n_types;
     if (state->kind == BY_BIN) state->n_raw = n_bins;
     state->chunks.n = state->n_raw;

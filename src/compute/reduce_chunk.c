@@ -22,8 +22,7 @@ static hs_status create(hs_compute *compute, const hs_args *args, hs_error *err)
     reduce_state *state = compute->state;
     HS_TRY(hs_arg_choice(args, 1, modes, &state->mode, err));
     HS_TRY(hs_values_create(&state->values, &state->n, compute->env, args, 2, args->n - 2, HS_VALUE_ATOMS, err));
-    for (int k = 0; k < state->n; ++k)
-        compute->may_need_energy |= hs_value_needs_energy(compute->env, &state->values[k]);
+    compute->may_need_energy = hs_values_need_energy(compute->env, state->values, state->n);
     return hs_per_chunk_create(compute, args, state->n, state->n > 1, err);
 }
 
@@ -38,8 +37,7 @@ static void destroy(hs_compute *compute)
 static hs_status init(hs_compute *compute, hs_error *err)
 {
     const reduce_state *state = compute->state;
-    for (int k = 0; k < state->n; ++k)
-        HS_TRY(hs_value_check(compute->env, &state->values[k], HS_VALUE_ATOMS, "compute reduce/chunk", err));
+    HS_TRY(hs_values_check(compute->env, state->values, state->n, HS_VALUE_ATOMS, "compute reduce/chunk", err));
     return hs_per_chunk_init(compute, err);
 }
 

@@ -56,9 +56,7 @@ static void destroy(hs_compute *compute)
 
 static hs_status init(hs_compute *compute, hs_error *err)
 {
-    char command[128];
-    snprintf(command, sizeof command, "compute '%.80s' (sq)", compute->id);
-    return hs_density_check_box(compute->env, command, err);
+    return hs_density_check_box(compute->env, hs_compute_who(compute).text, err);
 }
 
 static void add_to_shell(void *context, int k, const int n[3], const double q[3], double length)

@@ -64,10 +64,8 @@ static void destroy(hs_fix *fix)
 static hs_status init(hs_fix *fix, hs_error *err)
 {
     ave_state *state = fix->state;
-    char command[128];
-    snprintf(command, sizeof command, "fix '%.80s' (ave/atom)", fix->id);
     hs_schedule_renew(&state->schedule, fix->env->step);
-    return hs_atom_sources_check(fix->env, state->sources, state->n, command, err);
+    return hs_atom_sources_check(fix->env, state->sources, state->n, hs_fix_who(fix).text, err);
 }
 
 static bool needs_energy(const hs_fix *fix, int64_t step)

@@ -127,12 +127,11 @@ static hs_status init(hs_fix *fix, hs_error *err)
 {
     ave_state *state = fix->state;
     hs_schedule_renew(&state->schedule, fix->env->step);
-    char command[128], title[256];
+    char title[256];
     hs_compute *compute;
     hs_text head = {0};
-    snprintf(command, sizeof command, "fix '%.80s' (ave/chunk)", fix->id);
-    HS_TRY(hs_chunks_find(fix->env, state->chunk_id, command, &compute, err));
-    HS_TRY(hs_chunk_columns_check(&state->columns, fix, command, err));
+    HS_TRY(hs_chunks_find(fix->env, state->chunk_id, hs_fix_who(fix).text, &compute, err));
+    HS_TRY(hs_chunk_columns_check(&state->columns, fix, hs_fix_who(fix).text, err));
     snprintf(title, sizeof title, "# Chunk-averaged data for fix %.80s and group %.80s", fix->id,
              fix->env->groups->name[fix->group]);
     hs_status status = make_head(&head, fix, hs_chunks_of(compute), err);

@@ -152,9 +152,7 @@ static hs_status check_box(const hs_fix *fix, hs_error *err)
 
 static hs_status init(hs_fix *fix, hs_error *err)
 {
-    char command[128];
-    snprintf(command, sizeof command, "fix '%.80s' (ave/isf)", fix->id);
-    HS_TRY(hs_density_check_box(fix->env, command, err));
+    HS_TRY(hs_density_check_box(fix->env, hs_fix_who(fix).text, err));
     HS_TRY(check_box(fix, err));
     return hs_correlation_init(fix, "Intermediate scattering function", "time-windows", err);
 }

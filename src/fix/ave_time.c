@@ -151,11 +151,9 @@ static hs_status init(hs_fix *fix, hs_error *err)
 {
     ave_state *state = fix->state;
     hs_schedule_renew(&state->schedule, fix->env->step);
-    char command[128], title[160];
-    snprintf(command, sizeof command, "fix '%.80s' (ave/time)", fix->id);
-    for (int k = 0; k < state->n_values; ++k)
-        HS_TRY(hs_value_check(fix->env, &state->values[k], state->is_vector ? HS_VALUE_VECTOR : HS_VALUE_NUMBER,
-                              command, err));
+    char title[160];
+    HS_TRY(hs_values_check(fix->env, state->values, state->n_values,
+                           state->is_vector ? HS_VALUE_VECTOR : HS_VALUE_NUMBER, hs_fix_who(fix).text, err));
     snprintf(title, sizeof title, "# Time-averaged data for fix %.100s", fix->id);
     const char *const head[3] = {title, state->is_vector ? "# TimeStep Number-of-rows" : state->head,
                                  state->is_vector ? state->head : NULL};
@@ -165,10 +163,8 @@ static hs_status init(hs_fix *fix, hs_error *err)
 static bool needs_energy(const hs_fix *fix, int64_t step)
 {
     const ave_state *state = fix->state;
-    bool is_needed = false;
-    if (!hs_schedule_is_due(&state->schedule, step)) return false;
-    for (int k = 0; k < state->n_values; ++k) is_needed |= hs_value_needs_energy(fix->env, &state->values[k]);
-    return is_needed;
+    return hs_schedule_is_due(&state->schedule, step) &&
+           hs_values_need_energy(fix->env, state->values, state->n_values);
 }
 
 /** Vectors whose length varies, as the number of chunks does: each window may have another (ave one). */
@@ -178,9 +174,7 @@ static hs_status fit_length(hs_fix *fix, hs_error *err)
     if (!state->is_vector || state->fold.mode != HS_FOLD_ONE) return HS_OK;
     for (int k = 0; k < state->n_values; ++k) HS_TRY(hs_value_refresh(fix->env, &state->values[k], err));
     if (hs_value_length(fix->env, &state->values[0]) == state->n_rows) return HS_OK;
-    char command[128];
-    snprintf(command, sizeof command, "fix '%.80s' (ave/time)", fix->id);
-    return find_length(fix, command, err);
+    return find_length(fix, hs_fix_who(fix).text, err);
 }
 
 static void announce(const hs_fix *fix, int64_t step)

@@ -53,9 +53,7 @@ static hs_status move(const hs_fix *fix, double change, hs_error *err)
 static hs_status init(hs_fix *fix, hs_error *err)
 {
     const controller_state *state = fix->state;
-    char command[128];
-    snprintf(command, sizeof command, "fix '%.80s' (controller)", fix->id);
-    HS_TRY(hs_value_check(fix->env, &state->measured, HS_VALUE_NUMBER, command, err));
+    HS_TRY(hs_value_check(fix->env, &state->measured, HS_VALUE_NUMBER, hs_fix_who(fix).text, err));
     return move(fix, 0.0, err);
 }
 

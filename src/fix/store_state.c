@@ -84,9 +84,7 @@ static void destroy(hs_fix *fix)
 static hs_status init(hs_fix *fix, hs_error *err)
 {
     const store_state *state = fix->state;
-    char command[128];
-    snprintf(command, sizeof command, "fix '%.80s' (store/state)", fix->id);
-    return hs_atom_sources_check(fix->env, state->sources, state->n, command, err);
+    return hs_atom_sources_check(fix->env, state->sources, state->n, hs_fix_who(fix).text, err);
 }
 
 static bool is_due(const store_state *state, int64_t step) { return state->every > 0 && step % state->every == 0; }

@@ -39,20 +39,14 @@ static void destroy(hs_fix *fix)
 static hs_status init(hs_fix *fix, hs_error *err)
 {
     vector_state *state = fix->state;
-    char command[128];
-    snprintf(command, sizeof command, "fix '%.80s' (vector)", fix->id);
     if (state->next < fix->env->step) renew(state, fix->env->step);
-    for (int k = 0; k < state->n; ++k)
-        HS_TRY(hs_value_check(fix->env, &state->values[k], HS_VALUE_NUMBER, command, err));
-    return HS_OK;
+    return hs_values_check(fix->env, state->values, state->n, HS_VALUE_NUMBER, hs_fix_who(fix).text, err);
 }
 
 static bool needs_energy(const hs_fix *fix, int64_t step)
 {
     const vector_state *state = fix->state;
-    bool is_needed = false;
-    for (int k = 0; k < state->n; ++k) is_needed |= hs_value_needs_energy(fix->env, &state->values[k]);
-    return step == state->next && is_needed;
+    return step == state->next && hs_values_need_energy(fix->env, state->values, state->n);
 }
 
 static hs_status end_of_step(hs_fix *fix, hs_error *err)

@@ -138,11 +138,9 @@ void hs_correlation_fini(hs_correlation *c)
 hs_status hs_correlation_init(hs_fix *fix, const char *title, const char *rows, hs_error *err)
 {
     hs_correlation *c = fix->state;
-    char command[160], first[160], second[80];
+    char first[160], second[80];
     if (c->next < fix->env->step) renew(c, fix->env->step);
-    snprintf(command, sizeof command, "fix '%.80s' (%.60s)", fix->id, fix->style->about.name);
-    for (int k = 0; k < c->n_values; ++k)
-        HS_TRY(hs_value_check(fix->env, &c->values[k], HS_VALUE_NUMBER, command, err));
+    HS_TRY(hs_values_check(fix->env, c->values, c->n_values, HS_VALUE_NUMBER, hs_fix_who(fix).text, err));
     snprintf(first, sizeof first, "# %.40s for fix %.100s", title, fix->id);
     snprintf(second, sizeof second, "# Timestep Number-of-%.40s", rows);
     const char *const head[3] = {first, second, c->head};
@@ -152,10 +150,7 @@ hs_status hs_correlation_init(hs_fix *fix, const char *title, const char *rows, 
 bool hs_correlation_needs_energy(const hs_fix *fix, int64_t step)
 {
     const hs_correlation *c = fix->state;
-    bool is_needed = false;
-    if (step != c->next) return false;
-    for (int k = 0; k < c->n_values; ++k) is_needed |= hs_value_needs_energy(fix->env, &c->values[k]);
-    return is_needed;
+    return step == c->next && hs_values_need_energy(fix->env, c->values, c->n_values);
 }
 
 hs_status hs_correlation_sample(hs_fix *fix, double *sample, bool *is_due, hs_error *err)

@@ -23,9 +23,8 @@ void hs_histogram_destroy(hs_fix *fix)
 hs_status hs_histogram_init(hs_fix *fix, hs_error *err)
 {
     hs_histogram *histogram = fix->state;
-    char command[160], title[160];
-    snprintf(command, sizeof command, "fix '%.80s' (%s)", fix->id, fix->style->about.name);
-    HS_TRY(hs_histogram_check(fix, command, err));
+    char title[160];
+    HS_TRY(hs_histogram_check(fix, hs_fix_who(fix).text, err));
     snprintf(title, sizeof title, "# Histogrammed data for fix %.100s", fix->id);
     const char *const head[3] = {title, "# TimeStep Number-of-bins Total-counts Missing-counts Min-value Max-value",
                                  histogram->fold.has_errors

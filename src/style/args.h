@@ -63,6 +63,11 @@ HS_MUST_USE hs_status hs_arg_need(const hs_args *args, int i, const char *what, 
 HS_MUST_USE hs_status hs_arg_refuse(const hs_args *args, int i, const char *expected, const char *const *choices,
                                     hs_error *err);
 
+/** "fix 'ID' (style)" or "compute 'ID' (style)": how messages name one that is there already (hs_fix_who, hs_compute_who). */
+typedef struct hs_who {
+    char text[192];
+} hs_who;
+
 /** What every style and command tells about itself; read by the deck parser, `halfshell help`, the manual, the man
  *  page, shell completion and the tests. */
 typedef struct hs_description {

@@ -12,6 +12,13 @@ const hs_compute_style *hs_compute_style_find(const char *name)
     return NULL;
 }
 
+hs_who hs_compute_who(const hs_compute *compute)
+{
+    hs_who who;
+    snprintf(who.text, sizeof who.text, "compute '%.80s' (%.80s)", compute->id, compute->style->about.name);
+    return who;
+}
+
 hs_status hs_compute_create(hs_compute **compute, hs_env *env, const hs_compute_style *style, const char *id, int group,
                             const hs_args *args, hs_error *err)
 {

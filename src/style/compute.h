@@ -86,6 +86,8 @@ void hs_compute_destroy(hs_compute **compute);
 /** The compute style of that name, or NULL. */
 const hs_compute_style *hs_compute_style_find(const char *name);
 
+hs_who hs_compute_who(const hs_compute *compute);
+
 /** Evaluate if needed (collective); an error when the style has none, or needs an energy that this step did not
  *  compute. */
 HS_MUST_USE hs_status hs_compute_scalar(hs_compute *compute, double *value, hs_error *err);

@@ -4,6 +4,13 @@
 #include "style/compute.h"
 #include "style/moments.h"
 
+hs_who hs_fix_who(const hs_fix *fix)
+{
+    hs_who who;
+    snprintf(who.text, sizeof who.text, "fix '%.80s' (%.80s)", fix->id, fix->style->about.name);
+    return who;
+}
+
 hs_status hs_fix_own_compute(hs_fix *fix, int k, const char *style, const char *suffix, int group, const hs_args *args,
                              hs_error *err)
 {

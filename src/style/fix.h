@@ -120,6 +120,7 @@ typedef struct hs_fix {
 /** Whether post_force must fill fix->virial at this step. */
 static inline bool hs_fix_needs_virial(const hs_fix *fix) { return fix->adds_virial && fix->env->with_energy; }
 
+hs_who hs_fix_who(const hs_fix *fix);
 /** Fail when the step of the next sample has passed without one, which only a rerun of snapshots at other steps brings
  *  about. */
 HS_MUST_USE hs_status hs_fix_need_sample(const hs_fix *fix, int64_t next, hs_error *err);

@@ -8,9 +8,7 @@
 static hs_status find(hs_compute *compute, hs_error *err)
 {
     hs_per_chunk *state = compute->state;
-    char command[128];
-    snprintf(command, sizeof command, "compute '%.60s' (%s)", compute->id, compute->style->about.name);
-    return hs_chunks_find(compute->env, state->chunk_id, command, &state->chunk_atom, err);
+    return hs_chunks_find(compute->env, state->chunk_id, hs_compute_who(compute).text, &state->chunk_atom, err);
 }
 
 /** Room for n rows. */

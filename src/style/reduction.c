@@ -73,9 +73,7 @@ void hs_reduction_destroy(hs_compute *compute)
 hs_status hs_reduction_init(hs_compute *compute, hs_error *err)
 {
     const hs_reduction *state = compute->state;
-    char command[128];
-    snprintf(command, sizeof command, "compute '%.80s' (%s)", compute->id, compute->style->about.name);
-    HS_TRY(hs_atom_sources_check(compute->env, state->inputs, state->n, command, err));
+    HS_TRY(hs_atom_sources_check(compute->env, state->inputs, state->n, hs_compute_who(compute).text, err));
     return find_region(compute, err);
 }
 

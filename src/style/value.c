@@ -149,6 +149,13 @@ hs_status hs_value_check(hs_env *env, const hs_value *value, hs_value_shape shap
                    kind, value->id, style, has[0] != '\0' ? has + 2 : "no values");
 }
 
+hs_status hs_values_check(hs_env *env, const hs_value *values, int n, hs_value_shape shape, const char *command,
+                          hs_error *err)
+{
+    for (int k = 0; k < n; ++k) HS_TRY(hs_value_check(env, &values[k], shape, command, err));
+    return HS_OK;
+}
+
 bool hs_value_is_variable(hs_env *env, const hs_value *value)
 {
     const hs_compute *compute = compute_of(env, value);
@@ -281,6 +288,13 @@ bool hs_value_needs_energy(hs_env *env, const hs_value *value)
     const hs_compute *compute = compute_of(env, value);
     if (value->kind == 'i' || value->kind == 'd') return false;
     return value->kind != 'c' || compute == NULL || compute->style->needs_energy || compute->may_need_energy;
+}
+
+bool hs_values_need_energy(hs_env *env, const hs_value *values, int n)
+{
+    bool is_needed = false;
+    for (int k = 0; k < n; ++k) is_needed |= hs_value_needs_energy(env, &values[k]);
+    return is_needed;
 }
 
 void hs_value_announce(hs_env *env, const hs_value *value)

@@ -45,6 +45,9 @@ void hs_value_fini(hs_value *value);
  *  since). Elements beyond the end are refused. */
 HS_MUST_USE hs_status hs_value_check(hs_env *env, const hs_value *value, hs_value_shape shape, const char *command,
                                      hs_error *err);
+/** The same for values[n]. */
+HS_MUST_USE hs_status hs_values_check(hs_env *env, const hs_value *values, int n, hs_value_shape shape,
+                                      const char *command, hs_error *err);
 /** Whether the shape is there at all: no error. */
 bool hs_value_has(hs_env *env, const hs_value *value, hs_value_shape shape);
 /** Whether there is the compute or fix that a reference c_ID or f_ID names. */
@@ -83,6 +86,8 @@ HS_MUST_USE hs_status hs_value_all(hs_env *env, const hs_value *value, const hs_
 /** Whether the value may ask for the pair energy or virial. What a variable asks for is not known before it does:
  *  yes. */
 bool hs_value_needs_energy(hs_env *env, const hs_value *value);
+/** Whether one of values[n] may. */
+bool hs_values_need_energy(hs_env *env, const hs_value *values, int n);
 /** Tell the compute that it will be asked for at the end of the coming step: hs_compute_style.announce. */
 void hs_value_announce(hs_env *env, const hs_value *value);
 /** Whether the number grows with the number of atoms. */

@@ -122,9 +122,7 @@ hs_status hs_values_create(hs_value **values, int *n, hs_env *env, const hs_args
                            hs_value_shape shape, hs_error *err)
 {
     HS_TRY(hs_values_read(values, n, env, args, first, n_words, shape, err));
-    hs_status status = HS_OK;
-    for (int i = 0; i < *n && status == HS_OK; ++i)
-        status = hs_value_check(env, &(*values)[i], shape, args->command, err);
+    const hs_status status = hs_values_check(env, *values, *n, shape, args->command, err);
     if (status != HS_OK) hs_values_destroy(values, *n);
     return status;
 }
