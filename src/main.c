@@ -60,15 +60,16 @@ static const hs_cli_command *find_subcommand(const char *name)
     return NULL;
 }
 
-/** GNU OpenMP lets a waiting thread spin for milliseconds. On cores that other programs use too, the thread that is
- *  waited for then gets no core, and a run on two threads was measured ten times slower than on one. A short spin (some
- *  30 microseconds, longer than balanced threads wait for each other) costs nothing when the cores are free. The
- *  library reads the setting when the program is loaded, so the program starts itself anew, once; what the user set is
- *  left alone. */
+/** GNU OpenMP lets a waiting thread spin for milliseconds. Where ranks have more threads together than there are cores, the
+ *  thread that is waited for then gets no core: eight times as long with two ranks of two threads on two cores. Ranks
+ *  therefore spin for some 15 to 30 microseconds only. A program of its own binds its threads to cores (hs_threads_bind), so they
+ *  do not keep each other off; it spins for 0.2 to 0.5 milliseconds, because to sleep and to be woken costs more than most waits
+ *  (docs/scaling.md). The library reads the setting when the program is loaded, so the program starts itself anew, once;
+ *  what the user set is left alone. */
 static void limit_spinning(char **argv)
 {
     if (getenv("GOMP_SPINCOUNT") != NULL || getenv("OMP_WAIT_POLICY") != NULL) return;
-    if (setenv("GOMP_SPINCOUNT", "1000", 1) != 0) return;
+    if (setenv("GOMP_SPINCOUNT", hs_parallel_is_launched() ? "1000" : "16000", 1) != 0) return;
     hs_threads_unbind();
     execv("/proc/self/exe", argv);
     /* where that is not possible the run is right all the same */

@@ -3,6 +3,8 @@
 
 #include "parallel/messages.h"
 
+bool hs_parallel_is_launched(void) { return false; }
+
 hs_status hs_parallel_init(hs_parallel *parallel, hs_error *err)
 {
     *parallel = (hs_parallel){.rank = 0, .n_ranks = 1};

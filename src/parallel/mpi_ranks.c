@@ -15,7 +15,7 @@ static struct {
 
 /* Open MPI takes a tenth of a second to start and opens sockets even for one rank: a program that was not started by a
    launcher does without it. */
-static bool launched_by_mpi(void)
+bool hs_parallel_is_launched(void)
 {
     static const char *const signs[] = {"OMPI_COMM_WORLD_SIZE", "PMI_RANK", "PMIX_RANK", "PMI_SIZE", "MPI_LOCALNRANKS"};
     for (size_t i = 0; i < sizeof signs / sizeof signs[0]; ++i)
@@ -42,7 +42,7 @@ void hs_parallel_world(hs_parallel *parallel)
 hs_status hs_parallel_init(hs_parallel *parallel, hs_error *err)
 {
     *parallel = (hs_parallel){.rank = 0, .n_ranks = 1};
-    if (!launched_by_mpi()) return HS_OK;
+    if (!hs_parallel_is_launched()) return HS_OK;
     int provided;
     if (MPI_Init_thread(NULL, NULL, MPI_THREAD_FUNNELED, &provided) != MPI_SUCCESS)
         return hs_fail(err, HS_ERROR_RUN, "MPI could not be started");
