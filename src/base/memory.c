@@ -23,10 +23,32 @@ static const size_t mapping_bytes_min = SIZE_MAX;
 static const size_t mapping_bytes_min = 1u << 20;
 #endif
 
+/* Where the system has huge pages on request (Linux: transparent_hugepage = madvise, the usual setting), whole ones of an array are
+   such: the pair loop reads and writes all over positions and forces, and with pages of 4 KiB it waits for their addresses.
+   An array that begins where a huge page does has most of them, and none that reaches beyond what is used of it. */
+static const size_t huge_page_bytes = 1u << 21;
+
+/** Zeroed mapping that begins at a multiple of a huge page, if it has one, or NULL. */
 static void *new_mapping(size_t bytes)
 {
-    void *block = mmap(NULL, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
-    return block == MAP_FAILED ? NULL : block;
+    const size_t slack = bytes < huge_page_bytes ? 0 : huge_page_bytes;
+    char *block = mmap(NULL, bytes + slack, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    if (block == MAP_FAILED) return NULL;
+    if (slack == 0) return block;
+    const size_t before = (0 - (uintptr_t)block) % huge_page_bytes;
+    if (before > 0) munmap(block, before);
+    if (before < slack) munmap(block + before + bytes, slack - before);
+#ifdef MADV_HUGEPAGE
+    madvise(block + before, bytes, MADV_HUGEPAGE);
+#endif
+    return block + before;
+}
+
+/** The next multiple of the size of a page. */
+static size_t whole_pages(size_t bytes)
+{
+    const size_t page_bytes = (size_t)sysconf(_SC_PAGESIZE);
+    return (bytes + page_bytes - 1) / page_bytes * page_bytes;
 }
 
 /** Zeroed block from the heap. The array ends where the block does, so that checkers notice the first byte beyond. */
@@ -41,11 +63,12 @@ hs_status hs_memory_alloc(void **array, size_t n, size_t size, hs_error *err)
 {
     *array = NULL;
     _Static_assert(sizeof(array_header) <= HS_ALIGNMENT, "the header fits before an aligned array");
-    if (size > 0 && n > (SIZE_MAX - HS_ALIGNMENT) / size)
+    if (size > 0 && n > (SIZE_MAX / 2 - HS_ALIGNMENT) / size)
         return hs_fail(err, HS_ERROR_MEMORY, "an array of %zu elements of %zu bytes is larger than memory can be", n,
                        size);
-    const size_t bytes = n * size + HS_ALIGNMENT;
-    const bool is_mapped = bytes >= mapping_bytes_min;
+    const size_t needed = n * size + HS_ALIGNMENT;
+    const bool is_mapped = needed >= mapping_bytes_min;
+    const size_t bytes = is_mapped ? whole_pages(needed) : needed;
     char *block = is_mapped ? new_mapping(bytes) : new_heap_block(bytes);
     if (block == NULL) return hs_fail(err, HS_ERROR_MEMORY, "out of memory: %zu bytes more were needed", n * size);
     char *start = block + HS_ALIGNMENT;

@@ -95,7 +95,11 @@ hs_status hs_atoms_reserve(hs_atoms *atoms, int64_t n_local, int64_t n_halo, hs_
 {
     if (n_local <= atoms->capacity_local && n_halo <= atoms->capacity_halo) return HS_OK;
     HS_TRY(hs_atoms_check_room(atoms, n_local, n_halo, err));
-    if (n_local < atoms->capacity_local) n_local = atoms->capacity_local;
+    if (n_local <= atoms->capacity_local) {
+        /* the arrays move anyway: what growth by halves has left over is given back */
+        const int64_t kept = (int64_t)atoms->n_local + atoms->n_local / 64 + 64;
+        if (n_local < kept) n_local = kept < atoms->capacity_local ? kept : atoms->capacity_local;
+    }
     if (n_halo < atoms->capacity_halo) n_halo = atoms->capacity_halo;
     return resize(atoms, (int)n_local, (int)n_halo, err);
 }

@@ -47,7 +47,7 @@ hs_status hs_force_space_reserve(hs_force_space *space, const hs_atoms *atoms, h
         HS_TRY(HS_ALLOC(space->buffer, (size_t)n_threads, err));
         HS_TRY(HS_ALLOC(space->share, HS_N_STAGES * (size_t)n_threads, err));
         space->n_threads = n_threads;
-        space->capacity_atoms = n_atoms + n_atoms / 8;
+        space->capacity_atoms = n_atoms + n_atoms / 32;
         const size_t room = (size_t)n_blocks(space->capacity_atoms) * HS_FORCE_BLOCK + HS_ATOMS_PAD;
         for (int t = 0; t < n_threads; ++t) {
             for (int axis = 0; axis < 3 && t > 0; ++axis) HS_TRY(HS_ALLOC(space->buffer[t].f[axis], room, err));
@@ -80,7 +80,7 @@ hs_status hs_force_pack(hs_force_space *space, hs_force_job *job, bool is_new, h
     if (is_new) HS_TRY(hs_packed_begin(packed, job->clusters, job->atoms, job->cutoff_max, err));
     const int64_t n = n_packed_blocks(packed) << HS_PACKED_BLOCK_BITS;
     if (n > space->capacity_packed) {
-        space->capacity_packed = n + n / 8;
+        space->capacity_packed = n + n / 32;
         for (int t = 0; t < space->n_threads; ++t)
             HS_TRY(HS_GROW(space->buffer[t].packed_f, 0, (size_t)space->capacity_packed, err));
     }

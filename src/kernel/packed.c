@@ -47,11 +47,11 @@ hs_status hs_packed_begin(hs_packed *packed, const hs_clusters *clusters, const 
     if (n > INT32_MAX / HS_PACKED - HS_PACKED)
         return hs_fail(err, HS_ERROR_RUN, "too many atoms on one rank for mixed precision: use more ranks");
     if (n > packed->capacity) {
-        packed->capacity = n + n / 8 + 16;
+        packed->capacity = n + n / 32 + 16;
         HS_TRY(HS_GROW(packed->site, 0, (size_t)packed->capacity * HS_PACKED, err));
     }
     if (n_atoms > packed->capacity_atoms) {
-        packed->capacity_atoms = n_atoms + n_atoms / 8 + 16;
+        packed->capacity_atoms = n_atoms + n_atoms / 32 + 16;
         HS_TRY(HS_GROW(packed->place_of, 0, (size_t)packed->capacity_atoms, err));
     }
     packed->n = (int)n;

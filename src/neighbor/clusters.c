@@ -25,7 +25,7 @@ static hs_status reserve(hs_cluster_part *part, int64_t n_clusters, int n_column
         HS_TRY(HS_GROW(part->column_begin, 0, (size_t)part->capacity_columns + 1, err));
     }
     if (n_clusters > part->capacity) {
-        part->capacity = n_clusters + n_clusters / 8 + 16;
+        part->capacity = n_clusters + n_clusters / 32 + 16;
         HS_TRY(HS_GROW(part->entry, 0, (size_t)part->capacity + BOX_PAD, err));
         HS_TRY(HS_GROW(part->size, 0, (size_t)part->capacity, err));
         for (int side = 0; side < 6; ++side) HS_TRY(HS_GROW(part->box[side], 0, (size_t)part->capacity + BOX_PAD, err));
