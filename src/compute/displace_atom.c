@@ -62,4 +62,5 @@ const hs_compute_style hs_compute_style_displace_atom = {
     .create = create,
     .destroy = destroy,
     .per_atom = per_atom,
+    .needs_fixed_group = true,
 };

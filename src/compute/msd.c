@@ -113,4 +113,5 @@ const hs_compute_style hs_compute_style_msd = {
     .destroy = destroy,
     .keep_state = keep_state,
     .vector = vector,
+    .needs_fixed_group = true,
 };

@@ -78,4 +78,5 @@ const hs_compute_style hs_compute_style_msd_chunk = {
     .init = hs_per_chunk_init,
     .keep_state = keep_state,
     .array = array,
+    .needs_fixed_group = true,
 };

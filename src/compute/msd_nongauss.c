@@ -85,4 +85,5 @@ const hs_compute_style hs_compute_style_msd_nongauss = {
     .create = create,
     .destroy = destroy,
     .vector = vector,
+    .needs_fixed_group = true,
 };

@@ -73,4 +73,5 @@ const hs_compute_style hs_compute_style_vacf = {
     .create = create,
     .destroy = destroy,
     .vector = vector,
+    .needs_fixed_group = true,
 };

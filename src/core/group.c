@@ -65,4 +65,8 @@ hs_status hs_groups_add(hs_groups *groups, const char *name, int *bit, hs_error 
                    HS_GROUPS_MAX);
 }
 
-void hs_groups_remove(hs_groups *groups, int bit) { HS_FREE(groups->name[bit]); }
+void hs_groups_remove(hs_groups *groups, int bit)
+{
+    HS_FREE(groups->name[bit]);
+    groups->dynamic &= ~hs_group_mask(bit);
+}

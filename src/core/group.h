@@ -11,6 +11,7 @@ enum { HS_GROUPS_MAX = 32 };
 
 typedef struct hs_groups {
     char *name[HS_GROUPS_MAX]; /**< owned; NULL for a free bit */
+    uint32_t dynamic;          /**< bits of groups whose members are chosen anew during runs */
 } hs_groups;
 
 HS_MUST_USE hs_status hs_groups_init(hs_groups *groups, hs_error *err);

@@ -15,14 +15,16 @@ typedef enum {
     GROUP_VARIABLE,
     GROUP_SUBTRACT,
     GROUP_UNION,
-    GROUP_INTERSECT
+    GROUP_INTERSECT,
+    GROUP_DYNAMIC,
+    GROUP_STATIC
 } group_style;
 
-static const char *const group_styles[] = {"delete",   "clear",    "empty", "region",    "type", "id",
-                                           "variable", "subtract", "union", "intersect", NULL};
+static const char *const group_styles[] = {"delete",   "clear", "empty",     "region",  "type",   "id", "variable",
+                                           "subtract", "union", "intersect", "dynamic", "static", NULL};
 /** Least number of words after the style, and most (-1: any number). */
-static const int group_words[][2] = {{0, 0},  {0, 0}, {0, 0},  {1, 1},  {1, -1},
-                                     {1, -1}, {1, 1}, {2, -1}, {1, -1}, {2, -1}};
+static const int group_words[][2] = {{0, 0}, {0, 0},  {0, 0},  {1, 1},  {1, -1}, {1, -1},
+                                     {1, 1}, {2, -1}, {1, -1}, {2, -1}, {3, 7},  {0, 0}};
 
 static const char *const comparisons[] = {"<", ">", "<=", ">=", "==", "!=", "<>", NULL};
 
@@ -36,8 +38,6 @@ static hs_status refuse_other(const hs_args *args, const char *style, hs_error *
     static const char *const reasons[][2] = {
         {"molecule", "atoms belong to no molecules"},
         {"include", "it completes molecules, which there are none of"},
-        {"dynamic", "groups that change during a run are not; a static group keeps its atoms"},
-        {"static", "it ends dynamic groups, which there are none of"},
     };
     for (size_t k = 0; k < sizeof reasons / sizeof reasons[0]; ++k)
         if (strcmp(style, reasons[k][0]) == 0)
@@ -56,7 +56,7 @@ static hs_status group_check(const hs_args *args, bool has_variables, hs_error *
     const int n = args->n - 2, *allowed = group_words[style];
     if (n < allowed[0])
         return hs_fail(err, HS_ERROR_INPUT, "group: the style %s needs %s%d more word%s", args->word[1],
-                       allowed[1] < 0 ? "at least " : "", allowed[0], allowed[0] == 1 ? "" : "s");
+                       allowed[1] != allowed[0] ? "at least " : "", allowed[0], allowed[0] == 1 ? "" : "s");
     if (allowed[1] >= 0 && n > allowed[1])
         return hs_fail(err, HS_ERROR_INPUT, "group: unexpected word '%s' after the style %s",
                        args->word[2 + allowed[1]], args->word[1]);
@@ -181,6 +181,11 @@ static hs_status select_by_groups(hs_sim *sim, group_style style, const hs_args 
     for (int k = 2; k < args->n; ++k) {
         int other;
         HS_TRY(hs_groups_get(&sim->groups, args->word[k], &other, err));
+        if (sim->groups.dynamic & hs_group_mask(other))
+            return hs_fail(err, HS_ERROR_INPUT,
+                           "group: '%s' is dynamic: its members are known only during a run ('group %s static' keeps "
+                           "those that it has)",
+                           args->word[k], args->word[k]);
         *(k == 2 ? &first : &others) |= hs_group_mask(other);
     }
     for (int i = 0; i < atoms->n_local; ++i) {
@@ -224,12 +229,55 @@ static hs_status check_unused(const hs_sim *sim, int group, hs_error *err)
                    sim->groups.name[group], kind, id);
 }
 
+/* ---- dynamic and static ---- */
+
+/** The fix that chooses the members of a dynamic group: its name is LAMMPS's. */
+static hs_status fix_name(const char *group, hs_text *name, hs_error *err)
+{
+    return hs_text_printf(name, err, "GROUP_%s", group);
+}
+
+/** No more changes; the members stay. */
+static hs_status end_dynamic(hs_sim *sim, int group, hs_error *err)
+{
+    hs_text name = {0};
+    if (!(sim->groups.dynamic & hs_group_mask(group))) return HS_OK;
+    hs_status status = fix_name(sim->groups.name[group], &name, err);
+    if (status == HS_OK) status = hs_sim_remove_fix(sim, hs_text_get(&name), err);
+    hs_text_fini(&name);
+    return status;
+}
+
+/** group ID dynamic <parent> keyword value ...: made by a fix. */
+static hs_status start_dynamic(hs_deck *deck, const hs_args *args, int group, hs_error *err)
+{
+    hs_sim *sim = deck->sim;
+    hs_text name = {0};
+    const char *words[8] = {args->word[0]};
+    const hs_neighbor_settings *settings = &sim->neighbor.settings;
+    for (int k = 0; k < settings->n_exclusions; ++k)
+        if (settings->exclusion[k].kind == HS_EXCLUDE_GROUP &&
+            (settings->exclusion[k].a == group || settings->exclusion[k].b == group))
+            return hs_fail(err, HS_ERROR_INPUT, "group: neigh_modify exclude needs the members of '%s' to stay",
+                           args->word[0]);
+    HS_TRY(end_dynamic(sim, group, err));
+    for (int i = 3; i < args->n; ++i) words[i - 2] = args->word[i];
+    const hs_args fix = {.command = args->command, .n = args->n - 2, .word = words};
+    hs_status status = fix_name(args->word[0], &name, err);
+    if (status == HS_OK) status = hs_sim_add_fix(sim, hs_text_get(&name), args->word[2], "group/dynamic", &fix, err);
+    hs_text_fini(&name);
+    HS_TRY(status);
+    hs_say(deck->out, "dynamic group %s defined\n", args->word[0]);
+    return HS_OK;
+}
+
 static hs_status clear_or_delete(hs_sim *sim, const hs_args *args, bool is_delete, hs_error *err)
 {
     int group;
     HS_TRY(hs_groups_get(&sim->groups, args->word[0], &group, err));
     if (group == 0)
         return hs_fail(err, HS_ERROR_INPUT, "group: the group all cannot be %s", is_delete ? "deleted" : "cleared");
+    if (is_delete) HS_TRY(end_dynamic(sim, group, err));
     if (is_delete) HS_TRY(check_unused(sim, group, err));
     if (!sim->env.is_resuming) clear_bit(&sim->atoms, hs_group_mask(group));
     if (is_delete) hs_groups_remove(&sim->groups, group);
@@ -266,17 +314,29 @@ static hs_status group_run(hs_deck *deck, const hs_args *args, hs_error *err)
     HS_TRY(hs_arg_choice(args, 1, group_styles, &style, err));
     if (style == GROUP_DELETE || style == GROUP_CLEAR) return clear_or_delete(sim, args, style == GROUP_DELETE, err);
     const bool is_new = hs_groups_find(&sim->groups, args->word[0]) < 0;
+    if (style == GROUP_STATIC) HS_TRY(hs_groups_get(&sim->groups, args->word[0], &group, err));
     HS_TRY(hs_groups_add(&sim->groups, args->word[0], &group, err));
     const uint32_t bit = hs_group_mask(group);
     hs_status status = HS_OK;
+    if (style == GROUP_STATIC)
+        status = end_dynamic(sim, group, err);
+    else if (style != GROUP_DYNAMIC && sim->groups.dynamic & bit)
+        status =
+            hs_fail(err, HS_ERROR_INPUT, "group: '%s' is dynamic: it takes no other members ('group %s static' first)",
+                    args->word[0], args->word[0]);
+    HS_TRY(status);
     if (!sim->env.is_resuming) { /* else atoms brought their groups; what chose them (regions, variables) may be gone */
         if (is_new) clear_bit(&sim->atoms, bit);
-        status = select_atoms(deck, (group_style)style, args, bit, err);
+        status = style == GROUP_DYNAMIC || style == GROUP_STATIC
+                     ? HS_OK
+                     : select_atoms(deck, (group_style)style, args, bit, err);
     }
+    if (status == HS_OK && style == GROUP_DYNAMIC) status = start_dynamic(deck, args, group, err);
     if (status != HS_OK) {
         if (is_new) hs_groups_remove(&sim->groups, group);
         return status;
     }
+    if (style == GROUP_DYNAMIC) return HS_OK;
     int64_t n = 0;
     for (int i = 0; i < sim->atoms.n_local; ++i) n += (sim->atoms.mask[i] & bit) != 0;
     hs_parallel_sum_int64(&sim->parallel, &n, 1);
@@ -305,11 +365,16 @@ const hs_command hs_commands_group[] = {
                     "| `union <ID> ...` | in any of the groups |\n"
                     "| `intersect <ID> <ID> ...` | in all of the groups |\n"
                     "| `subtract <ID> <ID> ...` | in the first group and in none of the others |\n"
-                    "| `empty` | none |\n\n"
+                    "| `empty` | none |\n"
+                    "| `dynamic <group-ID> [region <ID>] [var <name>] [every <N>]` | those of that group that are in "
+                    "the region, and for which the atom-style variable is not 0, chosen anew during runs at steps that "
+                    "are multiples of N |\n"
+                    "| `static` | those that a dynamic group has now: they stay |\n\n"
                     "`clear` takes all atoms out of the group; `delete` removes it, unless a fix, compute, dump or "
                     "exclusion uses it.\n"
-                    "Atoms stay in their groups wherever they move. The styles `molecule`, `include`, `dynamic` and "
-                    "`static` are refused.\n",
+                    "Atoms stay in their groups wherever they move, but in dynamic ones: what acts on such a group, or "
+                    "measures it, does so with its members of the step; what remembers something of each member (msd, "
+                    "vacf, spring/self, ...) refuses it. The styles `molecule` and `include` are refused.\n",
                 .example =
                     "group wall type 2 3\ngroup odd id 1:999:2\ngroup upper region top\ngroup mobile subtract all wall",
             },

@@ -58,6 +58,10 @@ static hs_status exclude(hs_sim *sim, const hs_args *args, int i, int *n_used, h
         HS_TRY(hs_arg_need(args, i + 3, "a second group-ID", err));
         HS_TRY(hs_groups_get(&sim->groups, args->word[i + 2], &a, err));
         HS_TRY(hs_groups_get(&sim->groups, args->word[i + 3], &b, err));
+        if (sim->groups.dynamic & (hs_group_mask(a) | hs_group_mask(b)))
+            return hs_fail(err, HS_ERROR_INPUT,
+                           "neigh_modify: exclude group needs groups whose members stay, and '%s' is dynamic",
+                           sim->groups.name[sim->groups.dynamic & hs_group_mask(a) ? a : b]);
         return add_exclusion(sim, (hs_exclusion){HS_EXCLUDE_GROUP, a, b}, err);
     }
     if (kind > 2)

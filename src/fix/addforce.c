@@ -160,4 +160,5 @@ const hs_fix_style hs_fix_style_addforce = {
     .acts_in_minimize = true,
     HS_SHOWN_HOOKS,
     .has_virial = true,
+    .allows_dynamic_group = true,
 };

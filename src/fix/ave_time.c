@@ -353,4 +353,5 @@ const hs_fix_style hs_fix_style_ave_time = {
     .announce = announce,
     .keep_state = keep_state,
     .is_time_dependent = true,
+    .allows_dynamic_group = true,
 };

@@ -125,4 +125,5 @@ const hs_fix_style hs_fix_style_brownian_sphere = {
     .dt_changed = brownian_init,
     .initial_integrate = initial_integrate,
     .is_integrator = true,
+    .allows_dynamic_group = true,
 };

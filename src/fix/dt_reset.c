@@ -132,4 +132,5 @@ const hs_fix_style hs_fix_style_dt_reset = {
     .end_of_step = end_of_step,
     .scalar = scalar,
     .keep_state = keep_state,
+    .allows_dynamic_group = true,
 };

@@ -152,4 +152,5 @@ const hs_fix_style hs_fix_style_ehex = {
     .end_of_step = end_of_step,
     .moves_at_end = true,
     THERMAL_HOOKS,
+    .allows_dynamic_group = true,
 };

@@ -45,4 +45,5 @@ const hs_fix_style hs_fix_style_enforce2d = {
     .create = create,
     .post_force = post_force,
     .acts_in_minimize = true,
+    .allows_dynamic_group = true,
 };

@@ -125,4 +125,5 @@ const hs_fix_style hs_fix_style_gravity = {
     .scalar = scalar,
     .is_extensive = true,
     .has_energy = true,
+    .allows_dynamic_group = true,
 };

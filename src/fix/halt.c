@@ -147,4 +147,5 @@ const hs_fix_style hs_fix_style_halt = {
     .init = init,
     .end_of_step = end_of_step,
     .needs_energy = needs_energy,
+    .allows_dynamic_group = true,
 };

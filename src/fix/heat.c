@@ -66,4 +66,5 @@ const hs_fix_style hs_fix_style_heat = {
     .create = create,
     .end_of_step = end_of_step,
     THERMAL_HOOKS,
+    .allows_dynamic_group = true,
 };

@@ -243,4 +243,5 @@ const hs_fix_style hs_fix_style_indent = {
     .post_force = post_force,
     .acts_in_minimize = true,
     HS_SHOWN_HOOKS,
+    .allows_dynamic_group = true,
 };

@@ -313,4 +313,5 @@ const hs_fix_style hs_fix_style_langevin = {
     .keep_state = keep_state,
     .has_energy = true,
     .is_coupling = true,
+    .allows_dynamic_group = true,
 };

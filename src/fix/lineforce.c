@@ -20,4 +20,5 @@ const hs_fix_style hs_fix_style_lineforce = {
     .create = direction_create,
     .post_force = post_force,
     .acts_in_minimize = true,
+    .allows_dynamic_group = true,
 };

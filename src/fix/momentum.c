@@ -192,4 +192,5 @@ const hs_fix_style hs_fix_style_momentum = {
     .state_size = sizeof(momentum_state),
     .create = create,
     .end_of_step = end_of_step,
+    .allows_dynamic_group = true,
 };

@@ -24,4 +24,5 @@ const hs_fix_style hs_fix_style_nph = {
     HS_NOSE_HOOVER_HOOKS,
     .init = hs_nose_hoover_init,
     HS_NOSE_HOOVER_PRESSURE_HOOKS,
+    .allows_dynamic_group = true,
 };

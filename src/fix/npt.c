@@ -25,4 +25,5 @@ const hs_fix_style hs_fix_style_npt = {
     HS_NOSE_HOOVER_HOOKS,
     .init = hs_nose_hoover_init,
     HS_NOSE_HOOVER_PRESSURE_HOOKS,
+    .allows_dynamic_group = true,
 };

@@ -129,4 +129,5 @@ const hs_fix_style hs_fix_style_nve = {
     .initial_integrate = initial_integrate,
     .final_integrate = final_integrate,
     .is_integrator = true,
+    .allows_dynamic_group = true,
 };

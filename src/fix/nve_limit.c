@@ -86,4 +86,5 @@ const hs_fix_style hs_fix_style_nve_limit = {
     .scalar = scalar,
     .is_extensive = true,
     .is_integrator = true,
+    .allows_dynamic_group = true,
 };

@@ -29,4 +29,5 @@ const hs_fix_style hs_fix_style_nve_noforce = {
               .example = "velocity wall set 0.5 0 0\nfix 2 wall nve/noforce"},
     .initial_integrate = initial_integrate,
     .is_integrator = true,
+    .allows_dynamic_group = true,
 };

@@ -27,4 +27,5 @@ const hs_fix_style hs_fix_style_nvt = {
               .example = "fix 1 all nvt temp 1.0 1.0 0.5\nfix 2 beads nvt temp 300.0 350.0 100.0 tchain 5"},
     HS_NOSE_HOOVER_HOOKS,
     .init = hs_nose_hoover_init,
+    .allows_dynamic_group = true,
 };

@@ -54,4 +54,5 @@ const hs_fix_style hs_fix_style_nvt_sllod = {
                     "1_temp"},
     HS_NOSE_HOOVER_HOOKS,
     .init = init,
+    .allows_dynamic_group = true,
 };

@@ -21,4 +21,5 @@ const hs_fix_style hs_fix_style_planeforce = {
     .create = direction_create,
     .post_force = post_force,
     .acts_in_minimize = true,
+    .allows_dynamic_group = true,
 };

@@ -199,4 +199,5 @@ const hs_fix_style hs_fix_style_press_berendsen = {
     .needs_energy = needs_energy,
     .changes_box = true,
     .moves_at_end = true,
+    .allows_dynamic_group = true,
 };

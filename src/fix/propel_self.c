@@ -141,4 +141,5 @@ const hs_fix_style hs_fix_style_propel_self = {
     .destroy = destroy,
     .post_force = post_force,
     .has_virial = true,
+    .allows_dynamic_group = true,
 };

@@ -55,4 +55,5 @@ const hs_fix_style hs_fix_style_setforce = {
     .vector = hs_shown_vector,
     .n_vector = 3,
     .is_vector_extensive = true,
+    .allows_dynamic_group = true,
 };

@@ -136,4 +136,5 @@ const hs_fix_style hs_fix_style_spring = {
     .is_vector_extensive = true,
     .acts_in_minimize = true,
     .has_energy = true,
+    .allows_dynamic_group = true,
 };

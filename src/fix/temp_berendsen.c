@@ -45,4 +45,5 @@ const hs_fix_style hs_fix_style_temp_berendsen = {
     .create = create,
     .end_of_step = end_of_step,
     SCALING_HOOKS,
+    .allows_dynamic_group = true,
 };

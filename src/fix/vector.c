@@ -122,4 +122,5 @@ const hs_fix_style hs_fix_style_vector = {
     .needs_energy = needs_energy,
     .keep_state = keep_state,
     .is_time_dependent = true,
+    .allows_dynamic_group = true,
 };

@@ -68,4 +68,5 @@ const hs_fix_style hs_fix_style_viscous = {
     .destroy = destroy,
     .post_force = post_force,
     .acts_in_minimize = true,
+    .allows_dynamic_group = true,
 };

@@ -22,4 +22,5 @@ const hs_fix_style hs_fix_style_wall_harmonic = {
                          "energy/distance^2; sigma must be given, as in LAMMPS, and does not enter.\n\n" WALL_DETAILS,
               .example = "fix walls all wall/harmonic xlo EDGE 50.0 1.0 1.0 xhi EDGE 50.0 1.0 1.0"},
     WALL_HOOKS,
+    .allows_dynamic_group = true,
 };

@@ -35,4 +35,5 @@ const hs_fix_style hs_fix_style_wall_lj1043 = {
               .reference = "J. Magda, M. Tirrell, H. T. Davis, J. Chem. Phys. 83, 1888 (1985), doi:10.1063/1.449375",
               .example = "fix walls all wall/lj1043 zlo EDGE 1.0 1.0 2.5 zhi EDGE 1.0 1.0 2.5"},
     WALL_HOOKS,
+    .allows_dynamic_group = true,
 };

@@ -29,4 +29,5 @@ const hs_fix_style hs_fix_style_wall_lj126 = {
                   "cutoff; a cutoff of 2^(1/6) sigma makes the wall purely repulsive.\n\n" WALL_DETAILS,
               .example = "fix walls all wall/lj126 zlo EDGE 1.0 1.0 1.12 zhi EDGE 1.0 1.0 1.12"},
     WALL_HOOKS,
+    .allows_dynamic_group = true,
 };

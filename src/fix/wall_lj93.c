@@ -31,4 +31,5 @@ const hs_fix_style hs_fix_style_wall_lj93 = {
              "cutoff: a half space of Lennard-Jones particles. Its minimum is at (2/5)^(1/6) sigma.\n\n" WALL_DETAILS,
          .example = "fix walls all wall/lj93 xlo EDGE 1.0 1.0 2.5 xhi EDGE 1.0 1.0 2.5"},
     WALL_HOOKS,
+    .allows_dynamic_group = true,
 };

@@ -88,4 +88,5 @@ const hs_fix_style hs_fix_style_wall_reflect = {
     .keep_state = wall_keep_state,
     .setup = setup,
     .post_integrate = post_integrate,
+    .allows_dynamic_group = true,
 };

@@ -217,4 +217,5 @@ const hs_fix_style hs_fix_style_wall_reflect_stochastic = {
     .keep_state = wall_keep_state,
     .setup = setup,
     .post_integrate = post_integrate,
+    .allows_dynamic_group = true,
 };

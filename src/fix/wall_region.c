@@ -206,4 +206,5 @@ const hs_fix_style hs_fix_style_wall_region = {
     .is_vector_extensive = true,
     .has_energy = true,
     .has_virial = true,
+    .allows_dynamic_group = true,
 };

@@ -33,9 +33,32 @@ static void choose_threads(const hs_sim *sim)
     hs_threads_set(sim->options.n_threads <= 0 && are_few ? 1 : sim->n_threads);
 }
 
+/** Who remembers something of each member cannot serve a group whose members change. */
+static hs_status check_dynamic_groups(const hs_sim *sim, hs_error *err)
+{
+    const uint32_t dynamic = sim->groups.dynamic;
+    const char *kind = NULL, *id = NULL, *style = NULL;
+    int group = 0;
+    for (int k = 0; k < sim->n_fixes && kind == NULL; ++k) {
+        const hs_fix *fix = sim->fix[k];
+        if (fix->style->allows_dynamic_group || !(fix->mask & dynamic)) continue;
+        kind = "fix", id = fix->id, style = fix->style->about.name, group = fix->group;
+    }
+    for (int k = 0; k < sim->n_computes && kind == NULL; ++k) {
+        const hs_compute *compute = sim->compute[k];
+        if (!compute->style->needs_fixed_group || !(compute->mask & dynamic)) continue;
+        kind = "compute", id = compute->id, style = compute->style->about.name, group = compute->group;
+    }
+    if (kind == NULL) return HS_OK;
+    return hs_fail(err, HS_ERROR_INPUT,
+                   "%s '%s' (%s) needs a group whose members stay, and '%s' is dynamic ('group %s static' ends that)",
+                   kind, id, style, sim->groups.name[group], sim->groups.name[group]);
+}
+
 static hs_status init_styles(hs_sim *sim, hs_error *err)
 {
     int n_integrators = 0;
+    HS_TRY(check_dynamic_groups(sim, err));
     for (int k = 0; k < sim->n_fixes; ++k) {
         if (sim->fix[k]->style->init != NULL) HS_TRY(sim->fix[k]->style->init(sim->fix[k], err));
         n_integrators += sim->fix[k]->style->is_integrator;

@@ -45,6 +45,7 @@ typedef struct hs_compute_style {
     bool needs_energy;        /**< the pair energy or virial must have been computed on the step it is asked for */
     bool is_extensive;        /**< scalar grows with the number of atoms: divided by N under thermo_modify norm yes */
     bool is_vector_extensive; /**< the same for the elements of the vector; both are copied to the compute */
+    bool needs_fixed_group;   /**< remembers places or velocities of its members: refuses dynamic groups */
     bool is_temperature, is_pressure; /**< may serve fix_modify temp / press */
 } hs_compute_style;
 

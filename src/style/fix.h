@@ -82,15 +82,16 @@ typedef struct hs_fix_style {
     const hs_fix_data *data; /**< what write_data writes and read_data can read; NULL: nothing */
     /** The box moves with the atoms when the energy is minimised; NULL: it stays. */
     const hs_box_freedom *box_freedom;
-    bool is_time_dependent; /**< counts steps: reset_timestep is refused while there is one */
-    bool acts_in_minimize;  /**< setup and post_force are called when the energy is minimised, too */
-    bool is_integrator;     /**< moves its atoms: two of them on one atom are warned about */
-    bool has_energy;        /**< `fix_modify energy yes` adds the scalar to the potential energy */
-    bool has_virial;        /**< `fix_modify virial yes` adds virial[] to the pressure */
-    bool is_coupling;       /**< the scalar is the energy that a thermostat or barostat has given away (ecouple); copied
+    bool allows_dynamic_group; /**< keeps nothing of the group's members from step to step */
+    bool is_time_dependent;    /**< counts steps: reset_timestep is refused while there is one */
+    bool acts_in_minimize;     /**< setup and post_force are called when the energy is minimised, too */
+    bool is_integrator;        /**< moves its atoms: two of them on one atom are warned about */
+    bool has_energy;           /**< `fix_modify energy yes` adds the scalar to the potential energy */
+    bool has_virial;           /**< `fix_modify virial yes` adds virial[] to the pressure */
+    bool is_coupling;  /**< the scalar is the energy that a thermostat or barostat has given away (ecouple); copied
                                  to the fix */
-    bool moves_at_end;      /**< end_of_step moves atoms or the box */
-    bool changes_box;       /**< the lengths of the box may change at every step */
+    bool moves_at_end; /**< end_of_step moves atoms or the box */
+    bool changes_box;  /**< the lengths of the box may change at every step */
 } hs_fix_style;
 
 enum { HS_FIX_OWN_MAX = 2 };

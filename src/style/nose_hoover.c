@@ -104,6 +104,7 @@ void hs_nose_hoover_find_target_temperature(const hs_fix *fix)
 {
     hs_nose_hoover *nh = fix->state;
     nh->t_target = nh->t_start + hs_env_ramp(fix->env) * (nh->t_stop - nh->t_start);
+    nh->kinetic_target = nh->n_dof * fix->env->units->boltz * nh->t_target;
 }
 
 static hs_status measure_temperature(const hs_fix *fix, hs_error *err)
@@ -156,8 +157,8 @@ static hs_status advance_thermostat(const hs_fix *fix, hs_error *err)
     const double k = fix->env->units->boltz;
     nh->chain.mass[0] = nh->n_dof * k * nh->t_target / (nh->t_rate * nh->t_rate);
     for (int link = 1; link < nh->chain.n; ++link) nh->chain.mass[link] = k * nh->t_target / (nh->t_rate * nh->t_rate);
-    const double s = hs_nh_chain_advance(&nh->chain, k * nh->t_target, nh->n_dof * k * nh->t_target,
-                                         nh->n_dof * k * nh->t_now, nh->dt);
+    const double s =
+        hs_nh_chain_advance(&nh->chain, k * nh->t_target, nh->kinetic_target, nh->n_dof * k * nh->t_now, nh->dt);
     nh->t_now *= s * s;
     hs_compute *temperature;
     HS_TRY(hs_barometer_temperature(fix, &nh->barometer, &temperature, err));

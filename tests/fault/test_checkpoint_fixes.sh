@@ -51,6 +51,16 @@ fix_modify 1 temp bath
 fix 2 all deform 1 xy delta 0.3 remap v
 D
 
+check changing <<'D'
+region r block 1.1 3.1 INF INF INF INF
+variable fast atom vx*vx>1.0
+group d dynamic all region r every 20
+group e dynamic all region r var fast
+fix 1 d nvt temp 1.2 1.2 0.5
+fix 2 e addforce 0.1 0 0
+dump 1 d custom 10 members.dump id x
+D
+
 check edges <<'D'
 fix 1 all npt temp 1.0 1.2 0.5 iso 5 5 1
 region corner block EDGE 2 EDGE 2 2 EDGE

@@ -28,6 +28,27 @@ fix 2 all enforce2d
 fix h two ave/histo 2 3 10 0 12 7 c_p[1] c_c vx mode vector ave running error yes
 fix w all ave/histo/weight 2 2 10 0 12 7 x c_k mode vector
 D
+    system changing 30 'c_t c_te f_s f_f[1] c_cm[1]' 'vx' <<D
+lattice fcc 0.7
+region box block 0 6 0 5 0 4
+create_box 1 box
+create_atoms 1 box
+mass 1 1.0
+velocity all create 1.5 12345
+$liquid
+neigh_modify every 5 delay 0 check no
+region r block 1.1 3.1 INF INF INF INF
+variable fast atom vx*vx>1.0
+group d dynamic all region r every 3
+group e dynamic all region r var fast
+compute t d temp
+compute te e temp
+compute cm e com
+fix 1 all nve
+fix 2 d langevin 1.2 1.2 0.5 4711
+fix f e addforce 0.1 0 0
+fix s d spring tether 0.5 NULL NULL 4.0 0
+D
     system squeezed 30 'f_1' <<D
 lattice fcc 0.7
 region box block 0 6 0 5 0 4
