@@ -51,6 +51,13 @@ fix_modify 1 temp bath
 fix 2 all deform 1 xy delta 0.3 remap v
 D
 
+check drying <<'D'
+region r block 1.1 3.1 INF INF INF INF
+fix 1 all nve
+fix 2 all evaporate 10 3 r 4711
+fix 3 all ave/time 1 1 10 f_2 file gone.txt
+D
+
 check changing <<'D'
 region r block 1.1 3.1 INF INF INF INF
 variable fast atom vx*vx>1.0

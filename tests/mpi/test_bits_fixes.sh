@@ -28,6 +28,21 @@ fix 2 all enforce2d
 fix h two ave/histo 2 3 10 0 12 7 c_p[1] c_c vx mode vector ave running error yes
 fix w all ave/histo/weight 2 2 10 0 12 7 x c_k mode vector
 D
+    system drying 30 'atoms f_d c_t' 'vx' <<D
+lattice fcc 0.7
+region box block 0 6 0 5 0 4
+create_box 1 box
+create_atoms 1 box
+mass 1 1.0
+velocity all create 1.5 12345
+$liquid
+neigh_modify every 5 delay 0 check no
+region r block 1.1 5.1 INF INF INF INF
+compute t all temp
+compute_modify t dynamic/dof yes
+fix 1 all nve
+fix d all evaporate 4 7 r 4711
+D
     system changing 30 'c_t c_te f_s f_f[1] c_cm[1]' 'vx' <<D
 lattice fcc 0.7
 region box block 0 6 0 5 0 4
