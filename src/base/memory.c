@@ -7,6 +7,9 @@
 #include <sys/mman.h>
 #include <sys/resource.h>
 #include <unistd.h>
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 /** Stands before every array. */
 typedef struct array_header {
@@ -127,6 +130,13 @@ hs_status hs_memory_replace(char **kept, const char *text, hs_error *err)
     HS_FREE(*kept);
     *kept = copy;
     return HS_OK;
+}
+
+void hs_memory_trim(void)
+{
+#ifdef __GLIBC__
+    malloc_trim(0);
+#endif
 }
 
 size_t hs_memory_resident(void)

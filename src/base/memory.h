@@ -32,6 +32,8 @@ HS_MUST_USE hs_status hs_memory_strdup(char **copy, const char *text, hs_error *
  *  @p text may be part of it. */
 HS_MUST_USE hs_status hs_memory_replace(char **kept, const char *text, hs_error *err);
 
+/** Give memory that was freed back to the system, for what is to be measured next. */
+void hs_memory_trim(void);
 /** Resident memory of this process now and at its peak, bytes; 0 when the system does not tell. */
 size_t hs_memory_resident(void);
 size_t hs_memory_resident_peak(void);

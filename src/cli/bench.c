@@ -111,6 +111,7 @@ static hs_status measure(const hs_cli *cli, const bench *plan, int n_threads, co
     char warm_up[32];
     snprintf(warm_up, sizeof warm_up, "run %d", WARM_UP_STEPS);
     hs_deck *deck = NULL;
+    hs_memory_trim(); /* else this one would be made in what the one before it has left */
     const double before = (double)hs_memory_resident();
     hs_status status = hs_deck_create(&deck, &options, &silent, err);
     if (status == HS_OK) {

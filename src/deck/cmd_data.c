@@ -4,6 +4,7 @@
 #include "base/memory.h"
 #include "base/text.h"
 #include "deck/command.h"
+#include "deck/frames.h"
 #include "io/data_file.h"
 #include "io/writer.h"
 
@@ -112,6 +113,7 @@ static hs_status read_data(hs_deck *deck, const hs_args *args, hs_data_options *
     if (sim->box.dimension == 2 && !sim->box.periodic[2])
         return hs_fail(err, HS_ERROR_INPUT,
                        "read_data: in two dimensions the boundary of z must be periodic (boundary x y p)");
+    if (hs_deck_ends_check(deck, args->command, args->word[0])) return HS_OK;
     HS_TRY(hs_data_read(&sim->env, args->word[0], options, err));
     hs_sim_atoms_changed(sim);
     return HS_OK;
@@ -183,6 +185,7 @@ static hs_status run_write_data(hs_deck *deck, const hs_args *args, hs_error *er
         hs_warn(sim->env.out,
                 "write_data: data files hold no coefficients of pair_style %s; the deck must give them again",
                 sim->pair->style->about.name);
+    deck->is_unwritten = true;
     if (deck->options.dry_run) return HS_OK;
     hs_sim_shrink_box(sim); /* the atoms may have moved out of it since the last list */
     char *name;

@@ -1,11 +1,27 @@
 /* Commands of checkpoints: restart, write_restart, read_restart, checkpoint. */
 #include <string.h>
+#include <unistd.h>
 
 #include "base/memory.h"
 #include "deck/command.h"
 #include "deck/frames.h"
 #include "io/writer.h"
 #include "sim/saving.h"
+
+bool hs_deck_ends_check(hs_deck *deck, const char *command, const char *path)
+{
+    const hs_parallel *parallel = &deck->sim->parallel;
+    if (!deck->options.dry_run || !deck->is_unwritten) return false;
+    double is_there = parallel->rank == 0 && access(path, R_OK) == 0;
+    hs_parallel_max_double(parallel, &is_there, 1);
+    if (is_there != 0.0) return false;
+    hs_warn(deck->out,
+            "%s: '%s' is not there; unless the deck itself writes it before, the run will end here. What follows is "
+            "not checked",
+            command, path);
+    deck->quit = true;
+    return true;
+}
 
 static hs_status set_text(char **target, const char *value, hs_error *err)
 {
@@ -42,6 +58,7 @@ static hs_status restart_run(hs_deck *deck, const hs_args *args, hs_error *err)
     HS_TRY(restart_check(args, false, err));
     HS_TRY(hs_arg_int(args, 0, 0, INT64_MAX, &every, err));
     hs_saving_be_asked(saving);
+    if (every > 0) deck->is_unwritten = true;
     if (every == 0) saving->restart[0].every = saving->restart[1].every = 0;
     restart->every = every;
     restart->turn = 0;
@@ -63,6 +80,7 @@ static hs_status write_restart_run(hs_deck *deck, const hs_args *args, hs_error 
 {
     char *path;
     HS_TRY(hs_sim_need_box(deck->sim, args->command, err));
+    deck->is_unwritten = true;
     if (deck->options.dry_run) return HS_OK;
     HS_TRY(hs_writer_step_name(&path, args->word[0], deck->sim->env.step, 0, err));
     const hs_status status = hs_deck_save(deck, path, err);
@@ -74,6 +92,7 @@ static hs_status read_restart_run(hs_deck *deck, const hs_args *args, hs_error *
 {
     if (deck->sim->box.exists)
         return hs_fail(err, HS_ERROR_INPUT, "%s: there is a box already; 'clear' forgets it", args->command);
+    if (hs_deck_ends_check(deck, args->command, args->word[0])) return HS_OK;
     return hs_deck_read_restart(deck, args->word[0], err);
 }
 

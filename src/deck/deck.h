@@ -26,6 +26,7 @@ typedef struct hs_deck {
     hs_status (*at_resumed)(struct hs_deck *deck, hs_error *err);
     bool jump_skipped; /**< `next` has come to its end: the next jump does nothing */
     bool quit;         /**< the command quit was met */
+    bool is_unwritten; /**< halfshell check: a run of the deck would have written data files or checkpoints by now */
     bool is_stopping;  /**< several ranks: one of them was asked to stop; agreed after every line */
     int exit_code;     /**< given with quit */
     bool is_running;   /**< within hs_sim_run: functions of time since the run's start have a value */

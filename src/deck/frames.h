@@ -21,6 +21,10 @@ typedef struct hs_frame {
 void hs_frame_push(hs_deck *deck, hs_frame *frame);
 void hs_frame_pop(hs_deck *deck);
 
+/** halfshell check: whether a file is missing which the deck itself may have written before, had this been a run. Then
+ *  nothing of what follows can be checked: a warning says so, and the deck ends here (collective). */
+bool hs_deck_ends_check(hs_deck *deck, const char *command, const char *path);
+
 /** Carry out a list's commands from frame->next on.  cmd_script.c */
 HS_MUST_USE hs_status hs_frame_run_list(hs_deck *deck, hs_frame *frame, hs_error *err);
 /** Go on with a run; with @p is_within in the midst of its present part, else with its commands from frame->next on.

@@ -35,6 +35,18 @@ sed 's/^run 5$/pair_write 1 1 50 r 0.8 2.5 new.table LJ\npair_style table linear
 "$HALFSHELL" check table.in >out 2>err || { cat out err >&2; exit 1; }
 [ ! -e new.table ] && grep -q "'new.table' is not there; unless" out
 
+# So are data files and checkpoints, of which all else would depend; but only where the deck writes any.
+{ cat deck.in; printf 'write_data new.data\nclear\nread_data new.data\n'; } >data.in
+"$HALFSHELL" check data.in >out 2>err || { cat out err >&2; exit 1; }
+[ ! -e new.data ] && grep -q "read_data: 'new.data' is not there; unless the deck itself" out
+{ cat deck.in; printf 'write_restart new.chk\nclear\nread_restart new.chk\nrun 10\n'; } >restart.in
+"$HALFSHELL" check restart.in >out 2>err || { cat out err >&2; exit 1; }
+[ ! -e new.chk ] && grep -q "read_restart: 'new.chk' is not there; unless the deck itself" out
+{ sed '/^write/d' deck.in; printf 'clear\nread_data new.data\n'; } >data.in
+code=0
+"$HALFSHELL" check data.in >out 2>err || code=$?
+[ "$code" -eq 1 ] && grep -q "new.data' cannot be read" err
+
 # What only values can tell is found too, at its line, with exit code 1.
 sed 's/^mass 1 1$//' deck.in >bad.in
 code=0
