@@ -39,6 +39,31 @@ double hs_formula_attribute(const hs_sim *sim, int attribute, int i)
     }
 }
 
+/** Whether a comparison or a logical operation holds. */
+static bool holds(hs_node_kind kind, double a, double b)
+{
+    switch (kind) {
+    case HS_NODE_EQUAL:
+        return a == b;
+    case HS_NODE_NOT_EQUAL:
+        return a != b;
+    case HS_NODE_LESS:
+        return a < b;
+    case HS_NODE_LESS_EQUAL:
+        return a <= b;
+    case HS_NODE_GREATER:
+        return a > b;
+    case HS_NODE_GREATER_EQUAL:
+        return a >= b;
+    case HS_NODE_AND:
+        return a != 0.0 && b != 0.0;
+    case HS_NODE_OR:
+        return a != 0.0 || b != 0.0;
+    default: /* HS_NODE_XOR */
+        return (a != 0.0) != (b != 0.0);
+    }
+}
+
 static hs_status apply_binary(const hs_formula *formula, hs_node_kind kind, double a, double b, double *value,
                               hs_error *err)
 {
@@ -69,31 +94,15 @@ static hs_status apply_binary(const hs_formula *formula, hs_node_kind kind, doub
         *value = b == 0.0 ? 1.0 : pow(a, b);
         break;
     case HS_NODE_EQUAL:
-        *value = a == b;
-        break;
     case HS_NODE_NOT_EQUAL:
-        *value = a != b;
-        break;
     case HS_NODE_LESS:
-        *value = a < b;
-        break;
     case HS_NODE_LESS_EQUAL:
-        *value = a <= b;
-        break;
     case HS_NODE_GREATER:
-        *value = a > b;
-        break;
     case HS_NODE_GREATER_EQUAL:
-        *value = a >= b;
-        break;
     case HS_NODE_AND:
-        *value = a != 0.0 && b != 0.0;
-        break;
     case HS_NODE_OR:
-        *value = a != 0.0 || b != 0.0;
-        break;
     case HS_NODE_XOR:
-        *value = (a != 0.0) != (b != 0.0);
+        *value = holds(kind, a, b);
         break;
     default:
         return hs_fail(err, HS_ERROR_RUN, "formula '%.400s': no such operator %d", formula->text, (int)kind);

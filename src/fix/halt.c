@@ -3,15 +3,15 @@
 
 #include "base/memory.h"
 #include "base/timer.h"
+#include "style/comparison.h"
 #include "style/varying.h"
 
 typedef enum { HARD, SOFT, CONTINUE } what_then;
-typedef enum { LESS, GREATER, NOT_GREATER, NOT_LESS, EQUAL, UNEQUAL, EITHER } comparison;
 
 typedef struct halt_state {
     int64_t every;
     char *variable; /**< owned; NULL: the wall time of the run, s */
-    comparison how;
+    hs_comparison how;
     double limit;
     what_then then;
     bool is_silent;
@@ -27,7 +27,6 @@ static const hs_keyword keywords[] = {
 
 static hs_status create(hs_fix *fix, const hs_args *args, hs_error *err)
 {
-    static const char *const comparisons[] = {"<", ">", "<=", ">=", "==", "!=", "|^", NULL};
     static const char *const choices[] = {"hard", "soft", "continue", NULL};
     halt_state *state = fix->state;
     int choice;
@@ -40,8 +39,7 @@ static hs_status create(hs_fix *fix, const hs_args *args, hs_error *err)
                              strcmp(args->word[1], "bondmax") == 0 ? "v_<name> or tlimit: there are no bonds"
                                                                    : "v_<name> or tlimit",
                              NULL, err);
-    HS_TRY(hs_arg_choice(args, 2, comparisons, &choice, err));
-    state->how = (comparison)choice;
+    HS_TRY(hs_arg_comparison(args, 2, &state->how, err));
     HS_TRY(hs_arg_double(args, 3, &state->limit, err));
     state->then = SOFT;
     for (int i = 4; i < args->n; i += 2) {
@@ -72,27 +70,6 @@ static bool needs_energy(const hs_fix *fix, int64_t step)
     return state->variable != NULL && step % state->every == 0;
 }
 
-static bool holds(const halt_state *state, double value)
-{
-    const double limit = state->limit;
-    switch (state->how) {
-    case LESS:
-        return value < limit;
-    case GREATER:
-        return value > limit;
-    case NOT_GREATER:
-        return value <= limit;
-    case NOT_LESS:
-        return value >= limit;
-    case EQUAL:
-        return value == limit;
-    case UNEQUAL:
-        return value != limit;
-    default:
-        return (value == 0.0) != (limit == 0.0);
-    }
-}
-
 static hs_status end_of_step(hs_fix *fix, hs_error *err)
 {
     halt_state *state = fix->state;
@@ -105,7 +82,7 @@ static hs_status end_of_step(hs_fix *fix, hs_error *err)
         value = hs_time_now_s() - state->since_s;
         hs_parallel_broadcast(env->parallel, 0, &value, sizeof value); /* clocks differ */
     }
-    if (!holds(state, value)) return HS_OK;
+    if (!hs_compares(value, state->how, state->limit)) return HS_OK;
     if (state->then == HARD)
         return hs_fail(err, HS_ERROR_RUN, "fix '%s' (halt): the condition was met at step %lld, with the value %.15g",
                        fix->id, (long long)env->step, value);

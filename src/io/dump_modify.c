@@ -122,7 +122,7 @@ static hs_status modify_thresh(hs_dump *dump, const hs_args *args, int *n_used, 
     }
     *n_used = 4;
     HS_TRY(hs_arg_need(args, 3, "the attribute, comparison and value after thresh", err));
-    HS_TRY(hs_arg_choice(args, 2, hs_dump_comparisons, &condition.comparison, err));
+    HS_TRY(hs_arg_comparison(args, 2, &condition.how, err));
     if (strcmp(args->word[3], "LAST") == 0)
         return hs_fail(err, HS_ERROR_INPUT, "%s: thresh ... LAST is not supported; compare with a number",
                        args->command);

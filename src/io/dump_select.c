@@ -5,28 +5,6 @@
 #include "io/dump_table.h"
 #include "style/region.h"
 
-const char *const hs_dump_comparisons[] = {"<", "<=", ">", ">=", "==", "!=", "|^", NULL};
-
-static bool compare(double value, int comparison, double with)
-{
-    switch (comparison) {
-    case 0:
-        return value < with;
-    case 1:
-        return value <= with;
-    case 2:
-        return value > with;
-    case 3:
-        return value >= with;
-    case 4:
-        return value == with;
-    case 5:
-        return value != with;
-    default:
-        return (value != 0.0) != (with != 0.0); /* exclusive or */
-    }
-}
-
 static bool is_selected(const hs_dump *dump, int i)
 {
     const hs_dump_table *table = dump->state;
@@ -34,7 +12,7 @@ static bool is_selected(const hs_dump *dump, int i)
     if (!(atoms->mask[i] & dump->mask) || !hs_where_has(&table->where, atoms, i)) return false;
     for (int k = 0; k < table->n_conditions; ++k) {
         const hs_dump_condition *condition = &table->condition[k];
-        if (!compare(hs_dump_value(dump, &condition->column, i), condition->comparison, condition->value)) return false;
+        if (!hs_compares(hs_dump_value(dump, &condition->column, i), condition->how, condition->value)) return false;
     }
     return true;
 }

@@ -7,6 +7,7 @@
 #include "io/row_stream.h"
 #include "io/writer.h"
 #include "style/attribute.h"
+#include "style/comparison.h"
 #include "style/dump.h"
 #include "style/region.h"
 #include "style/value.h"
@@ -24,7 +25,7 @@ typedef struct hs_dump_column {
 /** dump_modify thresh: atoms are written only when the comparison holds. */
 typedef struct hs_dump_condition {
     hs_dump_column column;
-    int comparison; /**< index into hs_dump_comparisons */
+    hs_comparison how;
     double value;
 } hs_dump_condition;
 
@@ -94,7 +95,6 @@ HS_MUST_USE hs_status hs_dump_modify(hs_dump *dump, const hs_args *args, hs_erro
 /** The same for one keyword and what follows it: hs_dump_style.modify of all styles. */
 HS_MUST_USE hs_status hs_dump_table_modify(hs_dump *dump, const hs_args *args, int *n_used, hs_error *err);
 extern const hs_keyword hs_dump_modify_keywords[];
-extern const char *const hs_dump_comparisons[]; /**< < <= > >= == != |^, ended by NULL */
 
 /* Shared by the files io/dump_*.c */
 HS_MUST_USE hs_status hs_dump_parse_column(const char *word, hs_dump_column *column, hs_error *err);
