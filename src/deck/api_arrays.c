@@ -6,6 +6,7 @@
 
 #include "base/memory.h"
 #include "deck/api_internal.h"
+#include "style/places.h"
 
 enum { SUM_MAX = 1 << 24 }; /* values summed at a time: the count of one sum is an int */
 
@@ -99,9 +100,7 @@ static void read_vector(const hs_sim *sim, vector_kind kind, int i, double out[3
     double *const *from = kind == GET_VELOCITY ? atoms->v : kind == GET_FORCE ? atoms->f : atoms->x;
     for (int axis = 0; axis < 3; ++axis) out[axis] = from[axis][i];
     if (kind == GET_POSITION) hs_box_wrap(&sim->box, out, image); /* atoms may drift out until the next sort */
-    if (kind != GET_UNWRAPPED) return;
-    const double place[3] = {out[0], out[1], out[2]};
-    for (int axis = 0; axis < 3; ++axis) out[axis] = hs_box_unwrapped(&sim->box, place, image, axis);
+    if (kind == GET_UNWRAPPED) hs_unwrapped_place(&sim->env, i, out);
 }
 
 static hs_code get_vectors(hs_simulation *simulation, vector_kind kind, hs_order order, int64_t n, double *xyz)

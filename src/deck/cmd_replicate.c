@@ -4,6 +4,7 @@
 #include "deck/command.h"
 #include "deck/place_atoms.h"
 #include "style/box_shape.h"
+#include "style/places.h"
 
 static const hs_keyword replicate_keywords[] = {
     {"bbox", 0, "", "another way to the same result in LAMMPS: no effect"},
@@ -26,10 +27,10 @@ static void unwrap(hs_sim *sim)
 {
     hs_atoms *atoms = &sim->atoms;
     for (int i = 0; i < atoms->n_local; ++i) {
-        const double x[3] = {atoms->x[0][i], atoms->x[1][i], atoms->x[2][i]};
-        const int32_t image[3] = {atoms->image[0][i], atoms->image[1][i], atoms->image[2][i]};
+        double x[3];
+        hs_unwrapped_place(&sim->env, i, x);
         for (int axis = 0; axis < 3; ++axis) {
-            atoms->x[axis][i] = hs_box_unwrapped(&sim->box, x, image, axis);
+            atoms->x[axis][i] = x[axis];
             atoms->image[axis][i] = 0;
         }
     }

@@ -6,6 +6,7 @@
 #include "core/exact_sum.h"
 #include "core/rotation.h"
 #include "deck/formula_nodes.h"
+#include "style/places.h"
 
 /** The atoms a function is about. */
 typedef struct selection {
@@ -30,15 +31,6 @@ static bool is_chosen(const selection *chosen, int i)
 {
     const hs_atoms *atoms = &chosen->sim->atoms;
     return (atoms->mask[i] & chosen->mask) != 0 && (chosen->region == NULL || hs_region_has(chosen->region, atoms, i));
-}
-
-/** Place of an atom with the box lengths it has crossed added. */
-static void unwrap(const hs_sim *sim, int i, double x[3])
-{
-    const hs_atoms *atoms = &sim->atoms;
-    const double place[3] = {atoms->x[0][i], atoms->x[1][i], atoms->x[2][i]};
-    const int32_t image[3] = {atoms->image[0][i], atoms->image[1][i], atoms->image[2][i]};
-    for (int d = 0; d < 3; ++d) x[d] = hs_box_unwrapped(&sim->box, place, image, d);
 }
 
 /** 0 without atoms, as in LAMMPS: a region may become empty in the middle of a run. */
@@ -72,7 +64,7 @@ static void sum_mass(const selection *chosen, double sums[4])
     for (int i = 0; i < atoms->n_local; ++i) {
         if (!is_chosen(chosen, i)) continue;
         double x[3];
-        unwrap(chosen->sim, i, x);
+        hs_unwrapped_place(&chosen->sim->env, i, x);
         const double mass = hs_atom_mass(atoms, i);
         hs_exact_add(&exact[0], mass);
         for (int d = 0; d < 3; ++d) hs_exact_add(&exact[1 + d], x[d] * mass);
@@ -191,7 +183,7 @@ static hs_status do_gyration(hs_deck *deck, const hs_node *node, double *value, 
     for (int i = 0; i < atoms->n_local; ++i) {
         if (!is_chosen(&chosen, i)) continue;
         double x[3];
-        unwrap(chosen.sim, i, x);
+        hs_unwrapped_place(&chosen.sim->env, i, x);
         const double dx = x[0] - centre[0], dy = x[1] - centre[1], dz = x[2] - centre[2];
         hs_exact_add(&exact, (dx * dx + dy * dy + dz * dz) * hs_atom_mass(atoms, i));
     }
@@ -211,7 +203,7 @@ static double moment_of(const selection *chosen, const double centre[3], int axi
     for (int i = 0; i < atoms->n_local; ++i) {
         if (!is_chosen(chosen, i)) continue;
         double x[3];
-        unwrap(chosen->sim, i, x);
+        hs_unwrapped_place(&chosen->sim->env, i, x);
         const double weight = of_forces ? 1.0 : hs_atom_mass(atoms, i);
         hs_exact_add(&sum, weight * ((x[a] - centre[a]) * vector[b][i] - (x[b] - centre[b]) * vector[a][i]));
     }
@@ -228,7 +220,7 @@ static double inertia_of(const selection *chosen, const double centre[3], int a,
     for (int i = 0; i < atoms->n_local; ++i) {
         if (!is_chosen(chosen, i)) continue;
         double x[3], r2 = 0.0;
-        unwrap(chosen->sim, i, x);
+        hs_unwrapped_place(&chosen->sim->env, i, x);
         for (int d = 0; d < 3; ++d) x[d] -= centre[d], r2 += x[d] * x[d];
         hs_exact_add(&sum, hs_atom_mass(atoms, i) * ((a == b ? r2 : 0.0) - x[a] * x[b]));
     }

@@ -8,6 +8,7 @@
 #include "core/exact_sum.h"
 #include "core/rotation.h"
 #include "deck/by_id.h"
+#include "style/places.h"
 
 hs_status hs_velocity_group_init(hs_velocity_group *group, hs_sim *sim, int bit, hs_error *err)
 {
@@ -92,15 +93,6 @@ hs_status hs_velocity_zero_momentum(const hs_velocity_group *group, hs_error *er
     return HS_OK;
 }
 
-/** Position with the box lengths that the image numbers stand for. */
-static void unwrap(const hs_sim *sim, int i, double x[3])
-{
-    const hs_atoms *atoms = &sim->atoms;
-    const double place[3] = {atoms->x[0][i], atoms->x[1][i], atoms->x[2][i]};
-    const int32_t image[3] = {atoms->image[0][i], atoms->image[1][i], atoms->image[2][i]};
-    for (int axis = 0; axis < 3; ++axis) x[axis] = hs_box_unwrapped(&sim->box, place, image, axis);
-}
-
 static void center_of_mass(const hs_velocity_group *group, double center[3])
 {
     const hs_atoms *atoms = &group->sim->atoms;
@@ -109,7 +101,7 @@ static void center_of_mass(const hs_velocity_group *group, double center[3])
     for (int k = 0; k < group->n; ++k) {
         const int i = group->member[k];
         double x[3];
-        unwrap(group->sim, i, x);
+        hs_unwrapped_place(&group->sim->env, i, x);
         for (int axis = 0; axis < 3; ++axis) hs_exact_add(&sum[axis], x[axis] * hs_atom_mass(atoms, i));
     }
     hs_exact_total(sum, 3, &group->sim->parallel, center);
@@ -127,7 +119,7 @@ static void rotation_sums(const hs_velocity_group *group, const double center[3]
         const int i = group->member[k];
         const double mass = hs_atom_mass(atoms, i);
         double x[3];
-        unwrap(group->sim, i, x);
+        hs_unwrapped_place(&group->sim->env, i, x);
         const double dx = x[0] - center[0], dy = x[1] - center[1], dz = x[2] - center[2];
         const double term[9] = {mass * (dy * atoms->v[2][i] - dz * atoms->v[1][i]),
                                 mass * (dz * atoms->v[0][i] - dx * atoms->v[2][i]),
@@ -161,7 +153,7 @@ hs_status hs_velocity_zero_rotation(const hs_velocity_group *group, hs_error *er
     for (int k = 0; k < group->n; ++k) {
         const int i = group->member[k];
         double x[3];
-        unwrap(group->sim, i, x);
+        hs_unwrapped_place(&group->sim->env, i, x);
         const double dx = x[0] - center[0], dy = x[1] - center[1], dz = x[2] - center[2];
         atoms->v[0][i] -= omega[1] * dz - omega[2] * dy;
         atoms->v[1][i] -= omega[2] * dx - omega[0] * dz;

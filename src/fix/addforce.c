@@ -121,7 +121,7 @@ static void virial_of(const hs_fix *fix, int i, double w[6])
     const addforce_state *state = fix->state;
     double r[3], f[3];
     if (!hs_applied_force_acts(&state->force, fix, i)) return;
-    hs_fix_unwrapped(fix, i, r);
+    hs_unwrapped_place(fix->env, i, r);
     for (int axis = 0; axis < 3; ++axis) f[axis] = hs_applied_force_of(&state->force, axis, i);
     hs_fix_add_virial(f, r, w); /* F_a r_b as in LAMMPS: the virial of an outer force is not symmetric */
 }

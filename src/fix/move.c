@@ -216,10 +216,8 @@ static void move(const hs_fix *fix, phase now)
     for (int i = 0; i < atoms->n_local; ++i) {
         if (!(atoms->mask[i] & fix->mask)) continue;
         double r0[3], place[3], r[3], v[3];
-        for (int axis = 0; axis < 3; ++axis) {
-            r0[axis] = state->r0.of[axis][i];
-            place[axis] = hs_unwrapped(fix->env, axis, i);
-        }
+        hs_unwrapped_place(fix->env, i, place);
+        for (int axis = 0; axis < 3; ++axis) r0[axis] = state->r0.of[axis][i];
         if (state->path != VARIABLE) follow(state, now, r0, r, v);
         for (int axis = 0; axis < 3; ++axis) {
             if (state->is_free[axis]) {

@@ -65,13 +65,11 @@ static hs_status find_next(hs_fix *fix, hs_error *err)
 {
     print_state *state = fix->state;
     const hs_env *env = fix->env;
-    char who[160];
     if (state->every_variable == NULL) {
         state->next = env->step + state->every - env->step % state->every;
         return HS_OK;
     }
-    snprintf(who, sizeof who, "fix '%.120s' (print)", fix->id);
-    return hs_next_step(env, state->every_variable, who, "line", &state->next, err);
+    return hs_next_step(env, state->every_variable, hs_fix_who(fix).text, "line", &state->next, err);
 }
 
 static hs_status init(hs_fix *fix, hs_error *err)

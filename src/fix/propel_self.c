@@ -4,6 +4,7 @@
 
 #include "base/memory.h"
 #include "style/fix.h"
+#include "style/places.h"
 
 typedef enum { MODE_DIPOLE, MODE_VELOCITY } propel_mode;
 
@@ -101,7 +102,7 @@ static void propel_along_velocities(const hs_fix *fix)
 static void virial_of(const hs_fix *fix, int i, double w[6])
 {
     double r[3], f[3] = {0.0};
-    hs_fix_unwrapped(fix, i, r);
+    hs_unwrapped_place(fix->env, i, r);
     if (force_of(fix, i, f)) hs_fix_add_virial(r, f, w);
 }
 

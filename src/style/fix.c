@@ -41,11 +41,6 @@ hs_status hs_fix_need_sample(const hs_fix *fix, int64_t next, hs_error *err)
                    fix->id, fix->style->about.name, (long long)next);
 }
 
-void hs_fix_unwrapped(const hs_fix *fix, int i, double r[3])
-{
-    for (int axis = 0; axis < 3; ++axis) r[axis] = hs_unwrapped(fix->env, axis, i);
-}
-
 void hs_fix_add_virial(const double r[3], const double f[3], double w[6])
 {
     for (int axis = 0; axis < 3; ++axis) w[axis] += r[axis] * f[axis];

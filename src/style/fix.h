@@ -133,8 +133,6 @@ HS_MUST_USE hs_status hs_fix_own_compute(hs_fix *fix, int k, const char *style, 
 HS_MUST_USE hs_status hs_fix_noise(const hs_fix *fix, int64_t seed, hs_noise *noise, hs_error *err);
 /** Step number for noise: it counts on where reset_timestep sets the step back, so that noise never repeats. */
 static inline int64_t hs_fix_clock(const hs_fix *fix) { return fix->env->step + fix->env->clock_ahead; }
-/** Unwrapped place of a local atom. */
-void hs_fix_unwrapped(const hs_fix *fix, int i, double r[3]);
 /** Add to w the virial r_a f_b of the fix's force f on local atom i of its group: xx yy zz xy xz yz. */
 typedef void (*hs_fix_virial)(const hs_fix *fix, int i, double w[6]);
 /** w += r_a f_b. */

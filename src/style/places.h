@@ -35,4 +35,31 @@ static inline double hs_places_unwrapped(const hs_places *places, const hs_atoms
     return unwrapped;
 }
 
+/** The same for the place now. */
+static inline double hs_unwrapped(const hs_env *env, int axis, int i)
+{
+    const hs_places now = hs_places_now(env);
+    return hs_places_unwrapped(&now, env->atoms, axis, i);
+}
+
+/** All of it. */
+static inline void hs_unwrapped_place(const hs_env *env, int i, double r[3])
+{
+    for (int axis = 0; axis < 3; ++axis) r[axis] = hs_unwrapped(env, axis, i);
+}
+
+/** Along an axis for the atoms [begin, end). */
+static inline void hs_unwrapped_run(const hs_env *env, int axis, int begin, int end, double *unwrapped)
+{
+    const hs_box *box = env->box;
+    const double *x = env->atoms->x[axis] + begin, length = hs_box_length(box, axis);
+    const int32_t *image = env->atoms->image[axis] + begin;
+    for (int k = 0; k < end - begin; ++k) unwrapped[k] = x[k] + image[k] * length;
+    for (int edge = axis + 1; edge < 3 && box->is_tilted; ++edge) {
+        const double tilt = box->tilt[axis + edge - 1];
+        const int32_t *crossed = env->atoms->image[edge] + begin;
+        for (int k = 0; k < end - begin; ++k) unwrapped[k] += crossed[k] * tilt;
+    }
+}
+
 #endif
