@@ -142,8 +142,8 @@ hs_status hs_correlation_init(hs_fix *fix, const char *title, const char *rows, 
     if (c->next < fix->env->step) renew(c, fix->env->step);
     HS_TRY(hs_values_check(fix->env, c->values, c->n_values, HS_VALUE_NUMBER, hs_fix_who(fix).text, err));
     snprintf(first, sizeof first, "# %.40s for fix %.100s", title, fix->id);
-    snprintf(second, sizeof second, "# Timestep Number-of-%.40s", rows);
-    const char *const head[3] = {first, second, c->head};
+    snprintf(second, sizeof second, "# Timestep Number-of-%.40s", rows != NULL ? rows : "");
+    const char *const head[3] = {first, rows != NULL ? second : c->head, rows != NULL ? c->head : NULL};
     return hs_average_file_open(&c->file, fix->env, head, err);
 }
 
@@ -181,14 +181,19 @@ static hs_status put_rows(hs_correlation *c, hs_error *err)
     return HS_OK;
 }
 
-hs_status hs_correlation_finish(hs_fix *fix, hs_error *err)
+void hs_correlation_scale(hs_correlation *c)
 {
-    hs_correlation *c = fix->state;
-    hs_average_file *file = &c->file;
     for (int row = 0; row < c->n_rows && c->prefactor != 1.0; ++row)
         for (int k = 0; k < c->n_columns && k < 2 * c->n_pairs; ++k)
             c->result[(size_t)row * (size_t)c->n_columns + (size_t)k] *=
                 k < c->n_pairs ? c->prefactor : fabs(c->prefactor);
+}
+
+hs_status hs_correlation_finish(hs_fix *fix, hs_error *err)
+{
+    hs_correlation *c = fix->state;
+    hs_average_file *file = &c->file;
+    hs_correlation_scale(c);
     if (hs_average_file_is_open(file)) {
         HS_TRY(hs_text_printf(&file->text, err, "%lld %d\n", (long long)fix->env->step, c->n_rows));
         HS_TRY(put_rows(c, err));

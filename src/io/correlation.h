@@ -59,7 +59,8 @@ HS_MUST_USE hs_status hs_correlation_table(hs_fix *fix, int n_rows, const char *
                                            hs_error *err);
 void hs_correlation_fini(hs_correlation *c);
 
-/** Check the values and open the file; for hs_fix_style.init. */
+/** Check the values and open the file; for hs_fix_style.init. Its second line tells of the outputs' first lines, "Number-of-" and
+ *  @p rows, and the third is the head; with rows NULL the head is the second line. */
 HS_MUST_USE hs_status hs_correlation_init(hs_fix *fix, const char *title, const char *rows, hs_error *err);
 /** Whether a sample is due now; if so it is taken: sample[n_values] (collective). */
 HS_MUST_USE hs_status hs_correlation_sample(hs_fix *fix, double *sample, bool *is_due, hs_error *err);
@@ -68,6 +69,8 @@ static inline bool hs_correlation_is_output_due(const hs_fix *fix)
 {
     return fix->env->step % ((const hs_correlation *)fix->state)->freq == 0;
 }
+/** Multiply the result by the prefactor. */
+void hs_correlation_scale(hs_correlation *c);
 /** x, count and result were brought up to date: multiply by the prefactor and write (collective). */
 HS_MUST_USE hs_status hs_correlation_finish(hs_fix *fix, hs_error *err);
 HS_MUST_USE hs_status hs_correlation_keep(hs_fix *fix, hs_state *kept, hs_error *err);
