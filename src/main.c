@@ -3,6 +3,7 @@
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/prctl.h>
 #include <unistd.h>
 
 #include "cli/cli.h"
@@ -71,7 +72,7 @@ static void limit_spinning(char **argv)
     if (getenv("GOMP_SPINCOUNT") != NULL || getenv("OMP_WAIT_POLICY") != NULL) return;
     if (setenv("GOMP_SPINCOUNT", hs_parallel_is_launched() ? "1000" : "16000", 1) != 0) return;
     hs_threads_unbind();
-    execv("/proc/self/exe", argv);
+    execv("/proc/self/exe", argv); /* names the process "exe": see main */
     /* where that is not possible the run is right all the same */
 }
 
@@ -92,6 +93,7 @@ int main(int argc, char **argv)
         return fflush(stdout) == 0 ? EXIT_SUCCESS : 2;
     }
     limit_spinning(argv);
+    (void)prctl(PR_SET_NAME, "halfshell"); /* as top shows it and pkill looks for it */
     const char *name = command != NULL ? command->name : "run";
     const int first = command != NULL ? 2 : 1;
     hs_error err = {0};
