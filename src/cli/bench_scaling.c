@@ -2,6 +2,7 @@
    empty one. Every point is a run of its own. */
 #include "cli/bench_scaling.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -131,10 +132,15 @@ static hs_status write_csv(const hs_scaling_request *r, const hs_scaling_point *
     return status;
 }
 
-/** Efficiency over workers: a curve for each system and number of threads. */
+/** Efficiency over workers, from 0 on, so that small losses look small: a curve for each system and number of threads. */
 static hs_status draw(const hs_scaling_request *r, const hs_scaling_point *all, int n, bool is_weak, hs_error *err)
 {
-    hs_figure figure = {.style = HS_FIGURE_LINES_AND_POINTS, .is_log_x = true, .width = 800, .height = 480};
+    hs_figure figure = {.style = HS_FIGURE_LINES_AND_POINTS,
+                        .is_log_x = true,
+                        .has_y_range = true,
+                        .y_range = {0.0, 1.1},
+                        .width = 800,
+                        .height = 480};
     double x[HS_SCALING_COUNTS_MAX], y[HS_SCALING_COUNTS_MAX];
     hs_text path = {0};
     char title[64];
@@ -150,6 +156,7 @@ static hs_status draw(const hs_scaling_request *r, const hs_scaling_point *all, 
                 if (p->is_weak != is_weak || p->is_droplet != is_droplet || p->threads != r->threads[t]) continue;
                 x[curve.n] = p->ranks * p->threads;
                 y[curve.n++] = p->efficiency;
+                figure.y_range[1] = fmax(figure.y_range[1], 1.05 * p->efficiency);
             }
             snprintf(title, sizeof title, "%s, %d thread%s a rank", is_droplet ? "droplet" : "uniform", r->threads[t],
                      r->threads[t] == 1 ? "" : "s");

@@ -7,7 +7,8 @@ enum {
     /* Fewer leave the threads out of balance. Each chunk costs the time to find which blocks its forces act on, at every list build and
        evaluation: with 256 in place of 64, one thread took 3 % longer. */
     CHUNKS_PER_THREAD = 64,
-    CLUSTERS_MIN = 16, /* in a chunk, when there are several threads */
+    /* In a chunk, where the number above allows: for threads to share, or for one, which has nothing to share, to spend its time on pairs. */
+    CLUSTERS_MIN = 16,
     /* One chunk of so many is cut into inner and outer clusters at each end of a thread's share. Time enough for messages; outer
        clusters apart from their neighbors find less in the caches, so more of them would cost more than is gained. */
     CUT_SHARE = 8,
@@ -16,9 +17,10 @@ enum {
 int hs_list_chunks_for(int n_clusters, int n_per_chunk_max)
 {
     const int by_size = (n_clusters + n_per_chunk_max - 1) / n_per_chunk_max, by_room = n_clusters / CLUSTERS_MIN;
-    const int by_threads = hs_threads_get() * CHUNKS_PER_THREAD;
+    const int n_threads = hs_threads_get(), by_threads = n_threads * CHUNKS_PER_THREAD;
+    const int least = n_threads > 1 ? CHUNKS_PER_THREAD : 1;
     int n = by_room < by_threads ? by_room : by_threads;
-    n = n > CHUNKS_PER_THREAD ? n : CHUNKS_PER_THREAD;
+    n = n > least ? n : least;
     return by_size > n ? by_size : n;
 }
 
