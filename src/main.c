@@ -1,6 +1,7 @@
 /* The program: arguments, one subcommand, and the only place that exits. */
 #define _GNU_SOURCE
 #include <signal.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/prctl.h>
@@ -65,12 +66,22 @@ static const hs_cli_command *find_subcommand(const char *name)
  *  thread that is waited for then gets no core: eight times as long with two ranks of two threads on two cores. Ranks
  *  therefore spin for some 15 to 30 microseconds only. A program of its own binds its threads to cores (hs_threads_bind), so they
  *  do not keep each other off; it spins for 0.2 to 0.5 milliseconds, because to sleep and to be woken costs more than most waits
- *  (docs/scaling.md). The library reads the setting when the program is loaded, so the program starts itself anew, once;
- *  what the user set is left alone. */
+ *  (docs/scaling.md). The library reads the setting when the program is loaded, so the program starts itself anew, once, and
+ *  then forgets it: ranks that it starts (bench scaling) choose for themselves. What the user set is left alone. */
 static void limit_spinning(char **argv)
 {
+    static const char mark[] = "HALFSHELL_STARTED_ANEW"; /* by the process of this number */
+    char number[24];
+    snprintf(number, sizeof number, "%ld", (long)getpid());
+    const char *marked = getenv(mark);
+    if (marked != NULL && strcmp(marked, number) == 0) {
+        unsetenv("GOMP_SPINCOUNT");
+        unsetenv(mark);
+        return;
+    }
     if (getenv("GOMP_SPINCOUNT") != NULL || getenv("OMP_WAIT_POLICY") != NULL) return;
-    if (setenv("GOMP_SPINCOUNT", hs_parallel_is_launched() ? "1000" : "16000", 1) != 0) return;
+    if (setenv("GOMP_SPINCOUNT", hs_parallel_is_launched() ? "1000" : "16000", 1) != 0 || setenv(mark, number, 1) != 0)
+        return;
     hs_threads_unbind();
     execv("/proc/self/exe", argv); /* names the process "exe": see main */
     /* where that is not possible the run is right all the same */
