@@ -35,11 +35,9 @@ static hs_status write_properties(const hs_dump_table *table, hs_writer *writer,
     for (int k = 1; k < table->n_columns;) {
         const hs_dump_column *column = &table->column[k];
         const char *triple = triple_at(table, k);
-        const char *name = triple != NULL ? triple : column->name;
         const bool is_name = column->attribute == HS_ATTR_ELEMENT;
-        HS_TRY(hs_writer_printf(writer, err, ":"));
-        for (const char *c = name; *c != '\0'; ++c)
-            if (*c != ']') HS_TRY(hs_writer_bytes(writer, *c == '[' ? "_" : c, 1, err));
+        HS_TRY(hs_writer_printf(writer, err, ":%s", triple != NULL ? triple : ""));
+        if (triple == NULL) HS_TRY(hs_dump_write_name(column, writer, err));
         HS_TRY(hs_writer_printf(writer, err, ":%c:%d",
                                 is_name                  ? 'S'
                                 : hs_dump_is_int(column) ? 'I'

@@ -78,6 +78,13 @@ bool hs_dump_is_int(const hs_dump_column *column)
     }
 }
 
+hs_status hs_dump_write_name(const hs_dump_column *column, hs_writer *writer, hs_error *err)
+{
+    for (const char *c = column->name; *c != '\0'; ++c)
+        if (*c != ']') HS_TRY(hs_writer_bytes(writer, *c == '[' ? "_" : c, 1, err));
+    return HS_OK;
+}
+
 double hs_dump_value(const hs_dump *dump, const hs_dump_column *column, int i)
 {
     if (column->attribute == HS_ATTR_VARIABLE) return column->values[i];

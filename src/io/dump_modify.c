@@ -36,6 +36,7 @@ const hs_keyword hs_dump_modify_keywords[] = {
     {"thresh", -1, "<attribute> <comparison> <value> | none", "only atoms that meet the condition, and all other ones"},
     {"time", 1, "yes|no", "write the simulated time (default no)"},
     {"units", 1, "yes|no", "write the unit system at the head of a file (default no)"},
+    {"unwrap", 1, "yes|no", "style dcd: places unwrapped by the atoms' images (default no)"},
     {NULL, 0, NULL, NULL},
 };
 

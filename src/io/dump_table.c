@@ -93,15 +93,17 @@ static hs_status make_format(hs_dump *dump, int k, const char *line_word, hs_err
     hs_dump_table *table = dump->state;
     const char *const float_format = table->layout->float_format;
     const char *const defaults[] = {"%d", float_format != NULL ? float_format : "%g", "%s"};
+    const bool is_line = k < table->layout->n_line_columns;
     hs_dump_column *column = &table->column[k];
     const hs_format_kind kind = kind_of(table, k);
     const char *of_kind = kind == HS_FORMAT_INT     ? table->format_int
                           : kind == HS_FORMAT_FLOAT ? table->format_float
                                                     : NULL;
-    const char *chosen = column->user_format != NULL ? column->user_format
-                         : of_kind != NULL           ? of_kind
-                         : line_word != NULL         ? line_word
-                                                     : defaults[kind];
+    const char *chosen = is_line                       ? (kind == HS_FORMAT_FLOAT ? "%f" : defaults[kind])
+                         : column->user_format != NULL ? column->user_format
+                         : of_kind != NULL             ? of_kind
+                         : line_word != NULL           ? line_word
+                                                       : defaults[kind];
     HS_FREE(column->format);
     return hs_format_normalize(&column->format, chosen, kind, "dump_modify format", err);
 }
@@ -216,6 +218,14 @@ static hs_status append_type_name(const hs_dump *dump, const hs_dump_column *col
     return hs_text_printf(text, err, column->format, number);
 }
 
+/** A value as it is written: places of layouts that have a spread. */
+static double spread_value(const hs_dump_table *table, int k, double value)
+{
+    const hs_dump_layout *layout = table->layout;
+    const bool is_place = k >= layout->n_line_columns && k < layout->n_line_columns + 3;
+    return layout->spread > 0.0 && is_place ? (value - 0.5) / layout->spread + 0.5 : value;
+}
+
 static hs_status append_row(const void *context, int64_t row, hs_text *text, hs_error *err)
 {
     const hs_dump *dump = context;
@@ -223,13 +233,14 @@ static hs_status append_row(const void *context, int64_t row, hs_text *text, hs_
     const int i = table->order[row];
     for (int k = 0; k < table->n_columns; ++k) {
         const hs_dump_column *column = &table->column[k];
-        if (k > 0) HS_TRY(hs_text_append(text, " ", 1, err));
+        const char *between = k <= table->layout->n_line_columns ? " \n" : " ";
+        if (k > 0) HS_TRY(hs_text_append(text, between, strlen(between), err));
         if (is_text(table, k))
             HS_TRY(append_type_name(dump, column, i, text, err));
         else if (hs_dump_is_int(column))
             HS_TRY(hs_text_printf(text, err, column->format, (long long)hs_dump_value(dump, column, i)));
         else
-            HS_TRY(hs_text_printf(text, err, column->format, hs_dump_value(dump, column, i)));
+            HS_TRY(hs_text_printf(text, err, column->format, spread_value(table, k, hs_dump_value(dump, column, i))));
     }
     return hs_text_append(text, "\n", 1, err);
 }

@@ -39,6 +39,9 @@ typedef struct hs_dump_layout {
     bool is_element_first;    /**< xyz: the first column is a type's number or name, always text */
     bool has_column_formats;  /**< dump_modify format int, float, N */
     bool has_scale_image;     /**< dump_modify scale, image */
+    int n_line_columns;       /**< cfg: so many first columns stand on lines of their own, in the default formats */
+    double spread; /**< cfg: fractions of the box in the three columns behind those are written relative to the
+                                   middle of a box that is so many times as long; 0: as they are */
 } hs_dump_layout;
 
 typedef struct hs_dump_table {
@@ -100,6 +103,8 @@ extern const hs_keyword hs_dump_modify_keywords[];
 HS_MUST_USE hs_status hs_dump_parse_column(const char *word, hs_dump_column *column, hs_error *err);
 void hs_dump_fini_column(hs_dump_column *column);
 bool hs_dump_is_int(const hs_dump_column *column);
+/** Its name without brackets, c_s_1 for c_s[1], for headers in which they mean something else. */
+HS_MUST_USE hs_status hs_dump_write_name(const hs_dump_column *column, hs_writer *writer, hs_error *err);
 /** Value of an attribute of atom i; positions and images wrapped into the box when dump_modify pbc asks for it. */
 double hs_dump_value(const hs_dump *dump, const hs_dump_column *column, int i);
 /** What row k of a snapshot is sorted by; context is the dump. */

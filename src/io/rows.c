@@ -189,6 +189,12 @@ hs_status hs_rows_gather(hs_rows *rows, const void *mine, size_t size, void *all
     return HS_OK;
 }
 
+void hs_rows_again(hs_rows *rows)
+{
+    rows->first_row = rows->id_end = 0;
+    rows->begin = rows->n_block = rows->n_mine = 0;
+}
+
 void hs_rows_end(hs_rows *rows)
 {
     HS_FREE(rows->order);

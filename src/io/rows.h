@@ -47,6 +47,8 @@ HS_MUST_USE hs_status hs_rows_begin(hs_rows *rows, const hs_parallel *parallel, 
 bool hs_rows_next(hs_rows *rows, hs_status *status, hs_error *err);
 /** Bring mine[n_mine] of @p size bytes each to rank 0's all[n_block], in the order of ids (collective). */
 HS_MUST_USE hs_status hs_rows_gather(hs_rows *rows, const void *mine, size_t size, void *all, hs_error *err);
+/** The walk begins anew, with the same atoms (collective). */
+void hs_rows_again(hs_rows *rows);
 void hs_rows_end(hs_rows *rows);
 
 #endif

@@ -199,6 +199,20 @@ hs_status hs_writer_commit(hs_writer *writer, hs_error *err)
     return status;
 }
 
+hs_status hs_writer_patch(hs_writer *writer, int64_t place, const char *bytes, size_t n, hs_error *err)
+{
+    if (!writer->is_regular) return HS_OK;
+    while (n > 0) {
+        const ssize_t written = pwrite(writer->fd, bytes, n, place);
+        if (written < 0 && errno == EINTR) continue;
+        if (written < 0) return fail_io(writer, "written", err);
+        bytes += written;
+        place += written;
+        n -= (size_t)written;
+    }
+    return HS_OK;
+}
+
 hs_status hs_writer_close(hs_writer **writer, hs_error *err)
 {
     if (*writer == NULL) return HS_OK;

@@ -24,6 +24,8 @@ HS_MUST_USE hs_status hs_writer_printf(hs_writer *writer, hs_error *err, const c
 int64_t hs_writer_committed(const hs_writer *writer);
 /** Cut a growing file, just opened to be added to, to its first @p size bytes; a shorter one stays as it is. */
 HS_MUST_USE hs_status hs_writer_cut(hs_writer *writer, int64_t size, hs_error *err);
+/** Write other bytes in the place of some that were committed; what is no regular file stays as it is. */
+HS_MUST_USE hs_status hs_writer_patch(hs_writer *writer, int64_t place, const char *bytes, size_t n, hs_error *err);
 /** End of a piece (a snapshot): all bytes so far go to the system, a gzip member is ended. A growing file whose piece
  *  cannot be written is cut back to the end of the last whole one. */
 HS_MUST_USE hs_status hs_writer_commit(hs_writer *writer, hs_error *err);

@@ -39,6 +39,7 @@ fix 5 all momentum 7 linear 1 1 0
 checkpoint every 40 steps keep 2
 dump s all custom 20 s.dump id type x y z vx vy vz fx fy fz
 dump_modify s format float %.17g pbc yes
+dump b all dcd 20 s.dcd
 thermo_style custom step temp pe etotal press pxx pyy pzz vol f_4[1] f_w v_v
 thermo_modify format float %.17g flush yes
 thermo 20
@@ -79,7 +80,7 @@ resumed() {
     [ -n "$last" ] || fail "$folder: no checkpoint"
     (cd "$copy" && ranks "$n" resume "$last" "$@" >>said 2>&1) || { cat "$copy/said" >&2; fail "$copy: resume $last"; }
     rows "$copy/log" >"$copy/thermo"
-    for file in end.data s.dump thermo average.txt profile.txt window.txt correlate.txt long.txt spectrum.txt motion.txt; do
+    for file in end.data s.dump s.dcd thermo average.txt profile.txt window.txt correlate.txt long.txt spectrum.txt motion.txt; do
         cmp "whole/$file" "$copy/$file" >&2 || fail "$copy: $file after resume of $last"
     done
 }

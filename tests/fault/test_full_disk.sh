@@ -31,11 +31,12 @@ deck() { { cat head.in; echo "$2"; echo "$3"; printf 'run 40\nwrite_data end.dat
 deck text 'dump d all custom 2 small/run.dump id x y z vx vy vz' 'dump_modify d format float %.17g'
 deck gzip 'dump d all custom 2 small/run.dump.gz id x y z vx vy vz' 'dump_modify d format float %.17g'
 deck h5md 'dump d all h5md 2 small/run.h5 position velocity force image' ''
+deck dcd 'dump d all dcd 2 small/run.dcd' ''
 deck files 'dump d all custom 2 small/run.*.dump id x y z vx vy vz' 'dump_modify d format float %.17g'
 rows() { awk '/^ *Step /{on=1;next} /^Loop time/{on=0} on && /^ *[0-9]/' "$1" | sort -n | uniq; }
 
 # The runs that nothing holds up.
-for kind in text gzip h5md files; do
+for kind in text gzip h5md dcd files; do
     mkdir "whole_$kind"
     rm -rf small/*
     "$HALFSHELL" "$kind.in" -log log >/dev/null
@@ -77,14 +78,15 @@ if [ -z "$(ldd "$HALFSHELL" | grep -E 'asan|ubsan' || true)" ] &&
     for kind in text gzip h5md; do
         held_up "$kind" env LD_PRELOAD="$folder/full.so" FULL_NAME=small/run FULL_BYTES=1500000
     done
+    held_up dcd env LD_PRELOAD="$folder/full.so" FULL_NAME=small/run FULL_BYTES=300000 # 12 of 21 frames
 else
     echo "no preloaded library here"
 fi
 if mount -t tmpfs -o size=20m halfshell-test small 2>/dev/null; then
     mounted=yes
-    for kind in text gzip h5md files; do
+    for kind in text gzip h5md dcd files; do
         rm -rf small/*
-        head -c 19000000 /dev/zero >small/filler
+        head -c "$(if [ "$kind" = dcd ]; then echo 20700000; else echo 19000000; fi)" /dev/zero >small/filler
         held_up "$kind" env
     done
     # The checkpoint's own disk: the one before stays whole, and is told.

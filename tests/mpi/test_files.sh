@@ -28,6 +28,11 @@ dump c low xyz 4 c.xyz
 dump_modify c element Ar Kr
 dump d all custom 4 d.dump id x
 dump_modify d sort off region half
+dump e all dcd 2 e.dcd
+dump f low dcd 4 f.dcd
+dump_modify f unwrap yes
+dump g all cfg 4 g.*.cfg mass type xsu ysu zsu id v_r2
+dump_modify g element Ar Kr
 neigh_modify every 2 delay 0 check no
 run 0
 fix p all property/atom i_n d_w
@@ -68,7 +73,7 @@ done
 first() { awk '/ITEM: TIMESTEP/ && ++n == 2 {exit} {print}' "$1"; }
 
 for n in 2 3; do
-    for file in start.data packed.data b.0.dump said said.2 twice.data; do
+    for file in start.data packed.data b.0.dump e.dcd f.dcd g.0.cfg said said.2 twice.data; do
         cmp "0/$file" "$n/$file" || fail "$file of $n ranks"
     done
     cmp <(first 0/a.dump) <(first "$n/a.dump") || fail "a.dump of $n ranks at step 0"

@@ -128,6 +128,169 @@ START_TEST(test_extxyz)
     hs_test_leave_folder();
 }
 END_TEST
+/** Bytes as lmp writes them. */
+START_TEST(test_cfg)
+{
+    static const char box[] = "H0(1,1) = 1.6796 A\nH0(1,2) = 0 A \nH0(1,3) = 0 A \nH0(2,1) = 0 A \nH0(2,2) = 1.6796 A\n"
+                              "H0(2,3) = 0 A \nH0(3,1) = 0 A \nH0(3,2) = 0 A \nH0(3,3) = 1.6796 A\n.NO_VELOCITY.\n";
+    char expected[2048];
+    hs_test_enter_folder();
+    run_good("compute q all stress/atom NULL\ndump 1 all cfg 5 a.*.cfg mass type xs ys zs ix vx\n"
+             "dump_modify 1 element Ar Kr\ndump 2 all cfg 5 b.*.cfg mass type xsu ysu zsu id c_q[1]\n"
+             "dump_modify 2 format float %.3f format 3 %.1f\nrun 0\n");
+    snprintf(expected, sizeof expected,
+             "Number of particles = 4\nA = 1 Angstrom (basic length-scale)\n%sentry_count = 5\nauxiliary[0] = ix\n"
+             "auxiliary[1] = vx\n1.500000 \nAr \n0 0 0 0 0.5\n1.500000 \nAr \n0.5 0.5 0 1 0.5\n"
+             "1.500000 \nKr \n0.5 0 0.5 0 0.5\n1.500000 \nAr \n0 0.5 0.5 0 0.5\n",
+             box);
+    expect_file("a.0.cfg", expected);
+    snprintf(expected, sizeof expected,
+             "Number of particles = 4\nA = 10 Angstrom (basic length-scale)\n%sentry_count = 5\nauxiliary[0] = id\n"
+             "auxiliary[1] = c_q_1\n1.500000 \nC \n0.5 0.450 0.450 1 -0.375\n1.500000 \nC \n0.6 0.300 0.450 2 -0.375\n"
+             "1.500000 \nC \n0.5 0.450 0.500 3 -0.375\n1.500000 \nC \n0.5 0.500 0.500 4 -0.375\n",
+             box);
+    expect_file("b.0.cfg", expected);
+    expect_error("dump 1 all cfg 5 a mass type xs ys zs\nrun 0\n", "the name 'a' needs a *");
+    expect_error("dump 1 all cfg 5 a.*.cfg mass type x y z\n",
+                 "'x' is not what the format begins with: mass type xs ys zs");
+    expect_error("dump 1 all cfg 5 a.*.cfg mass type xsu ys zs\n", "'ys' is not what the format begins with");
+    expect_error("dump 1 all cfg 5 a.*.cfg mass type xs ys zs foo\n", "unknown attribute 'foo'");
+    hs_test_leave_folder();
+}
+END_TEST
+
+/** A number of a binary file. */
+static int32_t int_at(const char *bytes, size_t at)
+{
+    int32_t value;
+    memcpy(&value, bytes + at, sizeof value);
+    return value;
+}
+
+static double double_at(const char *bytes, size_t at)
+{
+    double value;
+    memcpy(&value, bytes + at, sizeof value);
+    return value;
+}
+
+static float float_at(const char *bytes, size_t at)
+{
+    float value;
+    memcpy(&value, bytes + at, sizeof value);
+    return value;
+}
+
+enum { DCD_HEAD = 92 + 172 + 12 };
+
+/** Whole files of frames of n atoms each; returns the bytes, which the caller frees. */
+static char *read_dcd(const char *name, int n_frames, int n_atoms)
+{
+    const size_t frame = 56 + 3 * (8 + 4 * (size_t)n_atoms), size = DCD_HEAD + (size_t)n_frames * frame;
+    char *bytes = malloc(size);
+    FILE *file = fopen(name, "rb");
+    ck_assert_msg(file != NULL, "%s is missing", name);
+    ck_assert_uint_eq(fread(bytes, 1, size, file), size);
+    ck_assert_int_eq(fgetc(file), EOF);
+    fclose(file);
+    ck_assert_int_eq(int_at(bytes, 8), n_frames);
+    ck_assert_int_eq(int_at(bytes, 268), n_atoms);
+    for (int k = 0; k < n_frames; ++k) { /* every record has its length before and behind it */
+        size_t at = DCD_HEAD + (size_t)k * frame;
+        for (int record = 0; record < 4; ++record) {
+            const int length = record == 0 ? 48 : 4 * n_atoms;
+            ck_assert_int_eq(int_at(bytes, at), length);
+            ck_assert_int_eq(int_at(bytes, at + 4 + (size_t)length), length);
+            at += 8 + (size_t)length;
+        }
+    }
+    return bytes;
+}
+
+/** The places of the head's numbers are those of the format (CHARMM 24). */
+START_TEST(test_dcd)
+{
+    hs_test_enter_folder();
+    run_good(
+        "reset_timestep 3\ngroup two id 2 3\ndump 1 all dcd 5 a.dcd\ndump 2 two dcd 5 b.dcd\ndump_modify 2 unwrap yes "
+        "first yes\nrun 10\nrun 5\nwrite_dump two dcd c.dcd\n");
+    char *bytes = read_dcd("a.dcd", 3, 4); /* 5 10 15 */
+    ck_assert_int_eq(int_at(bytes, 0), 84);
+    ck_assert_int_eq(memcmp(bytes + 4, "CORD", 4), 0);
+    ck_assert_int_eq(int_at(bytes, 12), 5);
+    ck_assert_int_eq(int_at(bytes, 16), 5);
+    ck_assert_int_eq(int_at(bytes, 20), 15);
+    ck_assert(float_at(bytes, 44) == 0.005F);
+    ck_assert_int_eq(int_at(bytes, 48), 1);
+    ck_assert_int_eq(int_at(bytes, 84), 24);
+    ck_assert_int_eq(int_at(bytes, 88), 84);
+    ck_assert_int_eq(int_at(bytes, 92), 164);
+    ck_assert_int_eq(int_at(bytes, 96), 2);
+    ck_assert_int_eq(int_at(bytes, 260), 164);
+    for (int k = 0; k < 6; ++k)
+        ck_assert(double_at(bytes, DCD_HEAD + 4 + 8 * (size_t)k) ==
+                  (k == 1 || k == 3 || k == 4 ? 0.0 : 1.6795961913825073));
+    ck_assert_float_eq_tol(float_at(bytes, DCD_HEAD + 56 + 4 + 8), 0.844798F,
+                           1e-6F); /* x of atom 3 at the second step */
+    free(bytes);
+    bytes = read_dcd("b.dcd", 4, 2); /* 3 5 10 15 */
+    ck_assert_int_eq(int_at(bytes, 12), 3);
+    ck_assert_float_eq_tol(float_at(bytes, DCD_HEAD + 56 + 4), 2.519394F, 1e-6F); /* atom 2 has image 1 -2 0 */
+    ck_assert_float_eq_tol(float_at(bytes, DCD_HEAD + 56 + 16 + 4), -2.519394F, 1e-6F);
+    free(bytes);
+    bytes = read_dcd("c.dcd", 1, 2);
+    ck_assert_int_eq(int_at(bytes, 12), 18);
+    free(bytes);
+    /* more frames, into the same file */
+    run_good("reset_timestep 20\ndump 1 all dcd 5 a.dcd\ndump_modify 1 append yes\nrun 10\n");
+    bytes = read_dcd("a.dcd", 6, 4);
+    ck_assert_int_eq(int_at(bytes, 12), 5);
+    ck_assert_int_eq(int_at(bytes, 20), 30);
+    free(bytes);
+    run_good("dump 1 all dcd 5 new.dcd\ndump_modify 1 append yes\nrun 5\n");
+    free(read_dcd("new.dcd", 2, 4));
+    hs_test_leave_folder();
+}
+END_TEST
+
+START_TEST(test_dcd_refusals)
+{
+    hs_test_enter_folder();
+    run_good("dump 1 all dcd 5 a.dcd\nrun 5\n");
+    char *bytes = read_dcd("a.dcd", 2, 4);
+    expect_error("dump 1 all dcd 5 a.*.dcd\n", "all frames go into one file");
+    expect_error("dump 1 all dcd 5 a.dcd.gz\n", "cannot be compressed");
+    expect_error("dump 1 all dcd 5 b.dcd\ndump_modify 1 sort off\n", "'off' is not id, the only order");
+    expect_error("dump 1 all dcd 5 b.dcd\ndump_modify 1 thresh x < 1\n",
+                 "'thresh' is not a keyword of dumps of style dcd");
+    expect_error("dump 1 all custom 5 b id\ndump_modify 1 unwrap yes\n",
+                 "'unwrap' is not a keyword of dumps of style custom");
+    expect_error("dump 1 all dcd 5 b.dcd\nrun 0\ndump_modify 1 every 7\n", "5 steps between frames");
+    expect_error("dump 1 all dcd 5 b.dcd\nrun 0\ndelete_atoms group all\nrun 5\n",
+                 "the frames of 'b.dcd' have 4 atoms each, and now there are 0");
+    expect_error("reset_timestep 3000000000\ndump 1 all dcd 5 b.dcd\nrun 0\n", "is beyond what a dcd file can tell");
+    expect_error("dump 1 all dcd 4 a.dcd\ndump_modify 1 append yes\nrun 0\n", "has frames of every 5 steps");
+    expect_error("group two id 2 3\ndump 1 two dcd 5 a.dcd\ndump_modify 1 append yes\nrun 0\n",
+                 "the frames of 'a.dcd' have 4 atoms each, and now there are 2");
+    free(read_dcd("a.dcd", 2, 4)); /* what was refused has changed nothing */
+    /* a part of a frame, another head, no head at all */
+    for (int k = 0; k < 4; ++k) {
+        static const size_t size[] = {DCD_HEAD + 2 * 128 - 7, DCD_HEAD + 2 * 128, DCD_HEAD, 9};
+        FILE *file = fopen("c.dcd", "wb");
+        bytes[4] = k == 1 ? 'V' : 'C';
+        ck_assert_uint_eq(fwrite(bytes, 1, size[k], file), size[k]);
+        fclose(file);
+        expect_error("dump 1 all dcd 5 c.dcd\ndump_modify 1 append yes\nrun 0\n",
+                     "'c.dcd' is not a dcd file of whole frames");
+        struct stat info;
+        ck_assert_int_eq(stat("c.dcd", &info), 0);
+        ck_assert_uint_eq((size_t)info.st_size, size[k]);
+    }
+    free(bytes);
+    hs_test_leave_folder();
+}
+END_TEST
+
 START_TEST(test_formats_and_headers)
 {
     hs_test_enter_folder();
@@ -330,5 +493,6 @@ START_TEST(test_writer)
 }
 END_TEST
 
-HS_TEST_MAIN("dump", test_atom, test_custom, test_xyz, test_extxyz, test_formats_and_headers, test_sort_and_selection,
-             test_when, test_last_row_of_rerun, test_gzip_and_write_dump, test_refusals, test_writer)
+HS_TEST_MAIN("dump", test_atom, test_custom, test_xyz, test_extxyz, test_cfg, test_dcd, test_dcd_refusals,
+             test_formats_and_headers, test_sort_and_selection, test_when, test_last_row_of_rerun,
+             test_gzip_and_write_dump, test_refusals, test_writer)
