@@ -22,6 +22,7 @@ static hs_status create(hs_compute *compute, const hs_args *args, hs_error *err)
     if (args->n > 2 && strcmp(args->word[2], "group") == 0) {
         HS_TRY(hs_arg_need(args, 3, "the neighbors' group", err));
         HS_TRY(hs_groups_get(compute->env->groups, args->word[3], &state->group, err));
+        compute->other_groups = hs_group_mask(state->group);
         first = 4;
     }
     const int n_types = compute->env->atoms->n_types, n = args->n - first;

@@ -27,7 +27,7 @@ static hs_status create(hs_compute *compute, const hs_args *args, hs_error *err)
     group_state *state = compute->state;
     int group, choice;
     HS_TRY(hs_groups_get(compute->env->groups, args->word[0], &group, err));
-    state->other = hs_group_mask(group);
+    state->other = compute->other_groups = hs_group_mask(group);
     state->has_pair = true;
     for (int i = 1; i < args->n; i += 2) {
         if (strcmp(args->word[i], "pair") == 0)

@@ -213,10 +213,11 @@ static void clear_bit(hs_atoms *atoms, uint32_t bit)
 static hs_status check_unused(const hs_sim *sim, int group, hs_error *err)
 {
     const char *kind = NULL, *id = "";
+    const uint32_t bit = hs_group_mask(group);
     for (int k = 0; k < sim->n_fixes; ++k)
-        if (sim->fix[k]->group == group) kind = "fix", id = sim->fix[k]->id;
+        if ((sim->fix[k]->mask | sim->fix[k]->other_groups) & bit) kind = "fix", id = sim->fix[k]->id;
     for (int k = 0; k < sim->n_computes; ++k)
-        if (sim->compute[k]->group == group) kind = "compute", id = sim->compute[k]->id;
+        if ((sim->compute[k]->mask | sim->compute[k]->other_groups) & bit) kind = "compute", id = sim->compute[k]->id;
     for (int k = 0; k < sim->n_dumps; ++k)
         if (sim->dump[k]->group == group) kind = "dump", id = sim->dump[k]->id;
     const hs_neighbor_settings *settings = &sim->neighbor.settings;

@@ -112,10 +112,6 @@ static hs_status run_neigh_modify(hs_deck *deck, const hs_args *args, hs_error *
 {
     int n_used;
     for (int i = 0; i < args->n; i += n_used) HS_TRY(modify_word(deck->sim, args, i, &n_used, err));
-    const hs_neighbor_settings *settings = &deck->sim->neighbor.settings;
-    if (settings->delay > 0 && settings->delay % settings->every != 0)
-        return hs_fail(err, HS_ERROR_INPUT, "neigh_modify: delay %lld is not a multiple of every %lld",
-                       (long long)settings->delay, (long long)settings->every);
     deck->sim->is_initialized = false;
     return hs_sim_fit_kernel_types(deck->sim, err);
 }

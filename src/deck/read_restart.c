@@ -38,11 +38,9 @@ static hs_status keep_field(hs_checkpoint *checkpoint, hs_sim *sim, const char *
 static hs_status keep_style(hs_checkpoint *checkpoint, hs_sim *sim, hs_restored_kind kind, const char *id,
                             hs_error *err)
 {
-    char section[300];
     hs_state state = {0};
     char *name = NULL;
-    snprintf(section, sizeof section, "%s/%s", hs_restored_kinds[kind], id);
-    HS_TRY(hs_checkpoint_get(checkpoint, section, &state, err));
+    HS_TRY(hs_saved_get(checkpoint, hs_restored_kinds[kind], id, &state, err));
     hs_status status = hs_state_text(&state, "style", &name, err);
     if (status == HS_OK && name != NULL) status = hs_restored_keep_style(sim, kind, id, name, &state, err);
     HS_FREE(name);

@@ -20,11 +20,10 @@ static hs_status get_variable(hs_checkpoint *checkpoint, hs_deck *deck, const ch
 {
     hs_state state;
     hs_variable *variable;
-    char section[300], *values = NULL, *formula = NULL;
+    char *values = NULL, *formula = NULL;
     hs_args words = {0};
     int n_values = 0;
-    snprintf(section, sizeof section, "variables/%s", name);
-    HS_TRY(hs_checkpoint_get(checkpoint, section, &state, err));
+    HS_TRY(hs_saved_get(checkpoint, "variables", name, &state, err));
     hs_status status = hs_variables_restore(deck->variables, name, &variable, err);
     if (status == HS_OK) status = hs_saved_keep_variable(variable, &state, err);
     if (status == HS_OK) status = hs_state_text(&state, "values", &values, err);
@@ -61,11 +60,9 @@ static hs_status get_variables(hs_checkpoint *checkpoint, hs_deck *deck, hs_erro
 
 static hs_status get_dumps(hs_checkpoint *checkpoint, hs_sim *sim, hs_error *err)
 {
-    char section[300];
     for (int k = 0; k < sim->n_dumps; ++k) {
         hs_state state;
-        snprintf(section, sizeof section, "dump/%s", sim->dump[k]->id);
-        HS_TRY(hs_checkpoint_get(checkpoint, section, &state, err));
+        HS_TRY(hs_saved_get(checkpoint, "dump", sim->dump[k]->id, &state, err));
         const hs_status status = hs_saved_keep_dump(sim->dump[k], &state, err);
         hs_state_fini(&state);
         HS_TRY(status);
@@ -76,15 +73,13 @@ static hs_status get_dumps(hs_checkpoint *checkpoint, hs_sim *sim, hs_error *err
 
 static hs_status get_styles(hs_checkpoint *checkpoint, hs_sim *sim, hs_error *err)
 {
-    char section[300];
     for (int k = 0; k < sim->n_fixes + sim->n_computes; ++k) {
         hs_fix *fix = k < sim->n_fixes ? sim->fix[k] : NULL;
         hs_compute *compute = fix == NULL ? sim->compute[k - sim->n_fixes] : NULL;
         if (fix != NULL ? fix->style->keep_state == NULL : compute->style->keep_state == NULL) continue;
         hs_state state;
-        snprintf(section, sizeof section, "%s/%s", fix != NULL ? "fix" : "compute",
-                 fix != NULL ? fix->id : compute->id);
-        HS_TRY(hs_checkpoint_get(checkpoint, section, &state, err));
+        HS_TRY(hs_saved_get(checkpoint, fix != NULL ? "fix" : "compute", fix != NULL ? fix->id : compute->id, &state,
+                            err));
         const hs_status status =
             fix != NULL ? fix->style->keep_state(fix, &state, err) : compute->style->keep_state(compute, &state, err);
         hs_state_fini(&state);

@@ -59,6 +59,25 @@ hs_status hs_deck_remember(hs_deck *deck, const hs_args *args, hs_error *err)
     return hs_text_append(&deck->done, &mark, 1, err);
 }
 
+hs_status hs_saved_put(hs_checkpoint *checkpoint, const char *kind, const char *id, const hs_state *state,
+                       hs_error *err)
+{
+    hs_text section = {0};
+    hs_status status = hs_text_printf(&section, err, "%s/%s", kind, id);
+    if (status == HS_OK) status = hs_checkpoint_put(checkpoint, hs_text_get(&section), state, err);
+    hs_text_fini(&section);
+    return status;
+}
+
+hs_status hs_saved_get(hs_checkpoint *checkpoint, const char *kind, const char *id, hs_state *state, hs_error *err)
+{
+    hs_text section = {0};
+    hs_status status = hs_text_printf(&section, err, "%s/%s", kind, id);
+    if (status == HS_OK) status = hs_checkpoint_get(checkpoint, hs_text_get(&section), state, err);
+    hs_text_fini(&section);
+    return status;
+}
+
 /* ---- Variables ---- */
 
 static hs_status keep_generator(hs_marsaglia *generator, const char *prefix, hs_state *state, hs_error *err)
@@ -100,7 +119,7 @@ hs_status hs_saved_keep_variable(hs_variable *variable, hs_state *state, hs_erro
 static hs_status put_variable(hs_checkpoint *checkpoint, hs_variable *variable, hs_error *err)
 {
     hs_state state = {0};
-    hs_text values = {0}, section = {0};
+    hs_text values = {0};
     const hs_args words = {.n = variable->n_values, .word = (const char *const *)variable->value};
     char *formula = variable->formula != NULL ? (char *)(uintptr_t)hs_formula_text(variable->formula) : NULL;
     hs_status status = hs_saved_keep_variable(variable, &state, err);
@@ -109,10 +128,8 @@ static hs_status put_variable(hs_checkpoint *checkpoint, hs_variable *variable, 
     if (status == HS_OK && variable->n_values > 0) status = hs_state_text(&state, "values", &joined, err);
     if (status == HS_OK) status = hs_state_int(&state, "value count", &variable->n_values, err);
     if (status == HS_OK) status = hs_state_text(&state, "formula", &formula, err);
-    if (status == HS_OK) status = hs_text_printf(&section, err, "variables/%s", variable->name);
-    if (status == HS_OK) status = hs_checkpoint_put(checkpoint, hs_text_get(&section), &state, err);
+    if (status == HS_OK) status = hs_saved_put(checkpoint, "variables", variable->name, &state, err);
     hs_text_fini(&values);
-    hs_text_fini(&section);
     hs_state_fini(&state);
     return status;
 }
@@ -202,38 +219,43 @@ static hs_status put_places(hs_checkpoint *checkpoint, hs_deck *deck, int *n, hs
 
 /* ---- Styles and settings ---- */
 
+static hs_status put_fix(hs_checkpoint *checkpoint, hs_fix *fix, hs_error *err)
+{
+    hs_state state = {0};
+    char *name = (char *)(uintptr_t)fix->style->about.name;
+    hs_status status = hs_state_text(&state, "style", &name, err);
+    if (status == HS_OK && fix->style->keep_state != NULL) status = fix->style->keep_state(fix, &state, err);
+    if (status == HS_OK) status = hs_saved_put(checkpoint, "fix", fix->id, &state, err);
+    hs_state_fini(&state);
+    return status;
+}
+
+static hs_status put_compute(hs_checkpoint *checkpoint, hs_compute *compute, hs_error *err)
+{
+    hs_state state = {0};
+    char *name = (char *)(uintptr_t)compute->style->about.name;
+    hs_status status = hs_state_text(&state, "style", &name, err);
+    if (status == HS_OK && compute->style->keep_state != NULL)
+        status = compute->style->keep_state(compute, &state, err);
+    if (status == HS_OK) status = hs_saved_put(checkpoint, "compute", compute->id, &state, err);
+    hs_state_fini(&state);
+    return status;
+}
+
+static hs_status put_dump(hs_checkpoint *checkpoint, hs_dump *dump, hs_error *err)
+{
+    hs_state state = {0};
+    hs_status status = hs_saved_keep_dump(dump, &state, err);
+    if (status == HS_OK) status = hs_saved_put(checkpoint, "dump", dump->id, &state, err);
+    hs_state_fini(&state);
+    return status;
+}
+
 static hs_status put_styles(hs_checkpoint *checkpoint, hs_sim *sim, hs_error *err)
 {
-    char section[300];
-    for (int k = 0; k < sim->n_fixes + sim->n_computes; ++k) {
-        hs_state state = {0};
-        hs_status status;
-        if (k < sim->n_fixes) {
-            hs_fix *fix = sim->fix[k];
-            snprintf(section, sizeof section, "fix/%s", fix->id);
-            char *name = (char *)(uintptr_t)fix->style->about.name;
-            status = hs_state_text(&state, "style", &name, err);
-            if (status == HS_OK && fix->style->keep_state != NULL) status = fix->style->keep_state(fix, &state, err);
-        } else {
-            hs_compute *compute = sim->compute[k - sim->n_fixes];
-            snprintf(section, sizeof section, "compute/%s", compute->id);
-            char *name = (char *)(uintptr_t)compute->style->about.name;
-            status = hs_state_text(&state, "style", &name, err);
-            if (status == HS_OK && compute->style->keep_state != NULL)
-                status = compute->style->keep_state(compute, &state, err);
-        }
-        if (status == HS_OK) status = hs_checkpoint_put(checkpoint, section, &state, err);
-        hs_state_fini(&state);
-        HS_TRY(status);
-    }
-    for (int k = 0; k < sim->n_dumps; ++k) {
-        hs_state state = {0};
-        snprintf(section, sizeof section, "dump/%s", sim->dump[k]->id);
-        hs_status status = hs_saved_keep_dump(sim->dump[k], &state, err);
-        if (status == HS_OK) status = hs_checkpoint_put(checkpoint, section, &state, err);
-        hs_state_fini(&state);
-        HS_TRY(status);
-    }
+    for (int k = 0; k < sim->n_fixes; ++k) HS_TRY(put_fix(checkpoint, sim->fix[k], err));
+    for (int k = 0; k < sim->n_computes; ++k) HS_TRY(put_compute(checkpoint, sim->compute[k], err));
+    for (int k = 0; k < sim->n_dumps; ++k) HS_TRY(put_dump(checkpoint, sim->dump[k], err));
     return HS_OK;
 }
 

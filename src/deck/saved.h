@@ -17,6 +17,12 @@ HS_MUST_USE hs_status hs_saved_keep_variable(hs_variable *variable, hs_state *st
 HS_MUST_USE hs_status hs_saved_keep_frame(hs_frame *frame, hs_state *state, hs_error *err);
 HS_MUST_USE hs_status hs_saved_keep_dump(hs_dump *dump, hs_state *state, hs_error *err);
 
+/** A state as the section KIND/ID ("fix", "compute", "dump", "variables"), written or read: deck/save.c. */
+HS_MUST_USE hs_status hs_saved_put(hs_checkpoint *checkpoint, const char *kind, const char *id, const hs_state *state,
+                                   hs_error *err);
+HS_MUST_USE hs_status hs_saved_get(hs_checkpoint *checkpoint, const char *kind, const char *id, hs_state *state,
+                                   hs_error *err);
+
 /** Words of a joined text: cut in place. The caller frees words->word (the array).  deck/repeat.c, as the next three */
 HS_MUST_USE hs_status hs_saved_cut_words(char *text, hs_args *words, hs_error *err);
 /** Box, types and atoms, as far as what there is knows of their fields (collective). */

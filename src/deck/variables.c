@@ -1,6 +1,5 @@
 #include "deck/variables.h"
 
-#include <ctype.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -57,15 +56,6 @@ hs_status hs_variables_need(const hs_variables *variables, const char *name, hs_
                    "there is no variable '%.80s': the command 'variable' or the option -var makes one", name);
 }
 
-static hs_status check_name(const char *name, hs_error *err)
-{
-    for (const char *c = name; *c != '\0' || c == name; ++c)
-        if (!isalnum((unsigned char)*c) && *c != '_')
-            return hs_fail(err, HS_ERROR_INPUT,
-                           "variable: the name '%.80s' may have only letters, digits and underscores", name);
-    return HS_OK;
-}
-
 static hs_status add(hs_variables *variables, const char *name, hs_variable_style style, hs_variable **variable,
                      hs_error *err)
 {
@@ -104,7 +94,7 @@ hs_status hs_variables_set_index(hs_variables *variables, const char *name, int 
                                  hs_error *err)
 {
     hs_variable *variable;
-    HS_TRY(check_name(name, err));
+    HS_TRY(hs_name_check("variable", "name", name, err));
     if (n < 1) return hs_fail(err, HS_ERROR_INPUT, "-var %s: a value is missing", name);
     if (hs_variables_find(variables, name) != NULL)
         return hs_fail(err, HS_ERROR_INPUT, "-var %s: the variable is given twice", name);
@@ -114,7 +104,7 @@ hs_status hs_variables_set_index(hs_variables *variables, const char *name, int 
 
 hs_status hs_variables_restore(hs_variables *variables, const char *name, hs_variable **variable, hs_error *err)
 {
-    HS_TRY(check_name(name, err));
+    HS_TRY(hs_name_check("variable", "name", name, err));
     *variable = hs_variables_find(variables, name);
     return *variable != NULL ? HS_OK : add(variables, name, HS_VARIABLE_INTERNAL, variable, err);
 }

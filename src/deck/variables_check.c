@@ -74,11 +74,9 @@ hs_status hs_variables_check(const hs_args *args, bool first_pass, hs_error *err
     HS_TRY(hs_arg_need(args, 0, "the variable's name", err));
     HS_TRY(hs_arg_need(args, 1, "the variable's style", err));
     const char *name = args->word[0], *style = args->word[1];
-    for (const char *c = name; !is_open(name, first_pass) && (*c != '\0' || c == name); ++c)
-        if (strchr("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_", *c) == NULL || *c == '\0')
-            return hs_fail(err, HS_ERROR_INPUT,
-                           "variable: the name '%.80s' may have only letters, digits and underscores", name);
-    if (is_open(name, first_pass) || is_open(style, first_pass)) return HS_OK;
+    if (is_open(name, first_pass)) return HS_OK;
+    HS_TRY(hs_name_check("variable", "name", name, err));
+    if (is_open(style, first_pass)) return HS_OK;
     if (strcmp(style, "delete") == 0) return check_count(args, 0, 0, "delete", err);
     HS_TRY(check_style(args, err));
     /* An open word may become several words: nothing after it has a certain place. */

@@ -24,7 +24,8 @@ static hs_status enter(hs_variables *variables, hs_variable *variable, hs_error 
     if (variable->is_evaluating)
         return hs_fail(err, HS_ERROR_INPUT,
                        "variable '%s': its formula '%.400s' uses the variable itself, directly or through others",
-                       variable->name, hs_formula_text(variable->formula));
+                       variable->name,
+                       variable->formula != NULL ? hs_formula_text(variable->formula) : variable->value[0]);
     if (variables->depth >= DEPTH_MAX)
         return hs_fail(err, HS_ERROR_INPUT, "variable '%s': more than %d variables use one another in a chain",
                        variable->name, DEPTH_MAX);
@@ -69,11 +70,14 @@ bool hs_format_is_for_double(const char *format)
     return n == 1;
 }
 
-static hs_status format_text(hs_deck *deck, const hs_variable *variable, hs_text *text, hs_error *err)
+static hs_status format_text(hs_deck *deck, hs_variable *variable, hs_text *text, hs_error *err)
 {
     double value;
-    HS_TRY(hs_variables_number(deck, variable->value[0], &value, err));
-    return hs_text_printf(text, err, variable->value[1], value);
+    HS_TRY(enter(deck->variables, variable, err));
+    hs_status status = hs_variables_number(deck, variable->value[0], &value, err);
+    if (status == HS_OK) status = hs_text_printf(text, err, variable->value[1], value);
+    leave(deck->variables, variable);
+    return status;
 }
 
 hs_status hs_variables_text(hs_deck *deck, const char *name, hs_text *text, hs_error *err)

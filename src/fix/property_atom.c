@@ -33,6 +33,7 @@ static hs_status check_name(const hs_fix *fix, const hs_args *args, int i, hs_er
                                         : "masses of their own are what 'atom_style sphere' gives atoms");
     if (!hs_custom_atom_is_name(word))
         return hs_arg_refuse(args, i, "i_<name> or d_<name>, with letters, digits and underscores", NULL, err);
+    HS_TRY(hs_name_check(args->command, "name", word, err));
     if (hs_custom_atom_find(fix->env->atoms, word[0], word + 2) == NULL) return HS_OK;
     return hs_fail(err, HS_ERROR_INPUT, "%s: atoms have '%s' already; unfix what has added it, or take another name",
                    args->command, word);

@@ -41,7 +41,7 @@ static hs_status create(hs_fix *fix, const hs_args *args, hs_error *err)
         int choice;
         if (strcmp(args->word[i], "shift") == 0) {
             HS_TRY(hs_groups_get(fix->env->groups, args->word[i + 1], &choice, err));
-            state->shifted = hs_group_mask(choice);
+            state->shifted = fix->other_groups = hs_group_mask(choice);
         } else {
             HS_TRY(hs_arg_choice(args, i + 1, units, &choice, err));
             state->units = choice == 0 ? IN_BOX : choice == 1 ? IN_LATTICE : IN_FRACTIONS;

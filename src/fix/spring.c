@@ -31,7 +31,7 @@ static hs_status create(hs_fix *fix, const hs_args *args, hs_error *err)
         HS_TRY(hs_groups_get(fix->env->groups, args->word[at++], &bit, err));
         if (bit == fix->group)
             return hs_fail(err, HS_ERROR_INPUT, "%s: a spring between a group and itself", args->command);
-        state->other = hs_group_mask(bit);
+        state->other = fix->other_groups = hs_group_mask(bit);
     }
     HS_TRY(hs_arg_double(args, at++, &state->k, err));
     for (int axis = 0; axis < 3; ++axis, ++at) {

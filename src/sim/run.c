@@ -20,6 +20,10 @@ static hs_status check_system(hs_sim *sim, hs_error *err)
     HS_TRY(hs_sim_need_masses(sim, "run", err));
     if (sim->box.dimension == 2 && !sim->box.periodic[2])
         return hs_fail(err, HS_ERROR_INPUT, "run: a 2d simulation needs a periodic z boundary ('boundary p p p')");
+    const hs_neighbor_settings *settings = &sim->neighbor.settings; /* perhaps from several commands */
+    if (settings->delay > 0 && settings->delay % settings->every != 0)
+        return hs_fail(err, HS_ERROR_INPUT, "neigh_modify: delay %lld is not a multiple of every %lld",
+                       (long long)settings->delay, (long long)settings->every);
     return HS_OK;
 }
 

@@ -156,15 +156,6 @@ hs_status hs_sim_pair_coeff(hs_sim *sim, const hs_args *args, hs_error *err)
 
 /* Named styles */
 
-static hs_status check_id(const char *kind, const char *id, hs_error *err)
-{
-    for (const char *c = id; *c != '\0' || c == id; ++c)
-        if (!((*c >= 'a' && *c <= 'z') || (*c >= 'A' && *c <= 'Z') || (*c >= '0' && *c <= '9') || *c == '_'))
-            return hs_fail(err, HS_ERROR_INPUT, "%s: the ID '%s' may have only letters, digits and underscores", kind,
-                           id);
-    return HS_OK;
-}
-
 hs_status hs_sim_add_fix(hs_sim *sim, const char *id, const char *group, const char *name, const hs_args *args,
                          hs_error *err)
 {
@@ -174,7 +165,7 @@ hs_status hs_sim_add_fix(hs_sim *sim, const char *id, const char *group, const c
     int bit, place = 0;
     LOOK_UP(hs_fix_styles, "fix", name, style, err);
     HS_TRY(check_words("fix", &style->about, args, command, sizeof command, &named, err));
-    HS_TRY(check_id("fix", id, err));
+    HS_TRY(hs_name_check("fix", "ID", id, err));
     if (!style->needs_no_box) HS_TRY(hs_sim_need_box(sim, "fix", err));
     HS_TRY(hs_groups_get(&sim->groups, group, &bit, err));
     while (place < sim->n_fixes && strcmp(sim->fix[place]->id, id) != 0) ++place;
@@ -222,7 +213,7 @@ hs_status hs_sim_add_compute(hs_sim *sim, const char *id, const char *group, con
     int bit;
     LOOK_UP(hs_compute_styles, "compute", name, style, err);
     HS_TRY(check_words("compute", &style->about, args, command, sizeof command, &named, err));
-    HS_TRY(check_id("compute", id, err));
+    HS_TRY(hs_name_check("compute", "ID", id, err));
     HS_TRY(hs_groups_get(&sim->groups, group, &bit, err));
     if (hs_sim_find_compute(sim, id) != NULL)
         return hs_fail(err, HS_ERROR_INPUT, "compute: the ID '%s' is taken; uncompute it first or use another", id);
@@ -254,7 +245,7 @@ hs_status hs_sim_add_dump(hs_sim *sim, const char *id, const char *group, const 
     int bit;
     LOOK_UP(hs_dump_styles, "dump", name, style, err);
     HS_TRY(check_words("dump", &style->about, args, command, sizeof command, &named, err));
-    HS_TRY(check_id("dump", id, err));
+    HS_TRY(hs_name_check("dump", "ID", id, err));
     HS_TRY(hs_groups_get(&sim->groups, group, &bit, err));
     if (hs_sim_find_dump(sim, id) != NULL)
         return hs_fail(err, HS_ERROR_INPUT, "dump: the ID '%s' is taken; undump it first or use another", id);

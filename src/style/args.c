@@ -109,6 +109,18 @@ hs_status hs_arg_need(const hs_args *args, int i, const char *what, hs_error *er
     return hs_fail(err, HS_ERROR_INPUT, "%s: %s is missing", args->command, what);
 }
 
+hs_status hs_name_check(const char *command, const char *what, const char *name, hs_error *err)
+{
+    static const char letters[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_";
+    const size_t n = strlen(name);
+    if (n == 0 || strspn(name, letters) != n)
+        return hs_fail(err, HS_ERROR_INPUT, "%s: the %s '%.80s' may have only letters, digits and underscores", command,
+                       what, name);
+    if (n <= HS_NAME_MAX) return HS_OK;
+    return hs_fail(err, HS_ERROR_INPUT, "%s: the %s '%.40s...' has %zu letters; %d are allowed", command, what, name, n,
+                   HS_NAME_MAX);
+}
+
 hs_status hs_arg_refuse(const hs_args *args, int i, const char *expected, const char *const *choices, hs_error *err)
 {
     size_t n = 0;

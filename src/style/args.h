@@ -9,6 +9,8 @@
 
 #include "base/error.h"
 
+enum { HS_NAME_MAX = 128 }; /**< letters of an ID, or of a variable's name */
+
 /** A keyword of a command and what follows it. */
 typedef struct hs_keyword {
     const char *name;   /**< "d_<name>": every longer word that begins with "d_" */
@@ -59,6 +61,9 @@ HS_MUST_USE hs_status hs_arg_choice(const hs_args *args, int i, const char *cons
 HS_MUST_USE hs_status hs_arg_range(const hs_args *args, int i, int n_types, int *lo, int *hi, hs_error *err);
 /** Fail unless word i exists. */
 HS_MUST_USE hs_status hs_arg_need(const hs_args *args, int i, const char *what, hs_error *err);
+/** Refuse a name that has other characters than letters, digits and underscores, or more than HS_NAME_MAX of them (names
+ *  within checkpoints and figures are made of it): "<command>: the <what> '<name>' ...". */
+HS_MUST_USE hs_status hs_name_check(const char *command, const char *what, const char *name, hs_error *err);
 /** Refuse word i: "<command>: '<word>' is not <expected>; did you mean '<nearest>'?" (choices may be NULL). */
 HS_MUST_USE hs_status hs_arg_refuse(const hs_args *args, int i, const char *expected, const char *const *choices,
                                     hs_error *err);

@@ -53,11 +53,12 @@ typedef struct hs_compute_style {
  *  others evaluate at most once. */
 typedef struct hs_compute {
     const hs_compute_style *style;
-    char *id;      /**< owned */
-    int group;     /**< bit number */
-    uint32_t mask; /**< measures atoms with (atoms->mask[i] & mask) */
-    hs_env *env;   /**< borrowed */
-    void *state;   /**< style's own */
+    char *id;              /**< owned */
+    int group;             /**< bit number */
+    uint32_t mask;         /**< measures atoms with (atoms->mask[i] & mask) */
+    uint32_t other_groups; /**< masks of further groups that its words name; set by create */
+    hs_env *env;           /**< borrowed */
+    void *state;           /**< style's own */
     double scalar;
     double *vector; /**< [n_vector], allocated by create, freed by destroy of the style */
     int n_vector;

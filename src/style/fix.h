@@ -102,6 +102,7 @@ typedef struct hs_fix {
     char *id;                      /**< owned by hs_sim */
     int group;                     /**< bit number */
     uint32_t mask;                 /**< acts on atoms with (atoms->mask[i] & mask) */
+    uint32_t other_groups;         /**< masks of further groups that its words name; set by create */
     hs_env *env;                   /**< borrowed */
     void *state;                   /**< style's own */
     bool adds_energy, adds_virial; /**< fix_modify energy, virial */

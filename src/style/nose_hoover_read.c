@@ -85,7 +85,7 @@ static hs_status read_group(hs_fix *fix, const hs_args *args, int i, hs_error *e
 {
     int group;
     HS_TRY(hs_groups_get(fix->env->groups, args->word[i + 1], &group, err));
-    ((hs_nose_hoover *)fix->state)->dilate = hs_group_mask(group);
+    ((hs_nose_hoover *)fix->state)->dilate = fix->other_groups = hs_group_mask(group);
     return HS_OK;
 }
 

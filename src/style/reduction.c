@@ -142,6 +142,7 @@ static hs_status reduce_one(hs_compute *compute, int input, double *value, hs_er
     if (state->replaced_by[input] >= 0) {
         HS_TRY(fetch(compute, state->replaced_by[input], err));
         find_extreme(compute, value, &id);
+        if (id == 0) return HS_OK; /* no atom has it: as in LAMMPS the extreme of none */
         HS_TRY(fetch(compute, input, err));
         *value = 0.0;
         for (int i = 0; i < env->atoms->n_local; ++i)

@@ -77,7 +77,7 @@ bool hs_value_has(hs_env *env, const hs_value *value, hs_value_shape shape)
     const hs_fix *fix = fix_of(env, value);
     if (compute == NULL && fix == NULL) return false;
     for (int k = 0; k < value->n_indices; ++k)
-        if (value->index[k] > hs_value_limit(env, value, shape, k) && !is_open_ended(env, value, shape, k))
+        if (value->index[k] > (is_open_ended(env, value, shape, k) ? INT32_MAX : hs_value_limit(env, value, shape, k)))
             return false;
     if (value->n_indices > 0) return shape == HS_VALUE_NUMBER || value->n_indices == 1;
     switch (shape) {
