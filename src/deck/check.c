@@ -57,7 +57,7 @@ static hs_status check_dollars(checker *c, char *line)
             char *text = NULL, *format = NULL;
             hs_formula *formula = NULL;
             HS_TRY(hs_dollar_formula(&dollar, &text, &format, c->err));
-            hs_status status = hs_formula_parse(&formula, text, false, c->err);
+            hs_status status = hs_formula_parse(&formula, text, HS_VALUE_NUMBER, c->err);
             hs_formula_destroy(&formula);
             HS_FREE(text);
             HS_FREE(format);

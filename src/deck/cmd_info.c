@@ -103,7 +103,7 @@ static void tell_variables(hs_sink *out, const hs_deck *deck)
         const hs_variable *variable = deck->variables->variable[i];
         hs_say(out, "Variable[%3d]: %-10s,  style = %-10s,  def =", i, variable->name,
                hs_variable_styles[variable->style]);
-        if (variable->style == HS_VARIABLE_LOOP)
+        if (variable->style == HS_VARIABLE_LOOP || variable->style == HS_VARIABLE_ULOOP)
             hs_say(out, " %lld of %lld to %lld", (long long)variable->which, (long long)variable->first,
                    (long long)variable->last);
         if (variable->style == HS_VARIABLE_INTERNAL) hs_say(out, " %.15g", variable->number);

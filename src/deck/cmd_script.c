@@ -151,7 +151,7 @@ static hs_status label_run(hs_deck *deck, const hs_args *args, hs_error *err)
 static hs_status next_run(hs_deck *deck, const hs_args *args, hs_error *err)
 {
     bool exhausted;
-    HS_TRY(hs_variables_next(deck->variables, args, &exhausted, err));
+    HS_TRY(hs_variables_next(deck, args, &exhausted, err));
     if (exhausted) deck->jump_skipped = true;
     return HS_OK;
 }
@@ -317,7 +317,8 @@ const hs_command hs_commands_script[] = {
                 .name = "next",
                 .syntax = {"<variable> ...", 1, -1, NULL},
                 .summary = "Give variables their next values",
-                .details = "All must be `index` variables, or all `loop` variables. When one has no further value, all "
+                .details = "All must be of one style: `index`, `loop`, `file`, `atomfile`, or `universe` and `uloop`. "
+                           "When one has no further value, all "
                            "of them are deleted and the\nnext `jump` is skipped.\n",
                 .example = "variable T index 0.7 0.8 0.9\nlabel loop\nprint \"T = $T\"\nnext T\njump SELF loop",
             },

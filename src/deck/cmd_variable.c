@@ -88,8 +88,11 @@ const hs_command hs_commands_variable[] = {
         .about =
             {
                 .name = "variable",
-                .syntax = {"<name> index|loop|file|string|format|getenv|equal|atom|internal|delete <words>", 2, -1,
-                           NULL},
+                .syntax = {"<name> "
+                           "index|loop|file|string|format|getenv|equal|vector|atom|atomfile|internal|universe|uloop|"
+                           "world|delete "
+                           "<words>",
+                           2, -1, NULL},
                 .summary = "Define a variable",
                 .details =
                     "| style | words | value |\n"
@@ -104,29 +107,54 @@ const hs_command hs_commands_variable[] = {
                     "|\n"
                     "| `getenv` | `<name>` | an environment variable |\n"
                     "| `equal` | `<formula>` | the formula's value whenever it is asked for |\n"
+                    "| `vector` | `<formula>` | a vector; the formula is made of vectors of computes, fixes and "
+                    "other vector variables, all equally long, and of numbers |\n"
                     "| `atom` | `<formula>` | one value per atom |\n"
+                    "| `atomfile` | `<file>` | one value per atom, from the file; the next set by `next` |\n"
                     "| `internal` | `<number>` | a number that other commands set |\n"
+                    "| `universe` | `<value> ...` | as index: LAMMPS shares such values among partitions of the "
+                    "processors, and Halfshell has one partition |\n"
+                    "| `uloop` | `<N> [pad]` | as loop, for the same reason |\n"
+                    "| `world` | `<value>` | the value of the one partition, as string |\n"
                     "| `delete` | | the variable is forgotten |\n\n"
-                    "`$x` (one letter) or `${name}` puts a variable's value into a line before it is carried out, "
-                    "`$(formula)` that of a formula\n(`$(formula:%fmt)` in a format); not within quotes, except in the "
-                    "texts of `print` and `if`. `index`, `loop`, `file` and `getenv`\nvariables that exist already "
-                    "keep their value, so that the option `-var` wins; `string`, `format`, `equal`, `atom` "
-                    "and\n`internal` ones are replaced.\n\n"
-                    "Formulas know `+ - * / % ^`, `== != < <= > >=`, `&& || |^ !`, parentheses, where signs bind "
-                    "tighter than `^`, so that `-2^2`\nis 4; `PI`, `version`, `yes`, `no`, `true`, `false`, `on`, "
-                    "`off`; thermo keywords; `c_ID`, `c_ID[i]` of computes and\n`f_ID`, `f_ID[i]` of fixes; `v_name`, "
-                    "rounded to 15 digits as in LAMMPS; `x[ID]` and the like for one atom. In `atom`\nstyle also `id "
-                    "mass type x y z vx vy vz fx fy fz`.\n\n"
-                    "Functions: `sqrt exp ln log abs sin cos tan asin acos atan atan2 random normal ceil floor round`; "
-                    "of time `ramp stagger\nlogfreq logfreq2 logfreq3 stride stride2 vdisplace swiggle cwiggle`; of "
-                    "groups `count mass xcm vcm fcm bound gyration ke\nangmom torque inertia omega` with the group, "
-                    "`x`, `y` or `z` where there is a direction, and optionally a region,\n"
-                    "which are 0 without atoms (bound 1e20 or -1e20); of vectors\n`sum min max ave trap slope`; per "
-                    "atom `gmask rmask grmask`; `is_defined is_available is_file`.\n\n"
-                    "Division by zero, roots and logarithms of numbers that have none, and results that are not finite "
-                    "are errors. LAMMPS's styles\n`atomfile python timer vector world universe uloop` are refused.\n",
+                    "`$x` (one letter) or `${name}` puts a variable's value into a line before it is carried "
+                    "out, `$(formula)` that of a formula\n"
+                    "(`$(formula:%fmt)` in a format); not within quotes, except in the texts of `print` and "
+                    "`if`. `index`, `loop`, `file`, `atomfile`, `universe`, `uloop`, `world` and `getenv`\n"
+                    "variables that exist already keep their value, so that the option `-var` wins; "
+                    "`string`, `format`, `equal`, `vector`, `atom` and\n"
+                    "`internal` ones are replaced.\n"
+                    "\n"
+                    "A set of an atomfile is a line with the number of its values, then as many lines `<atom "
+                    "ID> <value>`; atoms that it does not name have 0. Blank lines and what follows `#` do "
+                    "not count. The values go with the atoms; `clear` deletes the variable with them.\n"
+                    "\n"
+                    "Formulas know `+ - * / % ^`, `== != < <= > >=`, `&& || |^ !`, parentheses, where signs "
+                    "bind tighter than `^`, so that `-2^2`\n"
+                    "is 4; `PI`, `version`, `yes`, `no`, `true`, `false`, `on`, `off`; thermo keywords; "
+                    "`c_ID`, `c_ID[i]` of computes and\n"
+                    "`f_ID`, `f_ID[i]` of fixes; `v_name`, rounded to 15 digits as in LAMMPS; `v_name[i]`, "
+                    "element i of a vector or the value of atom i; `x[ID]` and the like for one atom. In "
+                    "`atom`\n"
+                    "style also `id mass type x y z vx vy vz fx fy fz`. In `vector` style `c_ID` and `f_ID` "
+                    "are numbers where there is one, else vectors; `c_ID[j]` and `f_ID[j]` are elements of a "
+                    "vector, else columns of an array; operators and functions work element by element.\n"
+                    "\n"
+                    "Functions: `sqrt exp ln log abs sin cos tan asin acos atan atan2 random normal ceil "
+                    "floor round`; of time `ramp stagger\n"
+                    "logfreq logfreq2 logfreq3 stride stride2 vdisplace swiggle cwiggle`; of groups `count "
+                    "mass xcm vcm fcm bound gyration ke\n"
+                    "angmom torque inertia omega` with the group, `x`, `y` or `z` where there is a "
+                    "direction, and optionally a region,\n"
+                    "which are 0 without atoms (bound 1e20 or -1e20); of vectors\n"
+                    "`sum min max ave trap slope`; per atom `gmask rmask grmask`; `next` of file and "
+                    "atomfile variables; `is_defined is_available is_file`.\n"
+                    "\n"
+                    "Division by zero, roots and logarithms of numbers that have none, and results that are "
+                    "not finite are errors. LAMMPS's styles\n"
+                    "`python` and `timer` are refused.\n",
                 .example = "variable T index 0.7 0.8 0.9\nvariable p equal press*2.0\nvariable r atom sqrt(x*x+y*y)\n"
-                           "print \"at T = $T: $p, $(temp:%.3f)\"",
+                           "variable d vector c_msd-f_old\nprint \"at T = $T: $p, $(temp:%.3f)\"",
             },
         .run = variable_run,
         .check = variable_check,

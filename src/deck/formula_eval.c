@@ -10,12 +10,6 @@
 #include "sim/thermo.h"
 #include "style/value.h"
 
-/** Value of a node: one number, or one for every local atom. */
-typedef struct result {
-    double number;
-    double *array; /**< owned [n_local]; NULL: one number */
-} result;
-
 double hs_formula_attribute(const hs_sim *sim, int attribute, int i)
 {
     const hs_atoms *atoms = &sim->atoms;
@@ -132,10 +126,11 @@ static hs_status apply(const hs_formula *formula, const hs_node *node, const dou
 }
 
 /** Numbers of a random function for all atoms: between runs *drawn, during runs *draw, from which they follow. */
-static hs_status draw_numbers(const hs_node *node, hs_deck *deck, const result *results, int64_t *draw,
-                              const double **drawn, hs_error *err)
+static hs_status draw_numbers(const hs_evaluation *e, const hs_node *node, int64_t *draw, const double **drawn,
+                              hs_error *err)
 {
-    const result *seed = &results[node->arg[node->n_args - 1]];
+    hs_deck *deck = e->deck;
+    const hs_formula_result *seed = &e->results[node->arg[node->n_args - 1]];
     int whole;
     if (seed->array != NULL)
         return hs_fail(err, HS_ERROR_INPUT, "%s: the seed must be one number, not one for each atom",
@@ -146,103 +141,66 @@ static hs_status draw_numbers(const hs_node *node, hs_deck *deck, const result *
     return HS_OK;
 }
 
-/** An operation whose operands are known; per atom as soon as one operand is. */
-static hs_status eval_operation(const hs_formula *formula, const hs_node *node, hs_deck *deck, bool per_atom,
-                                result *results, result *out, hs_error *err)
+/** Length of the arrays among an operation's operands; -1: all are numbers. Vectors must be equally long. */
+static hs_status operand_length(const hs_evaluation *e, const hs_node *node, int *n, hs_error *err)
 {
-    double arg[HS_FUNCTION_ARGS_MAX];
-    const bool is_random = per_atom && node->kind == HS_NODE_FUNCTION && node->function->draws != HS_DRAWS_NOTHING;
-    hs_call place = {.deck = deck};
-    bool has_array = is_random;
+    *n = -1;
     for (int a = 0; a < node->n_args; ++a) {
-        arg[a] = results[node->arg[a]].number;
-        has_array = has_array || results[node->arg[a]].array != NULL;
+        const hs_formula_result *operand = &e->results[node->arg[a]];
+        if (operand->array == NULL) continue;
+        if (*n >= 0 && *n != operand->n)
+            return hs_fail(err, HS_ERROR_INPUT,
+                           "formula '%.400s': vectors of %d and of %d elements: they must be equally long",
+                           e->formula->text, *n, operand->n);
+        *n = operand->n;
     }
-    if (!has_array) return apply(formula, node, arg, &place, &out->number, err);
-    const hs_atoms *atoms = &deck->sim->atoms;
+    return HS_OK;
+}
+
+/** The next random number for an element of a vector: of the generator that atoms have between runs, as in LAMMPS. All
+ *  ranks draw the same. */
+static hs_status draw_for_element(const hs_evaluation *e, const hs_node *node, double seed, double *number,
+                                  hs_error *err)
+{
+    hs_marsaglia *generator = &e->deck->variables->atom_generator;
+    int whole;
+    HS_TRY(hs_random_seed(node->function, seed, &whole, err));
+    if (!generator->is_seeded) hs_marsaglia_init(generator, whole);
+    *number =
+        node->function->draws == HS_DRAWS_NORMAL ? hs_marsaglia_gaussian(generator) : hs_marsaglia_uniform(generator);
+    return HS_OK;
+}
+
+/** An operation whose operands are known; per atom, or element by element, as soon as one operand is. */
+static hs_status eval_operation(const hs_evaluation *e, const hs_node *node, hs_formula_result *out, hs_error *err)
+{
+    double arg[HS_FUNCTION_ARGS_MAX], number;
+    const hs_atoms *atoms = &e->deck->sim->atoms;
+    const bool is_per_atom = e->shape == HS_VALUE_ATOMS, is_random = e->shape != HS_VALUE_NUMBER &&
+                                                                     node->kind == HS_NODE_FUNCTION &&
+                                                                     node->function->draws != HS_DRAWS_NOTHING;
+    hs_call place = {.deck = e->deck};
+    int n;
+    HS_TRY(operand_length(e, node, &n, err));
+    if (is_random) n = e->length;
+    for (int a = 0; a < node->n_args; ++a) arg[a] = e->results[node->arg[a]].number;
+    if (n < 0) return apply(e->formula, node, arg, &place, &out->number, err);
     const double *drawn = NULL;
-    if (is_random) HS_TRY(draw_numbers(node, deck, results, &place.draw, &drawn, err));
-    hs_status status = HS_ALLOC(out->array, (size_t)atoms->n_local, err);
-    for (int i = 0; i < atoms->n_local && status == HS_OK; ++i) {
+    if (is_random && is_per_atom) HS_TRY(draw_numbers(e, node, &place.draw, &drawn, err));
+    hs_status status = hs_formula_make_array(out, n, err);
+    for (int i = 0; i < n && status == HS_OK; ++i) {
         for (int a = 0; a < node->n_args; ++a)
-            if (results[node->arg[a]].array != NULL) arg[a] = results[node->arg[a]].array[i];
-        place.atom = is_random ? atoms->id[i] : 0;
+            if (e->results[node->arg[a]].array != NULL) arg[a] = e->results[node->arg[a]].array[i];
+        place.atom = is_random && is_per_atom ? atoms->id[i] : 0;
         place.drawn = drawn != NULL ? &drawn[i] : NULL;
-        status = apply(formula, node, arg, &place, &out->array[i], err);
+        if (is_random && !is_per_atom) {
+            place.drawn = &number;
+            status = draw_for_element(e, node, arg[node->n_args - 1], &number, err);
+        }
+        if (status == HS_OK) status = apply(e->formula, node, arg, &place, &out->array[i], err);
     }
     /* One rank's atom may be the only one that fails: all must stop before the next collective call. */
-    return hs_parallel_agree(&deck->sim->parallel, err);
-}
-
-/** The value of one atom, by its ID, from the rank that owns it. @p name is for messages. */
-static hs_status find_atom(const hs_sim *sim, double id, const double *values, const char *name, double *value,
-                           hs_error *err)
-{
-    double found[2] = {0.0, 0.0};
-    for (int i = 0; i < sim->atoms.n_local; ++i) {
-        if ((double)sim->atoms.id[i] != id) continue;
-        found[0] = 1.0;
-        found[1] = values[i];
-    }
-    hs_parallel_sum_double(&sim->parallel, found, 2);
-    *value = found[1];
-    if (found[0] == 1.0) return HS_OK;
-    return hs_fail(err, HS_ERROR_INPUT, "%s[%.15g]: there is no atom of that ID", name, id);
-}
-
-/** c_ID[i] of a value per atom, or c_ID[i][j] of column j: atom i's. */
-static hs_status eval_atom_reference(hs_env *env, const hs_sim *sim, const hs_value *reference, double *value,
-                                     hs_error *err)
-{
-    hs_value column = *reference;
-    column.n_indices = reference->n_indices - 1;
-    column.index[0] = reference->index[1];
-    double *values;
-    HS_TRY(HS_ALLOC(values, (size_t)sim->atoms.n_local, err));
-    hs_status status = hs_value_atoms(env, &column, values, err);
-    if (status == HS_OK) status = find_atom(sim, (double)reference->index[0], values, reference->id, value, err);
-    HS_FREE(values);
-    return status;
-}
-
-/** c_ID and f_ID with their indices. In LAMMPS's order: the global value, the value of one atom, the values per
- *  atom. */
-static hs_status eval_reference(const hs_formula *formula, const hs_node *node, hs_deck *deck, bool per_atom,
-                                const result *results, result *out, hs_error *err)
-{
-    hs_sim *sim = deck->sim;
-    hs_env *env = &sim->env;
-    char word[160];
-    hs_value value = {.kind = node->kind == HS_NODE_COMPUTE ? 'c'
-                              : node->kind == HS_NODE_FIX   ? 'f'
-                                                            : (char)node->attribute,
-                      .id = node->text,
-                      .n_indices = node->n_args};
-    int length = snprintf(word, sizeof word, "%c_%.80s", value.kind, node->text);
-    value.word = word;
-    for (int k = 0; k < node->n_args; ++k) {
-        const double index = results[node->arg[k]].number;
-        length += snprintf(word + length, sizeof word - (size_t)length, "[%.0f]", index);
-        if (!(index >= 1.0 && index <= 0x1p53))
-            return hs_fail(err, HS_ERROR_INPUT, "formula '%.400s': %s: indices count from 1", formula->text, word);
-        value.index[k] = (int64_t)index;
-    }
-    if (hs_value_has(env, &value, HS_VALUE_NUMBER)) return hs_value_number(env, &value, &out->number, err);
-    hs_value column = value;
-    column.n_indices = node->n_args - 1;
-    column.index[0] = value.index[1];
-    if (node->n_args > 0 && hs_value_has(env, &column, HS_VALUE_ATOMS))
-        return eval_atom_reference(env, sim, &value, &out->number, err);
-    if (!per_atom || !hs_value_has(env, &value, HS_VALUE_ATOMS)) {
-        if (!per_atom && hs_value_has(env, &value, HS_VALUE_ATOMS))
-            return hs_fail(err, HS_ERROR_INPUT,
-                           "formula '%.400s': %s has one value per atom: only atom-style variables may use it (%s[ID] "
-                           "is that of one atom)",
-                           formula->text, word, word);
-        return hs_value_check(env, &value, HS_VALUE_NUMBER, "formula", err);
-    }
-    HS_TRY(HS_ALLOC(out->array, (size_t)sim->atoms.n_local, err));
-    return hs_value_atoms(env, &value, out->array, err);
+    return hs_parallel_agree(&e->deck->sim->parallel, err);
 }
 
 static hs_status eval_keyword(const hs_node *node, hs_deck *deck, double *value, hs_error *err)
@@ -260,127 +218,89 @@ static hs_status eval_keyword(const hs_node *node, hs_deck *deck, double *value,
     return HS_OK;
 }
 
-/** x[ID]: the rank that owns the atom tells the others. */
-static hs_status eval_atom_value(const hs_node *node, hs_deck *deck, const result *results, double *value,
-                                 hs_error *err)
+static hs_status eval_attribute(const hs_node *node, const hs_sim *sim, hs_formula_result *out, hs_error *err)
 {
-    const hs_sim *sim = deck->sim;
-    double *values;
-    HS_TRY(HS_ALLOC(values, (size_t)sim->atoms.n_local, err));
-    for (int i = 0; i < sim->atoms.n_local; ++i) values[i] = hs_formula_attribute(sim, node->attribute, i);
-    hs_status status =
-        find_atom(sim, results[node->arg[0]].number, values, hs_formula_attributes[node->attribute], value, err);
-    HS_FREE(values);
-    return status;
-}
-
-static hs_status eval_attribute(const hs_node *node, const hs_sim *sim, result *out, hs_error *err)
-{
-    HS_TRY(HS_ALLOC(out->array, (size_t)sim->atoms.n_local, err));
+    HS_TRY(hs_formula_make_array(out, sim->atoms.n_local, err));
     for (int i = 0; i < sim->atoms.n_local; ++i) out->array[i] = hs_formula_attribute(sim, node->attribute, i);
     return HS_OK;
 }
 
-/** v_name[ID]: the value of one atom. */
-static hs_status eval_atom_of_variable(const hs_node *node, hs_deck *deck, double id, double *value, hs_error *err)
-{
-    const hs_variable *variable = hs_variables_find(deck->variables, node->text);
-    double *values;
-    if (variable == NULL) return hs_variables_rounded(deck, node->text, value, err); /* which names the nearest */
-    if (variable->style != HS_VARIABLE_ATOM)
-        return hs_fail(err, HS_ERROR_INPUT,
-                       "v_%s[...]: the variable has a single value; atom-style ones have one for each atom",
-                       node->text);
-    HS_TRY(HS_ALLOC(values, (size_t)deck->sim->atoms.n_local + 1, err));
-    hs_status status = hs_variables_atoms(deck, node->text, values, err);
-    if (status == HS_OK) status = find_atom(deck->sim, id, values, node->text, value, err);
-    HS_FREE(values);
-    return status;
-}
-
-static hs_status eval_variable(const hs_node *node, hs_deck *deck, bool per_atom, const result *results, result *out,
-                               hs_error *err)
-{
-    const hs_variable *variable = hs_variables_find(deck->variables, node->text);
-    if (node->n_args > 0) return eval_atom_of_variable(node, deck, results[node->arg[0]].number, &out->number, err);
-    if (variable == NULL || variable->style != HS_VARIABLE_ATOM)
-        return hs_variables_rounded(deck, node->text, &out->number, err);
-    if (!per_atom)
-        return hs_fail(err, HS_ERROR_INPUT,
-                       "v_%s is an atom-style variable: it has one value per atom, and this formula needs one number",
-                       node->text);
-    HS_TRY(HS_ALLOC(out->array, (size_t)deck->sim->atoms.n_local, err));
-    return hs_variables_atoms_within(deck, node->text, out->array, err);
-}
-
-static hs_status eval_words(const hs_node *node, hs_deck *deck, result *out, hs_error *err)
+static hs_status eval_words(const hs_evaluation *e, const hs_node *node, hs_formula_result *out, hs_error *err)
 {
     const hs_word_function *function = node->words_of;
-    if (function->value != NULL) return function->value(deck, node, &out->number, err);
-    HS_TRY(HS_ALLOC(out->array, (size_t)deck->sim->atoms.n_local, err));
-    return function->atoms(deck, node, out->array, err);
+    const bool is_per_atom = function->value == NULL || (e->shape == HS_VALUE_ATOMS && function->atoms != NULL);
+    if (!is_per_atom) return function->value(e->deck, node, &out->number, err);
+    HS_TRY(hs_formula_make_array(out, e->deck->sim->atoms.n_local, err));
+    return function->atoms(e->deck, node, out->array, err);
 }
 
-static hs_status eval_node(const hs_formula *formula, int n, hs_deck *deck, bool per_atom, result *results,
-                           hs_error *err)
+static hs_status eval_node(const hs_evaluation *e, int n, hs_error *err)
 {
-    const hs_node *node = &formula->node[n];
-    result *out = &results[n];
+    const hs_node *node = &e->formula->node[n];
+    hs_formula_result *out = &e->results[n];
     switch (node->kind) {
     case HS_NODE_NUMBER:
         out->number = node->number;
         return HS_OK;
     case HS_NODE_VARIABLE:
-        return eval_variable(node, deck, per_atom, results, out, err);
+        return hs_formula_eval_variable(e, node, out, err);
     case HS_NODE_COMPUTE:
     case HS_NODE_FIX:
     case HS_NODE_CUSTOM:
-        return eval_reference(formula, node, deck, per_atom, results, out, err);
+        return hs_formula_eval_reference(e, node, out, err);
     case HS_NODE_KEYWORD:
-        return eval_keyword(node, deck, &out->number, err);
+        return eval_keyword(node, e->deck, &out->number, err);
     case HS_NODE_ATTRIBUTE:
-        return eval_attribute(node, deck->sim, out, err);
+        return eval_attribute(node, e->deck->sim, out, err);
     case HS_NODE_ATOM_VALUE:
-        return eval_atom_value(node, deck, results, &out->number, err);
+        return hs_formula_eval_atom_value(e, node, &out->number, err);
     case HS_NODE_GROUP:
     case HS_NODE_SPECIAL:
-        return eval_words(node, deck, out, err);
+        return eval_words(e, node, out, err);
     default:
-        return eval_operation(formula, node, deck, per_atom, results, out, err);
+        return eval_operation(e, node, out, err);
     }
 }
 
-/** Evaluate all nodes; values is NULL for a single number. */
-static hs_status evaluate(const hs_formula *formula, hs_deck *deck, double *number, double *values, hs_error *err)
+/** Evaluate all nodes. @p length: of values; in the shape HS_VALUE_NUMBER *values is the number. */
+static hs_status evaluate(const hs_formula *formula, hs_deck *deck, hs_value_shape shape, int length, double *values,
+                          hs_error *err)
 {
-    result *results = NULL;
-    HS_TRY(HS_ALLOC(results, (size_t)formula->n_nodes, err));
+    hs_evaluation e = {.formula = formula, .deck = deck, .shape = shape, .length = length};
+    HS_TRY(HS_ALLOC(e.results, (size_t)formula->n_nodes, err));
     hs_status status = HS_OK;
     for (int n = 0; n < formula->n_nodes && status == HS_OK; ++n) {
-        status = eval_node(formula, n, deck, values != NULL, results, err);
+        status = eval_node(&e, n, err);
         /* An operand serves one node only: its array can go. */
-        for (int a = 0; a < formula->node[n].n_args; ++a) HS_FREE(results[formula->node[n].arg[a]].array);
+        for (int a = 0; a < formula->node[n].n_args; ++a) HS_FREE(e.results[formula->node[n].arg[a]].array);
     }
-    const result *last = &results[formula->n_nodes - 1];
-    if (status == HS_OK && values == NULL) *number = last->number;
-    if (status == HS_OK && values != NULL)
-        for (int i = 0; i < deck->sim->atoms.n_local; ++i)
-            values[i] = last->array != NULL ? last->array[i] : last->number;
-    for (int n = 0; n < formula->n_nodes; ++n) HS_FREE(results[n].array);
-    HS_FREE(results);
+    const hs_formula_result *last = &e.results[formula->n_nodes - 1];
+    if (status == HS_OK && shape == HS_VALUE_VECTOR && (last->array == NULL || last->n != length))
+        status =
+            hs_fail(err, HS_ERROR_INPUT,
+                    last->array == NULL ? "formula '%.400s': there is no vector in it, such as c_ID, c_ID[j], f_ID, "
+                                          "f_ID[j], or v_name of vector style"
+                                        : "formula '%.400s': vectors in it are of several lengths",
+                    formula->text);
+    for (int i = 0; i < length && status == HS_OK; ++i) values[i] = last->array != NULL ? last->array[i] : last->number;
+    for (int n = 0; n < formula->n_nodes; ++n) HS_FREE(e.results[n].array);
+    HS_FREE(e.results);
     return status;
 }
 
 hs_status hs_formula_value(const hs_formula *formula, hs_deck *deck, double *value, hs_error *err)
 {
-    return evaluate(formula, deck, value, NULL, err);
+    return evaluate(formula, deck, HS_VALUE_NUMBER, 1, value, err);
+}
+
+hs_status hs_formula_vector(const hs_formula *formula, hs_deck *deck, int length, double *values, hs_error *err)
+{
+    return evaluate(formula, deck, HS_VALUE_VECTOR, length, values, err);
 }
 
 hs_status hs_formula_atoms_within(const hs_formula *formula, hs_deck *deck, double *values, hs_error *err)
 {
-    /* On a rank without atoms the caller's array may be NULL, which would mean a single number. */
-    double nothing;
-    return evaluate(formula, deck, NULL, values != NULL ? values : &nothing, err);
+    return evaluate(formula, deck, HS_VALUE_ATOMS, deck->sim->atoms.n_local, values, err);
 }
 
 hs_status hs_formula_atoms(const hs_formula *formula, hs_deck *deck, double *values, hs_error *err)
@@ -397,7 +317,7 @@ hs_status hs_formula_atoms(const hs_formula *formula, hs_deck *deck, double *val
 hs_status hs_formula_once(hs_deck *deck, const char *text, double *value, hs_error *err)
 {
     hs_formula *formula = NULL;
-    HS_TRY(hs_formula_parse(&formula, text, false, err));
+    HS_TRY(hs_formula_parse(&formula, text, HS_VALUE_NUMBER, err));
     hs_status status = hs_formula_value(formula, deck, value, err);
     hs_formula_destroy(&formula);
     return status;

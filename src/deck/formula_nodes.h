@@ -61,6 +61,33 @@ struct hs_formula {
     size_t capacity;
 };
 
+/** Value of a node: one number, or an array: one for every local atom, or a vector. */
+typedef struct hs_formula_result {
+    double number;
+    double *array; /**< owned [n]; NULL: one number */
+    int n;
+} hs_formula_result;
+
+/** A formula being evaluated. */
+typedef struct hs_evaluation {
+    const hs_formula *formula;
+    hs_deck *deck;
+    hs_value_shape shape;
+    int length;                 /**< of arrays: number of local atoms, or length of the vector */
+    hs_formula_result *results; /**< owned [n_nodes] */
+} hs_evaluation;
+
+/** Room for an array of n numbers as a node's value. */
+HS_MUST_USE hs_status hs_formula_make_array(hs_formula_result *out, int n, hs_error *err);
+/* Nodes that refer to something (formula_reference.c): HS_NODE_COMPUTE, _FIX, _CUSTOM; _VARIABLE; _ATOM_VALUE.
+ * Collective. */
+HS_MUST_USE hs_status hs_formula_eval_reference(const hs_evaluation *e, const hs_node *node, hs_formula_result *out,
+                                                hs_error *err);
+HS_MUST_USE hs_status hs_formula_eval_variable(const hs_evaluation *e, const hs_node *node, hs_formula_result *out,
+                                               hs_error *err);
+HS_MUST_USE hs_status hs_formula_eval_atom_value(const hs_evaluation *e, const hs_node *node, double *value,
+                                                 hs_error *err);
+
 /** What random numbers a function draws. */
 typedef enum { HS_DRAWS_NOTHING, HS_DRAWS_UNIFORM, HS_DRAWS_NORMAL } hs_draw_kind;
 
@@ -92,7 +119,7 @@ typedef struct hs_call {
     hs_deck *deck;
     int64_t atom;        /**< ID of the atom in atom-style formulas, 0 in equal-style ones */
     int64_t draw;        /**< during runs: number of this evaluation among all with random numbers per atom */
-    const double *drawn; /**< between runs: the atom's random number; NULL during runs and in equal-style formulas */
+    const double *drawn; /**< the random number of an element, or between runs of the atom; NULL: to be drawn */
 } hs_call;
 
 typedef struct hs_function {
@@ -107,8 +134,10 @@ typedef struct hs_function {
 typedef struct hs_word_function {
     const char *name;
     int n_min, n_max;
-    hs_status (*value)(hs_deck *deck, const hs_node *node, double *value, hs_error *err);  /**< NULL: per atom only */
-    hs_status (*atoms)(hs_deck *deck, const hs_node *node, double *values, hs_error *err); /**< NULL: one number only */
+    /** NULL: per atom only. */
+    hs_status (*value)(hs_deck *deck, const hs_node *node, double *value, hs_error *err);
+    /** In atom-style formulas; NULL: one number there, too. */
+    hs_status (*atoms)(hs_deck *deck, const hs_node *node, double *values, hs_error *err);
     const char *usage, *help;
 } hs_word_function;
 

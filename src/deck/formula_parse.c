@@ -13,7 +13,7 @@ enum { DEPTH_MAX = 200 };
 typedef struct parser {
     hs_formula *formula;
     const char *at;
-    bool per_atom;
+    hs_value_shape shape;
     int depth;
     hs_error *err;
 } parser;
@@ -22,8 +22,6 @@ const char *const hs_formula_attributes[] = {"id", "mass", "type", "x",  "y",  "
                                              "vy", "vz",   "fx",   "fy", "fz", NULL};
 
 const char *const hs_refused_functions[] = {
-    "next",
-    "it reads file-style and atomfile-style variables, which Halfshell does not have",
     "charge",
     "Halfshell's atoms carry no charge",
     "is_active",
@@ -156,9 +154,11 @@ static hs_status parse_reference(parser *p, char prefix, int *node)
         ++reference.n_args;
     }
     if (status == HS_OK && prefix == 'v' && reference.n_args > 1)
-        status = hs_fail(p->err, HS_ERROR_INPUT,
-                         "formula '%.400s': v_%s has one index at most: v_%s[ID] is the value of one atom",
-                         p->formula->text, reference.text, reference.text);
+        status = hs_fail(
+            p->err, HS_ERROR_INPUT,
+            "formula '%.400s': v_%s has one index at most: v_%s[i] is an element of a vector, or the value of one "
+            "atom",
+            p->formula->text, reference.text, reference.text);
     if (status == HS_OK) status = add_node(p, &reference, node);
     if (status != HS_OK) HS_FREE(reference.text);
     return status;
@@ -206,7 +206,7 @@ static hs_status cut_words(const parser *p, hs_node *node)
 
 static hs_status parse_word_call(parser *p, const hs_word_function *function, hs_node_kind kind, int *node)
 {
-    if (!p->per_atom && function->value == NULL)
+    if (p->shape != HS_VALUE_ATOMS && function->value == NULL)
         return hs_fail(p->err, HS_ERROR_INPUT,
                        "formula '%.400s': %s has one value per atom: only atom-style variables may use it",
                        p->formula->text, function->usage);
@@ -282,7 +282,7 @@ static hs_status parse_plain_name(parser *p, char *name, int *node)
             plain.number = constants[i].value;
             return add_node(p, &plain, node);
         }
-    if (plain.attribute >= 0 && p->per_atom) {
+    if (plain.attribute >= 0 && p->shape == HS_VALUE_ATOMS) {
         plain.kind = HS_NODE_ATTRIBUTE;
         return add_node(p, &plain, node);
     }
@@ -397,11 +397,11 @@ static hs_status parse_binary(parser *p, int precedence_min, int *node)
     }
 }
 
-hs_status hs_formula_parse(hs_formula **formula, const char *text, bool per_atom, hs_error *err)
+hs_status hs_formula_parse(hs_formula **formula, const char *text, hs_value_shape shape, hs_error *err)
 {
     HS_TRY(HS_ALLOC(*formula, 1, err));
     hs_status status = hs_memory_strdup(&(*formula)->text, text, err);
-    parser p = {.formula = *formula, .at = text, .per_atom = per_atom, .err = err};
+    parser p = {.formula = *formula, .at = text, .shape = shape, .err = err};
     int node;
     if (status == HS_OK) status = parse_binary(&p, 1, &node);
     if (status == HS_OK && *p.at != '\0') status = fail_here(&p, "expected an operator");

@@ -29,18 +29,13 @@ static double of_vector(const char *name, int n_elements, const double *x)
     return n_elements > 1 ? (moment - 0.5 * (n + 1.0) * sum) / (n * (n * n - 1.0) / 12.0) : 1e20;
 }
 
-/** c_ID, f_ID: a vector; c_ID[j], f_ID[j]: column j of an array. */
+/** c_ID, f_ID, v_name: a vector; c_ID[j], f_ID[j]: column j of an array. */
 static hs_status do_vector(hs_deck *deck, const hs_node *node, double *value, hs_error *err)
 {
     hs_env *env = &deck->sim->env;
     const hs_args args = {.command = node->words_of->usage, .n = 1, .word = &node->words[0]};
     hs_value vector = {0};
     double *x = NULL;
-    if (node->words[0][0] == 'v')
-        return hs_fail(err, HS_ERROR_INPUT,
-                       "%s: '%s' must be c_ID or f_ID, the vector of a compute or fix, or c_ID[j] or f_ID[j], a column "
-                       "of an array",
-                       args.command, node->words[0]);
     HS_TRY(hs_value_init(&vector, env, &args, 0, HS_VALUE_VECTOR, err));
     hs_status status = hs_value_refresh(env, &vector, err);
     const int n = hs_value_length(env, &vector);
@@ -65,6 +60,33 @@ static hs_status do_masks(hs_deck *deck, const hs_node *node, double *values, hs
     for (int i = 0; i < sim->atoms.n_local; ++i)
         values[i] =
             (sim->atoms.mask[i] & hs_group_mask(bit)) != 0 && (region == NULL || hs_region_has(region, &sim->atoms, i));
+    return HS_OK;
+}
+
+/** A file-style variable's present value, which then goes on to its next. */
+static hs_status do_next(hs_deck *deck, const hs_node *node, double *value, hs_error *err)
+{
+    hs_variable *variable;
+    HS_TRY(hs_variables_need(deck->variables, node->words[0], &variable, err));
+    if (variable->style != HS_VARIABLE_FILE)
+        return hs_fail(err, HS_ERROR_INPUT,
+                       "%s: the variable '%s' must be file-style, or in atom-style formulas atomfile-style",
+                       node->words_of->usage, variable->name);
+    HS_TRY(hs_variables_number(deck, variable->name, value, err));
+    return hs_variables_go_on(deck, node->words[0], err);
+}
+
+/** The same for each atom; an atomfile-style variable's present values. */
+static hs_status do_next_atoms(hs_deck *deck, const hs_node *node, double *values, hs_error *err)
+{
+    const hs_variable *variable = hs_variables_find(deck->variables, node->words[0]);
+    if (variable != NULL && variable->style == HS_VARIABLE_ATOMFILE) {
+        HS_TRY(hs_variables_atoms(deck, node->words[0], values, err));
+        return hs_variables_go_on(deck, node->words[0], err);
+    }
+    double value;
+    HS_TRY(do_next(deck, node, &value, err));
+    for (int i = 0; i < deck->sim->atoms.n_local; ++i) values[i] = value;
     return HS_OK;
 }
 
@@ -126,15 +148,21 @@ static hs_status do_is_file(hs_deck *deck, const hs_node *node, double *value, h
 }
 
 const hs_word_function hs_special_functions[] = {
-    {"sum", 1, 1, do_vector, NULL, "sum(c_ID|f_ID|c_ID[j]|f_ID[j])", "sum of the elements of a vector"},
-    {"min", 1, 1, do_vector, NULL, "min(c_ID|f_ID|c_ID[j]|f_ID[j])", "least element"},
-    {"max", 1, 1, do_vector, NULL, "max(c_ID|f_ID|c_ID[j]|f_ID[j])", "greatest element"},
-    {"ave", 1, 1, do_vector, NULL, "ave(c_ID|f_ID|c_ID[j]|f_ID[j])", "mean of the elements"},
-    {"trap", 1, 1, do_vector, NULL, "trap(c_ID|f_ID|c_ID[j]|f_ID[j])", "integral by the trapezoidal rule, distance 1"},
-    {"slope", 1, 1, do_vector, NULL, "slope(c_ID|f_ID|c_ID[j]|f_ID[j])", "slope of the line fitted to the elements"},
+    {"sum", 1, 1, do_vector, NULL, "sum(c_ID|f_ID|c_ID[j]|f_ID[j]|v_name)", "sum of the elements of a vector"},
+    {"min", 1, 1, do_vector, NULL, "min(c_ID|f_ID|c_ID[j]|f_ID[j]|v_name)", "least element"},
+    {"max", 1, 1, do_vector, NULL, "max(c_ID|f_ID|c_ID[j]|f_ID[j]|v_name)", "greatest element"},
+    {"ave", 1, 1, do_vector, NULL, "ave(c_ID|f_ID|c_ID[j]|f_ID[j]|v_name)", "mean of the elements"},
+    {"trap", 1, 1, do_vector, NULL, "trap(c_ID|f_ID|c_ID[j]|f_ID[j]|v_name)",
+     "integral by the trapezoidal rule, distance 1"},
+    {"slope", 1, 1, do_vector, NULL, "slope(c_ID|f_ID|c_ID[j]|f_ID[j]|v_name)",
+     "slope of the line fitted to the elements"},
     {"gmask", 1, 1, NULL, do_masks, "gmask(group)", "1 for atoms of the group, 0 for others (per atom)"},
     {"rmask", 1, 1, NULL, do_masks, "rmask(region)", "1 for atoms in the region (per atom)"},
     {"grmask", 2, 2, NULL, do_masks, "grmask(group,region)", "1 for atoms of the group in the region (per atom)"},
+    {"next", 1, 1, do_next, do_next_atoms, "next(name)",
+     "present value of a file-style variable, or in atom-style formulas values of an atomfile-style one, which then "
+     "goes "
+     "on to the next; it is deleted when there is none"},
     {"is_defined", 2, 2, do_is_defined, NULL, "is_defined(category,ID)",
      "whether a compute, dump, fix, group, region or variable exists"},
     {"is_available", 2, 2, do_is_available, NULL, "is_available(category,name)",

@@ -29,10 +29,23 @@ static hs_status set_variable(void *deck, const char *name, double value, hs_err
     return hs_variables_set_internal(((hs_deck *)deck)->variables, name, value, err);
 }
 
-static int variable_kind(void *deck, const char *name)
+static hs_variable_kind variable_kind(void *deck, const char *name)
 {
     const hs_variable *variable = hs_variables_find(((hs_deck *)deck)->variables, name);
-    return variable == NULL ? 0 : variable->style == HS_VARIABLE_ATOM ? 2 : 1;
+    if (variable == NULL) return HS_NO_VARIABLE;
+    return hs_variable_is_per_atom(variable)       ? HS_ATOM_VARIABLE
+           : variable->style == HS_VARIABLE_VECTOR ? HS_VECTOR_VARIABLE
+                                                   : HS_NUMBER_VARIABLE;
+}
+
+static hs_status variable_length(void *deck, const char *name, bool refresh, int *length, bool *varies, hs_error *err)
+{
+    return hs_variables_length(deck, name, refresh, length, varies, err);
+}
+
+static hs_status variable_vector(void *deck, const char *name, int length, double *values, hs_error *err)
+{
+    return hs_variables_vector(deck, name, length, values, err);
 }
 
 static hs_status substitute(void *deck, hs_text *text, hs_error *err) { return hs_substitute(deck, text, false, err); }
@@ -50,6 +63,8 @@ static void connect(hs_deck *deck)
     deck->sim->env.variable_value = variable_value;
     deck->sim->env.variable_atoms = variable_atoms;
     deck->sim->env.set_variable = set_variable;
+    deck->sim->env.variable_length = variable_length;
+    deck->sim->env.variable_vector = variable_vector;
     deck->sim->env.variable_kind = variable_kind;
     deck->sim->env.substitute = substitute;
     deck->sim->env.deck_text = deck_text;
@@ -76,6 +91,7 @@ hs_status hs_deck_clear(hs_deck *deck, hs_error *err)
     fresh->stop_requested = deck->sim->stop_requested;
     hs_saving_inherit(fresh->saving, deck->sim->saving);
     hs_text_clear(&deck->done);
+    if (!deck->sim->env.is_resuming) hs_variables_leave_atoms(deck->variables);
     hs_sim_destroy(&deck->sim);
     deck->sim = fresh;
     connect(deck);
@@ -95,8 +111,8 @@ void hs_deck_destroy(hs_deck **deck)
 {
     if (*deck == NULL) return;
     while ((*deck)->source != NULL) hs_source_pop(*deck);
+    hs_variables_destroy(&(*deck)->variables); /* some have values of the atoms */
     hs_sim_destroy(&(*deck)->sim);
-    hs_variables_destroy(&(*deck)->variables);
     (void)hs_deck_close_log(*deck); /* whoever wants to know has flushed it before */
     hs_text_fini(&(*deck)->input);
     hs_text_fini(&(*deck)->pipe);

@@ -5,8 +5,9 @@
 
 #include "base/memory.h"
 
-const char *const hs_variable_styles[] = {"index", "loop", "string",   "format", "getenv",
-                                          "equal", "atom", "internal", "file",   NULL};
+const char *const hs_variable_styles[] = {"index",    "loop",  "string",   "format", "getenv",
+                                          "equal",    "atom",  "internal", "file",   "vector",
+                                          "atomfile", "world", "universe", "uloop",  NULL};
 
 hs_status hs_variables_create(hs_variables **variables, hs_error *err) { return HS_ALLOC(*variables, 1, err); }
 
@@ -16,6 +17,7 @@ static void forget(hs_variable *variable)
     HS_FREE(variable->value);
     variable->n_values = 0;
     hs_formula_destroy(&variable->formula);
+    hs_atomfile_destroy(&variable->atom_file);
 }
 
 static void destroy(hs_variable **variable)
@@ -109,20 +111,28 @@ hs_status hs_variables_restore(hs_variables *variables, const char *name, hs_var
     return *variable != NULL ? HS_OK : add(variables, name, HS_VARIABLE_INTERNAL, variable, err);
 }
 
+/** What the formula of a variable is to give. */
+static hs_value_shape shape_of(hs_variable_style style)
+{
+    return style == HS_VARIABLE_VECTOR ? HS_VALUE_VECTOR : style == HS_VARIABLE_ATOM ? HS_VALUE_ATOMS : HS_VALUE_NUMBER;
+}
+
 hs_status hs_variables_refill(hs_variable *variable, int n, const char *const *values, const char *formula,
                               hs_error *err)
 {
     const int style = (int)variable->style;
     forget(variable);
-    if (style < 0 || style > HS_VARIABLE_FILE ||
-        ((style == HS_VARIABLE_INDEX || style == HS_VARIABLE_FILE) && (variable->which < 0 || variable->which >= n)) ||
-        ((style == HS_VARIABLE_EQUAL || style == HS_VARIABLE_ATOM) && formula == NULL) ||
-        ((style == HS_VARIABLE_STRING || style == HS_VARIABLE_GETENV) && n < 1) ||
+    const bool has_list = style == HS_VARIABLE_INDEX || style == HS_VARIABLE_FILE || style == HS_VARIABLE_UNIVERSE;
+    const bool has_text = style == HS_VARIABLE_STRING || style == HS_VARIABLE_GETENV || style == HS_VARIABLE_WORLD ||
+                          style == HS_VARIABLE_ATOMFILE;
+    const bool has_formula = style == HS_VARIABLE_EQUAL || style == HS_VARIABLE_VECTOR || style == HS_VARIABLE_ATOM;
+    if (style < 0 || style >= HS_N_VARIABLE_STYLES || (has_list && (variable->which < 0 || variable->which >= n)) ||
+        (has_formula && formula == NULL) || (has_text && n < 1) ||
         (style == HS_VARIABLE_FORMAT && (n < 2 || !hs_format_is_for_double(values[1]))))
         return hs_fail(err, HS_ERROR_INPUT, "the variable '%s' has no sound value", variable->name);
     if (n > 0) HS_TRY(copy_values(variable, n, values, err));
     if (formula == NULL) return HS_OK;
-    return hs_formula_parse(&variable->formula, formula, style == HS_VARIABLE_ATOM, err);
+    return hs_formula_parse(&variable->formula, formula, shape_of((hs_variable_style)style), err);
 }
 
 static hs_status set_loop(hs_variable *variable, const hs_args *args, hs_error *err)
@@ -144,7 +154,7 @@ static hs_status set_loop(hs_variable *variable, const hs_args *args, hs_error *
 static hs_status set_formula(hs_variable *variable, const hs_args *args, hs_error *err)
 {
     hs_formula *formula = NULL;
-    HS_TRY(hs_formula_parse(&formula, args->word[2], variable->style == HS_VARIABLE_ATOM, err));
+    HS_TRY(hs_formula_parse(&formula, args->word[2], shape_of(variable->style), err));
     hs_formula_destroy(&variable->formula);
     variable->formula = formula;
     return HS_OK;
@@ -154,15 +164,55 @@ static hs_status set_formula(hs_variable *variable, const hs_args *args, hs_erro
 static bool keeps_first(hs_variable_style style)
 {
     return style == HS_VARIABLE_INDEX || style == HS_VARIABLE_LOOP || style == HS_VARIABLE_GETENV ||
-           style == HS_VARIABLE_FILE;
+           style == HS_VARIABLE_FILE || style == HS_VARIABLE_ATOMFILE || style == HS_VARIABLE_WORLD ||
+           style == HS_VARIABLE_UNIVERSE || style == HS_VARIABLE_ULOOP;
+}
+
+/** Length of a list that `next` goes through; 0: it does not. */
+static int64_t list_length(const hs_variable *variable)
+{
+    if (variable->style == HS_VARIABLE_LOOP || variable->style == HS_VARIABLE_ULOOP) return variable->last;
+    return variable->style == HS_VARIABLE_INDEX || variable->style == HS_VARIABLE_UNIVERSE ? variable->n_values : 0;
+}
+
+/** LAMMPS's variables that several partitions of a machine take values from must have equally many. */
+static bool is_shared(hs_variable_style style) { return style == HS_VARIABLE_UNIVERSE || style == HS_VARIABLE_ULOOP; }
+
+static hs_status check_shared(const hs_variables *variables, const hs_variable *variable, hs_error *err)
+{
+    for (int i = 0; i < variables->n && is_shared(variable->style); ++i) {
+        const hs_variable *other = variables->variable[i];
+        if (is_shared(other->style) && list_length(other) != list_length(variable))
+            return hs_fail(err, HS_ERROR_INPUT,
+                           "variable: '%s' has %lld values and '%s' %lld: all universe and uloop variables must have "
+                           "equally many; index and loop need not",
+                           variable->name, (long long)list_length(variable), other->name,
+                           (long long)list_length(other));
+    }
+    return HS_OK;
+}
+
+static hs_status fill_atoms(hs_deck *deck, hs_variable *variable, const hs_args *args, hs_error *err)
+{
+    bool is_there;
+    HS_TRY(copy_values(variable, 1, args->word + 2, err));
+    HS_TRY(hs_variables_join_atoms(deck->variables, &deck->sim->atoms, err));
+    HS_TRY(hs_variable_read_atoms(variable, deck, &is_there, err));
+    if (is_there) return HS_OK;
+    return hs_fail(err, HS_ERROR_INPUT, "variable: the file '%s' has no values: every line is blank or a comment",
+                   args->word[2]);
 }
 
 static hs_status fill(hs_deck *deck, hs_variable *variable, const hs_args *args, hs_error *err)
 {
     switch (variable->style) {
     case HS_VARIABLE_LOOP:
+    case HS_VARIABLE_ULOOP:
         return set_loop(variable, args, err);
+    case HS_VARIABLE_ATOMFILE:
+        return fill_atoms(deck, variable, args, err);
     case HS_VARIABLE_EQUAL:
+    case HS_VARIABLE_VECTOR:
     case HS_VARIABLE_ATOM:
         return set_formula(variable, args, err);
     case HS_VARIABLE_INTERNAL:
@@ -200,6 +250,7 @@ hs_status hs_variables_define(hs_deck *deck, const hs_args *args, hs_error *err)
     }
     HS_TRY(add(variables, args->word[0], (hs_variable_style)style, &variable, err));
     hs_status status = fill(deck, variable, args, err);
+    if (status == HS_OK) status = check_shared(variables, variable, err);
     if (status != HS_OK) remove_variable(variables, args->word[0]);
     return status;
 }
@@ -214,18 +265,23 @@ hs_status hs_variables_set_internal(hs_variables *variables, const char *name, d
     return HS_OK;
 }
 
+static bool has_next(const hs_variable *variable)
+{
+    return list_length(variable) > 0 || variable->style == HS_VARIABLE_FILE || variable->style == HS_VARIABLE_ATOMFILE;
+}
+
 static hs_status check_next(const hs_variables *variables, const hs_args *args, hs_error *err)
 {
     hs_variable_style style = HS_VARIABLE_INDEX;
     for (int i = 0; i < args->n; ++i) {
         hs_variable *variable;
         HS_TRY(hs_variables_need(variables, args->word[i], &variable, err));
-        if (variable->style != HS_VARIABLE_INDEX && variable->style != HS_VARIABLE_LOOP &&
-            variable->style != HS_VARIABLE_FILE)
+        if (!has_next(variable))
             return hs_fail(err, HS_ERROR_INPUT,
-                           "next: the variable '%s' is %s-style; only index, loop and file have a next value",
+                           "next: the variable '%s' is %s-style; only index, loop, file, atomfile, universe and uloop "
+                           "have a next value",
                            variable->name, hs_variable_styles[variable->style]);
-        if (i > 0 && variable->style != style)
+        if (i > 0 && variable->style != style && !(is_shared(variable->style) && is_shared(style)))
             return hs_fail(err, HS_ERROR_INPUT, "next: the variables '%s' and '%s' must have the same style",
                            args->word[0], args->word[i]);
         style = variable->style;
@@ -233,15 +289,41 @@ static hs_status check_next(const hs_variables *variables, const hs_args *args, 
     return HS_OK;
 }
 
-hs_status hs_variables_next(hs_variables *variables, const hs_args *args, bool *exhausted, hs_error *err)
+/** Go on to the next value; *is_there = false when there was none. */
+static hs_status go_on(hs_deck *deck, hs_variable *variable, bool *is_there, hs_error *err)
 {
-    HS_TRY(check_next(variables, args, err));
+    if (variable->style == HS_VARIABLE_ATOMFILE) return hs_variable_read_atoms(variable, deck, is_there, err);
+    const bool is_loop = variable->style == HS_VARIABLE_LOOP || variable->style == HS_VARIABLE_ULOOP;
+    *is_there = ++variable->which <= (is_loop ? variable->last : variable->n_values - 1);
+    return HS_OK;
+}
+
+hs_status hs_variables_next(hs_deck *deck, const hs_args *args, bool *exhausted, hs_error *err)
+{
+    HS_TRY(check_next(deck->variables, args, err));
     *exhausted = false;
     for (int i = 0; i < args->n; ++i) {
-        hs_variable *variable = hs_variables_find(variables, args->word[i]);
-        const int64_t last = variable->style != HS_VARIABLE_LOOP ? variable->n_values - 1 : variable->last;
-        if (++variable->which > last) *exhausted = true;
+        bool is_there;
+        HS_TRY(go_on(deck, hs_variables_find(deck->variables, args->word[i]), &is_there, err));
+        *exhausted = *exhausted || !is_there;
     }
-    for (int i = 0; i < args->n && *exhausted; ++i) remove_variable(variables, args->word[i]);
+    for (int i = 0; i < args->n && *exhausted; ++i) remove_variable(deck->variables, args->word[i]);
     return HS_OK;
+}
+
+hs_status hs_variables_go_on(hs_deck *deck, const char *name, hs_error *err)
+{
+    bool is_there;
+    hs_variable *variable;
+    HS_TRY(hs_variables_need(deck->variables, name, &variable, err));
+    HS_TRY(go_on(deck, variable, &is_there, err));
+    if (!is_there) remove_variable(deck->variables, name);
+    return HS_OK;
+}
+
+void hs_variables_leave_atoms(hs_variables *variables)
+{
+    for (int i = variables->n - 1; i >= 0; --i)
+        if (variables->variable[i]->style == HS_VARIABLE_ATOMFILE)
+            remove_variable(variables, variables->variable[i]->name);
 }

@@ -4,13 +4,7 @@
 #include "deck/variables.h"
 
 const char *const hs_variable_styles_refused[] = {
-    "world",    "Halfshell runs one simulation at a time; use index",
-    "universe", "Halfshell runs one simulation at a time; use index and next",
-    "uloop",    "Halfshell runs one simulation at a time; use loop and next",
-    "atomfile", "values per atom cannot be read from a file",
-    "python",   "decks cannot run Python",
-    "timer",    "Halfshell times its phases itself; see the timing table of the log",
-    "vector",   "only single numbers (equal) and numbers per atom (atom) are supported",
+    "python", "decks cannot run Python", "timer", "Halfshell times its phases itself; see the timing table of the log",
     NULL,
 };
 
@@ -35,6 +29,23 @@ static hs_status check_count(const hs_args *args, int n_min, int n_max, const ch
                    "variable: expected: variable <name> %s (a formula or text with blanks needs quotes)", usage);
 }
 
+/** world: LAMMPS gives each partition of the processors a value of its own. */
+static hs_status check_world(const hs_args *args, hs_error *err)
+{
+    HS_TRY(check_count(args, 1, -1, "world <value>", err));
+    if (args->n == 3) return HS_OK;
+    return hs_fail(err, HS_ERROR_INPUT,
+                   "variable: world takes one value for each partition of the processors, and Halfshell has one: run "
+                   "it once for each value, with 'variable %.80s index ...' and the option -var",
+                   args->word[0]);
+}
+
+static hs_status check_uloop(const hs_args *args, hs_error *err)
+{
+    if (args->n == 3 || (args->n == 4 && strcmp(args->word[3], "pad") == 0)) return HS_OK;
+    return check_count(args, 999, 0, "uloop <N> [pad]", err);
+}
+
 static hs_status check_loop(const hs_args *args, bool first_pass, hs_error *err)
 {
     int n = args->n - 2;
@@ -50,12 +61,13 @@ static hs_status check_loop(const hs_args *args, bool first_pass, hs_error *err)
                    (long long)last);
 }
 
-static hs_status check_formula(const hs_args *args, bool per_atom, bool first_pass, hs_error *err)
+static hs_status check_formula(const hs_args *args, hs_value_shape shape, bool first_pass, hs_error *err)
 {
-    HS_TRY(check_count(args, 1, 1, per_atom ? "atom <formula>" : "equal <formula>", err));
+    static const char *const usage[] = {"equal <formula>", "vector <formula>", "atom <formula>"};
+    HS_TRY(check_count(args, 1, 1, usage[shape], err));
     if (is_open(args->word[2], first_pass)) return HS_OK;
     hs_formula *formula = NULL;
-    hs_status status = hs_formula_parse(&formula, args->word[2], per_atom, err);
+    hs_status status = hs_formula_parse(&formula, args->word[2], shape, err);
     hs_formula_destroy(&formula);
     return status;
 }
@@ -84,11 +96,18 @@ hs_status hs_variables_check(const hs_args *args, bool first_pass, hs_error *err
         if (is_open(args->word[i], first_pass)) return HS_OK;
     if (args->n > 2 && is_open(args->word[2], first_pass) && args->n > 3) return HS_OK;
     if (strcmp(style, "index") == 0) return check_count(args, 1, -1, "index <value> ...", err);
-    if (strcmp(style, "loop") == 0) return check_loop(args, first_pass, err);
+    if (strcmp(style, "universe") == 0) return check_count(args, 1, -1, "universe <value> ...", err);
+    if (strcmp(style, "world") == 0) return check_world(args, err);
+    if (strcmp(style, "uloop") == 0) HS_TRY(check_uloop(args, err));
+    if (strcmp(style, "loop") == 0 || strcmp(style, "uloop") == 0) return check_loop(args, first_pass, err);
     if (strcmp(style, "string") == 0) return check_count(args, 1, 1, "string <text>", err);
     if (strcmp(style, "getenv") == 0) return check_count(args, 1, 1, "getenv <environment variable>", err);
     if (strcmp(style, "file") == 0) return check_count(args, 1, 1, "file <file>", err);
+    if (strcmp(style, "atomfile") == 0) return check_count(args, 1, 1, "atomfile <file>", err);
     if (strcmp(style, "internal") == 0) return check_count(args, 1, 1, "internal <number>", err);
     if (strcmp(style, "format") == 0) return check_format(args, first_pass, err);
-    return check_formula(args, strcmp(style, "atom") == 0, first_pass, err);
+    const hs_value_shape shape = strcmp(style, "atom") == 0     ? HS_VALUE_ATOMS
+                                 : strcmp(style, "vector") == 0 ? HS_VALUE_VECTOR
+                                                                : HS_VALUE_NUMBER;
+    return check_formula(args, shape, first_pass, err);
 }

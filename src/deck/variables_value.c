@@ -88,11 +88,14 @@ hs_status hs_variables_text(hs_deck *deck, const char *name, hs_text *text, hs_e
     HS_TRY(hs_variables_need(deck->variables, name, &variable, err));
     switch (variable->style) {
     case HS_VARIABLE_INDEX:
+    case HS_VARIABLE_UNIVERSE:
     case HS_VARIABLE_FILE:
         return hs_text_printf(text, err, "%s", variable->value[variable->which]);
     case HS_VARIABLE_LOOP:
+    case HS_VARIABLE_ULOOP:
         return hs_text_printf(text, err, "%0*lld", variable->width, (long long)variable->which);
     case HS_VARIABLE_STRING:
+    case HS_VARIABLE_WORLD:
         return hs_text_printf(text, err, "%s", variable->value[0]);
     case HS_VARIABLE_FORMAT:
         return format_text(deck, variable, text, err);
@@ -105,9 +108,15 @@ hs_status hs_variables_text(hs_deck *deck, const char *name, hs_text *text, hs_e
         return hs_text_printf(text, err, "%.15g", value);
     case HS_VARIABLE_INTERNAL:
         return hs_text_printf(text, err, "%.15g", variable->number);
+    case HS_VARIABLE_VECTOR:
+        return hs_fail(
+            err, HS_ERROR_INPUT,
+            "the variable '%s' is vector-style: it has several values and no text; $(v_%s[1]) is that of its "
+            "first element",
+            variable->name, variable->name);
     default:
-        return hs_fail(err, HS_ERROR_INPUT, "the variable '%s' is atom-style: it has one value per atom and no text",
-                       variable->name);
+        return hs_fail(err, HS_ERROR_INPUT, "the variable '%s' is %s-style: it has one value per atom and no text",
+                       variable->name, hs_variable_styles[variable->style]);
     }
 }
 
@@ -137,12 +146,45 @@ hs_status hs_variables_number(hs_deck *deck, const char *name, double *value, hs
     return hs_variables_rounded(deck, name, value, err);
 }
 
+hs_status hs_variables_length(hs_deck *deck, const char *name, bool refresh, int *length, bool *varies, hs_error *err)
+{
+    hs_variable *variable;
+    *length = 0;
+    *varies = false;
+    HS_TRY(hs_variables_need(deck->variables, name, &variable, err));
+    if (variable->style != HS_VARIABLE_VECTOR) return HS_OK;
+    HS_TRY(enter(deck->variables, variable, err));
+    const hs_status status = hs_formula_length(variable->formula, deck, refresh, length, varies, err);
+    leave(deck->variables, variable);
+    if (status != HS_OK) blame(err, variable->name);
+    return status;
+}
+
+hs_status hs_variables_vector(hs_deck *deck, const char *name, int length, double *values, hs_error *err)
+{
+    hs_variable *variable;
+    HS_TRY(hs_variables_need(deck->variables, name, &variable, err));
+    if (variable->style != HS_VARIABLE_VECTOR)
+        return hs_fail(err, HS_ERROR_INPUT, "the variable '%s' is %s-style: it has no vector", variable->name,
+                       hs_variable_styles[variable->style]);
+    HS_TRY(enter(deck->variables, variable, err));
+    const hs_status status = hs_formula_vector(variable->formula, deck, length, values, err);
+    leave(deck->variables, variable);
+    if (status != HS_OK) blame(err, variable->name);
+    return status;
+}
+
 typedef hs_status (*atoms_evaluation)(const hs_formula *formula, hs_deck *deck, double *values, hs_error *err);
 
 static hs_status eval_atoms(hs_deck *deck, const char *name, atoms_evaluation evaluate, double *values, hs_error *err)
 {
     hs_variable *variable;
     HS_TRY(hs_variables_need(deck->variables, name, &variable, err));
+    if (variable->style == HS_VARIABLE_ATOMFILE) {
+        const size_t n = (size_t)deck->sim->atoms.n_local;
+        if (n > 0) memcpy(values, hs_variable_atom_values(variable), n * sizeof *values);
+        return HS_OK;
+    }
     if (variable->style != HS_VARIABLE_ATOM) {
         double value;
         HS_TRY(hs_variables_number(deck, name, &value, err));

@@ -54,13 +54,13 @@ static void destroy(hs_fix *fix)
 static hs_status init(hs_fix *fix, hs_error *err)
 {
     addforce_state *state = fix->state;
-    const hs_env *env = fix->env;
     HS_TRY(hs_applied_force_init(&state->force, fix, true, err));
     if (state->energy_variable == NULL) return HS_OK;
-    const int kind = env->variable_kind != NULL ? env->variable_kind(env->deck, state->energy_variable) : 0;
-    if (kind == 2) return HS_OK;
+    const hs_variable_kind kind = hs_env_variable_kind(fix->env, state->energy_variable);
+    if (kind == HS_ATOM_VARIABLE) return HS_OK;
     return hs_fail(err, HS_ERROR_INPUT, "fix '%s' (addforce): energy needs an atom-style variable, and '%s' is %s",
-                   fix->id, state->energy_variable, kind == 0 ? "no variable that has a value" : "of another style");
+                   fix->id, state->energy_variable,
+                   kind == HS_NO_VARIABLE ? "no variable that has a value" : "of another style");
 }
 
 static hs_status update_energies(hs_fix *fix, hs_error *err)

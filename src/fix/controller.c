@@ -42,7 +42,7 @@ static hs_status move(const hs_fix *fix, double change, hs_error *err)
     const hs_env *env = fix->env;
     const char *name = ((const controller_state *)fix->state)->variable;
     double value;
-    if (env->variable_kind == NULL || env->variable_kind(env->deck, name) != 1)
+    if (hs_env_variable_kind(env, name) != HS_NUMBER_VARIABLE)
         return hs_fail(err, HS_ERROR_INPUT,
                        "fix '%s' (controller): there is no variable '%s'; 'variable %s internal <number>' makes one",
                        fix->id, name, name);

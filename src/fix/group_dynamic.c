@@ -61,11 +61,12 @@ static hs_status init(hs_fix *fix, hs_error *err)
     const hs_env *env = fix->env;
     const char *const name = env->groups->name[state->group];
     HS_TRY(hs_where_find(&state->where, fix->env, "group", name, "dynamic", err));
-    const bool is_found =
-        state->variable == NULL || (env->variable_kind != NULL && env->variable_kind(env->deck, state->variable) != 0);
-    return is_found ? HS_OK
-                    : hs_fail(err, HS_ERROR_INPUT, "group '%s' (dynamic): there is no variable '%s' that has a value",
-                              name, state->variable);
+    if (state->variable == NULL) return HS_OK;
+    const hs_variable_kind kind = hs_env_variable_kind(env, state->variable);
+    if (kind == HS_NUMBER_VARIABLE || kind == HS_ATOM_VARIABLE) return HS_OK;
+    return hs_fail(err, HS_ERROR_INPUT,
+                   "group '%s' (dynamic): there is no variable '%s' that has a value, or one for each atom", name,
+                   state->variable);
 }
 
 static hs_status choose(hs_fix *fix, hs_error *err)

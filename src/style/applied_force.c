@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "base/memory.h"
+#include "style/varying.h"
 
 hs_status hs_applied_force_create(hs_applied_force *force, const hs_args *args, bool may_be_free, hs_error *err)
 {
@@ -35,14 +36,9 @@ hs_status hs_applied_force_init(hs_applied_force *force, const hs_fix *fix, bool
     for (int axis = 0; axis < 3; ++axis) {
         const char *name = force->variable[axis];
         if (name == NULL) continue;
-        const int kind = env->variable_kind != NULL ? env->variable_kind(env->deck, name) : 0;
-        if (kind == 0)
-            return hs_fail(err, HS_ERROR_INPUT, "fix '%s' (%s): there is no variable '%s' that has a value", fix->id,
-                           fix->style->about.name, name);
-        if (kind == 2 && !may_be_per_atom)
-            return hs_fail(err, HS_ERROR_INPUT, "fix '%s' (%s): the variable '%s' must be of style equal, not atom",
-                           fix->id, fix->style->about.name, name);
-        if (kind == 1) {
+        const bool is_per_atom = may_be_per_atom && hs_env_variable_kind(env, name) == HS_ATOM_VARIABLE;
+        if (!is_per_atom) {
+            HS_TRY(hs_fix_need_equal_style(fix, name, err));
             HS_FREE(force->of_atom[axis]);
             force->capacity[axis] = 0;
         } else if (force->of_atom[axis] == NULL) {

@@ -77,8 +77,7 @@ static hs_status check_part(const hs_weight_part *part, const hs_env *env, const
 {
     int bit;
     if (part->kind == HS_WEIGHT_GROUP) return hs_groups_get(env->groups, part->name, &bit, err);
-    if (part->kind == HS_WEIGHT_VARIABLE &&
-        (env->variable_kind == NULL || env->variable_kind(env->deck, part->name) != 2))
+    if (part->kind == HS_WEIGHT_VARIABLE && hs_env_variable_kind(env, part->name) != HS_ATOM_VARIABLE)
         return hs_fail(err, HS_ERROR_INPUT, "%s: there is no atom-style variable '%s'", command, part->name);
     if (part->kind == HS_WEIGHT_STORE && hs_custom_atom_find(env->atoms, 'd', part->name) == NULL)
         return hs_fail(err, HS_ERROR_INPUT,

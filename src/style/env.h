@@ -23,6 +23,14 @@ struct hs_domain;
 struct hs_box_flow;
 struct hs_places;
 
+/** What a variable of the deck has. */
+typedef enum {
+    HS_NO_VARIABLE, /**< there is none of that name */
+    HS_NUMBER_VARIABLE,
+    HS_ATOM_VARIABLE,  /**< a number for each atom */
+    HS_VECTOR_VARIABLE /**< a vector */
+} hs_variable_kind;
+
 /** Owned by hs_sim, one per simulation; everything in it is borrowed by styles for as long as they live. */
 typedef struct hs_env {
     const hs_parallel *parallel;
@@ -103,8 +111,13 @@ typedef struct hs_env {
     hs_status (*variable_atoms)(void *deck, const char *name, double *values, hs_error *err);
     /** Give an internal-style variable a value; an error when it is of another style. */
     hs_status (*set_variable)(void *deck, const char *name, double value, hs_error *err);
-    /** 0: there is no variable of that name, 1: it has one value, 2: one for each atom. */
-    int (*variable_kind)(void *deck, const char *name);
+    /** Length of a vector-style variable's vector, and whether it varies; 0 for others. With @p refresh what it is made
+     *  of is brought up to date before (collective). */
+    hs_status (*variable_length)(void *deck, const char *name, bool refresh, int *length, bool *varies, hs_error *err);
+    /** Its elements: values[length], the length being that of now (collective). */
+    hs_status (*variable_vector)(void *deck, const char *name, int length, double *values, hs_error *err);
+    /** Ask through hs_env_variable_kind, which needs no deck. */
+    hs_variable_kind (*variable_kind)(void *deck, const char *name);
     /** Replace $x, ${name} and $(formula) in a text, as in a line of the deck (collective). */
     hs_status (*substitute)(void *deck, hs_text *text, hs_error *err);
     /** Text of the deck's first file, for files that tell what made them; NULL without one. Borrowed. */
@@ -114,6 +127,12 @@ typedef struct hs_env {
 
 /** Atoms were changed: remembered results of computes are void. */
 static inline void hs_env_changed(hs_env *env) { ++env->revision; }
+
+/** What the deck's variable of that name has; without a deck there are no variables. */
+static inline hs_variable_kind hs_env_variable_kind(const hs_env *env, const char *name)
+{
+    return env->variable_kind != NULL ? env->variable_kind(env->deck, name) : HS_NO_VARIABLE;
+}
 
 /** How far ramps (from a start to a stop value) have gone at the present step: 0 at ramp_start, 1 at ramp_stop. */
 static inline double hs_env_ramp(const hs_env *env)

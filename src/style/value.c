@@ -69,8 +69,11 @@ bool hs_value_exists(hs_env *env, const hs_value *value)
 bool hs_value_has(hs_env *env, const hs_value *value, hs_value_shape shape)
 {
     if (value->kind == 'v') {
-        const int kind = env->variable_kind != NULL ? env->variable_kind(env->deck, value->id) : 0;
-        return shape == HS_VALUE_NUMBER ? kind == 1 : shape == HS_VALUE_ATOMS && kind > 0;
+        const hs_variable_kind kind = hs_env_variable_kind(env, value->id);
+        if (value->n_indices > 0) return shape == HS_VALUE_NUMBER && kind == HS_VECTOR_VARIABLE;
+        return shape == HS_VALUE_VECTOR   ? kind == HS_VECTOR_VARIABLE
+               : shape == HS_VALUE_NUMBER ? kind == HS_NUMBER_VARIABLE
+                                          : kind == HS_NUMBER_VARIABLE || kind == HS_ATOM_VARIABLE;
     }
     if (custom_of(env, value) != NULL) return shape == HS_VALUE_ATOMS && value->n_indices == 0;
     const hs_compute *compute = compute_of(env, value);
@@ -125,12 +128,15 @@ hs_status hs_value_check(hs_env *env, const hs_value *value, hs_value_shape shap
     if (hs_value_has(env, value, shape)) return HS_OK;
     const char *kind = value->kind == 'c' ? "compute" : value->kind == 'f' ? "fix" : "variable";
     if (value->kind == 'v') {
-        if (env->variable_kind == NULL || env->variable_kind(env->deck, value->id) == 0)
+        static const char *const has[] = {"", "one number", "one for each atom", "a vector"};
+        const hs_variable_kind its_kind = hs_env_variable_kind(env, value->id);
+        if (its_kind == HS_NO_VARIABLE)
             return hs_fail(err, HS_ERROR_INPUT,
                            "%s: there is no variable '%s' for %s: the command 'variable' makes one", command, value->id,
                            value->word);
-        return hs_fail(err, HS_ERROR_INPUT, "%s: %s is needed here, and the variable %s has %s", command, wanted[shape],
-                       value->word, shape == HS_VALUE_VECTOR ? "no vector" : "one for each atom");
+        return hs_fail(err, HS_ERROR_INPUT, "%s: %s is needed here, and the variable v_%s has %s%s", command,
+                       wanted[shape], value->id, has[its_kind],
+                       value->n_indices > 0 ? ": only elements of vectors are counted" : "");
     }
     if (value->kind == 'i' || value->kind == 'd') {
         const hs_atom_field *field;
@@ -156,8 +162,28 @@ hs_status hs_values_check(hs_env *env, const hs_value *values, int n, hs_value_s
     return HS_OK;
 }
 
+/** Length of the vector of a variable; see env->variable_length. */
+static hs_status variable_length(hs_env *env, const hs_value *value, bool refresh, int *length, bool *varies,
+                                 hs_error *err)
+{
+    *length = 0;
+    *varies = false;
+    return env->variable_length != NULL ? env->variable_length(env->deck, value->id, refresh, length, varies, err)
+                                        : HS_OK;
+}
+
+/** The same as it was when its parts were brought up to date last, which cannot fail. */
+static int known_length(hs_env *env, const hs_value *value, bool *varies)
+{
+    int length;
+    hs_error unused = {0};
+    return variable_length(env, value, false, &length, varies, &unused) == HS_OK ? length : 0;
+}
+
 bool hs_value_is_variable(hs_env *env, const hs_value *value)
 {
+    bool varies;
+    if (value->kind == 'v') return (void)known_length(env, value, &varies), varies;
     const hs_compute *compute = compute_of(env, value);
     const hs_fix *fix = fix_of(env, value);
     return compute != NULL ? compute->has_variable_length : fix != NULL && fix->has_variable_length;
@@ -165,6 +191,9 @@ bool hs_value_is_variable(hs_env *env, const hs_value *value)
 
 hs_status hs_value_refresh(hs_env *env, const hs_value *value, hs_error *err)
 {
+    int length;
+    bool varies;
+    if (value->kind == 'v') return variable_length(env, value, true, &length, &varies, err);
     hs_compute *compute = compute_of(env, value);
     if (compute == NULL || !compute->has_variable_length) return HS_OK;
     return compute->has_array ? hs_compute_eval_array(compute, err) : hs_compute_eval_vector(compute, err);
@@ -172,6 +201,8 @@ hs_status hs_value_refresh(hs_env *env, const hs_value *value, hs_error *err)
 
 int hs_value_length(hs_env *env, const hs_value *value)
 {
+    bool varies;
+    if (value->kind == 'v') return known_length(env, value, &varies);
     const hs_compute *compute = compute_of(env, value);
     const hs_fix *fix = fix_of(env, value);
     if (compute == NULL && fix == NULL) return 0;
@@ -179,8 +210,24 @@ int hs_value_length(hs_env *env, const hs_value *value)
     return compute != NULL ? compute->n_vector : fix->n_vector;
 }
 
+/** An element of a vector-style variable; those beyond its end are 0, as of computes whose length varies. */
+static hs_status element_of_variable(hs_env *env, const hs_value *value, double *number, hs_error *err)
+{
+    int length;
+    bool varies;
+    double *values;
+    HS_TRY(hs_value_check(env, value, HS_VALUE_NUMBER, value->word, err));
+    HS_TRY(variable_length(env, value, true, &length, &varies, err));
+    HS_TRY(HS_ALLOC(values, (size_t)length, err));
+    const hs_status status = env->variable_vector(env->deck, value->id, length, values, err);
+    *number = value->index[0] <= length ? values[value->index[0] - 1] : 0.0;
+    HS_FREE(values);
+    return status;
+}
+
 hs_status hs_value_number(hs_env *env, const hs_value *value, double *number, hs_error *err)
 {
+    if (value->kind == 'v' && value->n_indices > 0) return element_of_variable(env, value, number, err);
     if (value->kind == 'v') {
         if (env->variable_value != NULL) return env->variable_value(env->deck, value->id, number, err);
         return hs_fail(err, HS_ERROR_INPUT, "there is no variable '%s'", value->id);
@@ -206,6 +253,7 @@ hs_status hs_value_number(hs_env *env, const hs_value *value, double *number, hs
 hs_status hs_value_vector(hs_env *env, const hs_value *value, double *out, hs_error *err)
 {
     HS_TRY(hs_value_check(env, value, HS_VALUE_VECTOR, value->word, err));
+    if (value->kind == 'v') return env->variable_vector(env->deck, value->id, hs_value_length(env, value), out, err);
     hs_compute *compute = compute_of(env, value);
     hs_fix *fix = fix_of(env, value);
     const int j = (int)value->index[0] - 1, n = hs_value_length(env, value);

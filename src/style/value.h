@@ -4,6 +4,7 @@
  *  What a reference means depends on who asks, as in LAMMPS:
  *    number   c_ID the scalar, c_ID[i] an element of the vector, c_ID[i][j] one of the array (row i, column j)
  *    vector   c_ID the vector, c_ID[j] column j of the array
+ *    (v_name the vector of a vector-style variable, v_name[i] an element of it)
  *    atoms    c_ID the value of each atom, c_ID[j] column j of the values of each atom */
 #ifndef HS_STYLE_VALUE_H
 #define HS_STYLE_VALUE_H
@@ -22,7 +23,7 @@ typedef struct hs_value {
 } hs_value;
 
 /** Whether a word has the form of a reference: c_ID, f_ID with up to two [i] (each a number, or a range with *),
- *  v_name, i_name or d_name. For the first pass over a deck. */
+ *  v_name with up to one [i], i_name or d_name. For the first pass over a deck. */
 bool hs_value_is_reference(const char *word);
 /** Length of the longest beginning of @p words that all are references (words with `$` count too). */
 int hs_value_count(const hs_args *args, int first);

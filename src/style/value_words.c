@@ -13,8 +13,9 @@ bool hs_value_is_reference(const char *word)
     const size_t n_id = strspn(word + 2, id_letters);
     const char *rest = word + 2 + n_id;
     if (n_id == 0) return false;
-    for (int k = 0; k < 2 && *rest == '[' && strchr("cf", word[0]) != NULL; ++k) {
-        const size_t n_index = strspn(rest + 1, "0123456789*");
+    const int n_max = word[0] == 'v' ? 1 : strchr("cf", word[0]) != NULL ? 2 : 0;
+    for (int k = 0; k < n_max && *rest == '['; ++k) {
+        const size_t n_index = strspn(rest + 1, word[0] == 'v' ? "0123456789" : "0123456789*");
         if (n_index == 0 || rest[1 + n_index] != ']') return false;
         rest += n_index + 2;
     }
@@ -109,7 +110,7 @@ hs_status hs_values_read(hs_value **values, int *n, hs_env *env, const hs_args *
     for (int i = first; i < first + n_words && status == HS_OK; ++i) {
         const char *word = args->word[i];
         if (!hs_value_is_reference(word))
-            status = hs_arg_refuse(args, i, "a value: c_ID, c_ID[i], f_ID, f_ID[i] or v_name", NULL, err);
+            status = hs_arg_refuse(args, i, "a value: c_ID, c_ID[i], f_ID, f_ID[i], v_name or v_name[i]", NULL, err);
         else
             status = strchr(word, '*') != NULL ? add_range(values, n, env, args, word, shape, err)
                                                : add(values, n, args, word, err);

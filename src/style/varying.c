@@ -15,12 +15,12 @@ void hs_varying_fini(hs_varying *number) { HS_FREE(number->variable); }
 
 hs_status hs_fix_need_equal_style(const hs_fix *fix, const char *variable, hs_error *err)
 {
-    const hs_env *env = fix->env;
-    const int kind = env->variable_kind != NULL ? env->variable_kind(env->deck, variable) : 0;
-    if (kind == 1) return HS_OK;
+    const hs_variable_kind kind = hs_env_variable_kind(fix->env, variable);
+    if (kind == HS_NUMBER_VARIABLE) return HS_OK;
     return hs_fail(err, HS_ERROR_INPUT,
-                   kind == 0 ? "fix '%s' (%s): there is no variable '%s' that has a value"
-                             : "fix '%s' (%s): the variable '%s' must be of style equal, not atom",
+                   kind == HS_NO_VARIABLE     ? "fix '%s' (%s): there is no variable '%s' that has a value"
+                   : kind == HS_ATOM_VARIABLE ? "fix '%s' (%s): the variable '%s' must be of style equal, not atom"
+                                              : "fix '%s' (%s): the variable '%s' must be of style equal, not vector",
                    fix->id, fix->style->about.name, variable);
 }
 

@@ -85,6 +85,39 @@ START_TEST(loops)
 }
 END_TEST
 
+START_TEST(one_partition_takes_all_values)
+{
+    check("variable u universe a b c\nvariable l uloop 3 pad\nvariable w world only\nlabel x\nprint \"$u $l $w\"\n"
+          "next u l\njump SELF x\nprint end\n",
+          "a 1 only\nb 2 only\nc 3 only\nend\n");
+    check("variable u universe a b\nvariable u universe c\nprint $u\n", "a\n");
+}
+END_TEST
+
+/* Values that go with the atoms end with them. */
+START_TEST(atomfiles_end_with_the_atoms)
+{
+    run_with("lattice sc 1\nregion b block 0 2 0 2 0 2\ncreate_box 1 b\ncreate_atoms 1 box\nprint 1 file set.txt\n"
+             "print '3 0.5' append set.txt\nvariable q atomfile set.txt\nvariable r atom v_q+id\n"
+             "create_atoms 1 single 0.5 0.5 0.5\n"
+             "print \"values $(v_q[3]) $(v_q[4]) $(v_q[9]) $(v_r[3]) $(is_defined(variable,q))\"\n"
+             "clear\nprint \"then $(is_defined(variable,q))\"\n",
+             NULL, NULL);
+    ck_assert_ptr_nonnull(strstr(screen_text, "values 0.5 0 0 3.5 1\n"));
+    ck_assert_ptr_nonnull(strstr(screen_text, "then 0\n"));
+    forget();
+}
+END_TEST
+
+/* next() in formulas: what the function returned last is gone. */
+START_TEST(formulas_read_files)
+{
+    check("print 3 file n.txt\nprint 5 append n.txt\nvariable f file n.txt\nvariable e equal next(f)*2\n"
+          "print \"$e $f\"\nprint \"$e\"\nprint $(is_defined(variable,f))\n",
+          "3\n5\n6 5\n10\n0\n");
+}
+END_TEST
+
 START_TEST(command_line_variables_win)
 {
     run_with("variable T index 1.0\nprint \"T = $T\"\n", "T", "2.5");
@@ -285,8 +318,9 @@ START_TEST(thermo_rows_by_a_variable)
 }
 END_TEST
 
-HS_TEST_MAIN("good decks", loops, command_line_variables_win, branches, quotes_and_substitution,
-             echo_shows_lines_as_read_and_as_run, files_within_files, a_deck_may_include_what_it_has_written,
-             print_goes_where_it_is_told, log_moves_on, quit_ends_the_deck, clear_forgets_the_box_and_keeps_variables,
+HS_TEST_MAIN("good decks", loops, one_partition_takes_all_values, atomfiles_end_with_the_atoms, formulas_read_files,
+             command_line_variables_win, branches, quotes_and_substitution, echo_shows_lines_as_read_and_as_run,
+             files_within_files, a_deck_may_include_what_it_has_written, print_goes_where_it_is_told, log_moves_on,
+             quit_ends_the_deck, clear_forgets_the_box_and_keeps_variables,
              accelerator_words_are_said_to_have_no_effect, runs_count_steps_and_time, ramps_and_oscillations_of_a_run,
              commands_between_the_parts_of_a_run, displacements_that_are_not_gaussian, thermo_rows_by_a_variable)

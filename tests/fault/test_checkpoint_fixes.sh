@@ -51,6 +51,30 @@ fix_modify 1 temp bath
 fix 2 all deform 1 xy delta 0.3 remap v
 D
 
+check read <<'D'
+print 2 file set.txt
+print "250 3" append set.txt
+print "17 -2" append set.txt
+print 1 append set.txt
+print "100 2" append set.txt
+print 1 append set.txt
+print "1 2" append set.txt
+variable q atomfile set.txt
+next q
+variable u universe a b
+compute m all msd
+fix 1 all nve
+fix m all vector 3 c_m[4] c_m[1]
+variable v vector f_m[1]-f_m[2]+random(0,1,34)
+fix 2 all addforce v_q 0 0
+fix 3 all print 10 "$(v_q[100]) $(sum(v_v)) $u" file vectors.txt
+thermo_style custom step v_v[1]
+run 20
+next q
+next u
+run 20
+D
+
 check drying <<'D'
 region r block 1.1 3.1 INF INF INF INF
 fix 1 all nve

@@ -41,7 +41,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     memcpy(text, data, size);
     text[size] = '\0';
     hs_fuzz_judge(hs_formula_once(deck, text, &value, &err), &err);
-    hs_status status = hs_formula_parse(&formula, text, true, &of_atoms);
+    hs_status status = hs_formula_parse(&formula, text, HS_VALUE_ATOMS, &of_atoms);
     if (status == HS_OK) status = hs_formula_atoms(formula, deck, values, &of_atoms);
     hs_fuzz_judge(status, &of_atoms);
     hs_formula_destroy(&formula);

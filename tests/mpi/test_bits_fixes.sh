@@ -28,6 +28,36 @@ fix 2 all enforce2d
 fix h two ave/histo 2 3 10 0 12 7 c_p[1] c_c vx mode vector ave running error yes
 fix w all ave/histo/weight 2 2 10 0 12 7 x c_k mode vector
 D
+    system read 20 'c_q v_s v_h[3] v_e f_h[3] f_h[2][2]' 'v_q' <<D
+lattice fcc 0.7
+region box block 0 6 0 5 0 4
+create_box 1 box
+create_atoms 1 box
+mass 1 1.0
+velocity all create 1.5 12345
+$liquid
+neigh_modify every 5 delay 0 check no
+print 3 file set.txt
+print "480 3" append set.txt
+print "17 -2" append set.txt
+print "250 1.5" append set.txt
+print 1 append set.txt
+print "480 2" append set.txt
+variable q atomfile set.txt
+variable p atom v_q*(vx+x)
+compute q all reduce sum v_p
+compute r all rdf 8
+compute m all msd
+fix m all vector 2 c_m[4]
+variable g vector c_r[2]*2+random(0,1,34)
+variable h vector (v_g-1)*c_r[1]^2
+variable s equal sum(v_h)
+variable e equal slope(f_m)
+fix 1 all nve
+fix h all ave/histo 2 2 10 0 4 7 v_g mode vector
+run 10
+next q
+D
     system drying 30 'atoms f_d c_t' 'vx' <<D
 lattice fcc 0.7
 region box block 0 6 0 5 0 4

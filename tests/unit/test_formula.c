@@ -196,8 +196,9 @@ START_TEST(atom_style_formulas_give_one_value_per_atom)
     hs_error err = {0};
     double values[8];
     hs_formula *formula = NULL;
-    ck_assert_hs_ok(hs_formula_parse(&formula, "id+10*type+x*y*gmask(low)-v_two*rmask(lower)+count(all)", true, &err),
-                    err);
+    ck_assert_hs_ok(
+        hs_formula_parse(&formula, "id+10*type+x*y*gmask(low)-v_two*rmask(lower)+count(all)", HS_VALUE_ATOMS, &err),
+        err);
     hs_test_command(deck, "variable two equal 2");
     ck_assert_hs_ok(hs_formula_atoms(formula, deck, values, &err), err);
     const hs_atoms *atoms = &deck->sim->atoms;
@@ -217,7 +218,7 @@ START_TEST(random_numbers_per_atom_depend_on_id_and_draw_only)
     hs_error err = {0};
     double first[8], second[8], again[8];
     hs_formula *formula = NULL;
-    ck_assert_hs_ok(hs_formula_parse(&formula, "random(0,1,4711)", true, &err), err);
+    ck_assert_hs_ok(hs_formula_parse(&formula, "random(0,1,4711)", HS_VALUE_ATOMS, &err), err);
     hs_deck *deck = deck_with_cube();
     ck_assert_hs_ok(hs_formula_atoms(formula, deck, first, &err), err);
     ck_assert_hs_ok(hs_formula_atoms(formula, deck, second, &err), err);

@@ -120,11 +120,11 @@ START_TEST(next_deletes_at_the_end)
     bool exhausted;
     hs_test_command(deck, "variable i index a b");
     hs_test_command(deck, "variable j index 1 2 3");
-    ck_assert_hs_ok(hs_variables_next(deck->variables, &args, &exhausted, &err), err);
+    ck_assert_hs_ok(hs_variables_next(deck, &args, &exhausted, &err), err);
     ck_assert(!exhausted);
     check_text(deck, "i", "b");
     check_text(deck, "j", "2");
-    ck_assert_hs_ok(hs_variables_next(deck->variables, &args, &exhausted, &err), err);
+    ck_assert_hs_ok(hs_variables_next(deck, &args, &exhausted, &err), err);
     ck_assert(exhausted);
     ck_assert_ptr_null(hs_variables_find(deck->variables, "i"));
     ck_assert_ptr_null(hs_variables_find(deck->variables, "j"));
