@@ -206,7 +206,7 @@ static hs_status create(hs_fix *fix, const hs_args *args, hs_error *err)
     const bool *is_coupled = state->barometer.is_coupled;
     state->barometer.is_iso =
         is_coupled[X] && is_coupled[Y] && (is_coupled[Z] || box->dimension == 2) && !moves_tilts(state);
-    return hs_barometer_create(fix, true, err);
+    return hs_barometer_create(fix, "temp", true, err);
 }
 
 static void destroy(hs_fix *fix) { hs_barometer_fini(&((relax_state *)fix->state)->barometer); }

@@ -11,6 +11,7 @@
 #include "style/atom_sum.h"
 #include "style/atom_vector.h"
 #include "style/compute.h"
+#include "style/spheres.h"
 
 typedef struct langevin_state {
     bath_ramp bath;
@@ -18,6 +19,7 @@ typedef struct langevin_state {
     double *scale; /**< owned [n_types + 1]: damp is multiplied by it */
     hs_noise noise;
     bool is_zeroed, is_tallied;
+    bool turns;           /**< omega yes: rotations are thermostatted, too */
     char *temperature_id; /**< owned; compute of fix_modify temp, whose bias is left alone; NULL: none */
 
     /* by type, for unit mass where atoms have masses of their own */
@@ -32,8 +34,8 @@ static const hs_keyword keywords[] = {
     {"scale", 2, "<type> <ratio>", "multiply the damping time for atoms of a type"},
     {"tally", 1, "yes|no", "add up the energy given to atoms: f_ID"},
     {"zero", 1, "yes|no", "make the sum of the random forces 0"},
-    {"omega", 1, "no", "rotations are not thermostatted"},
-    {"angmom", 1, "no", "rotations are not thermostatted"},
+    {"omega", 1, "yes|no", "friction and noise for the rotation of spheres, too (default no)"},
+    {"angmom", 1, "no", "there are no ellipsoids"},
     {"gjf", 1, "no", "the scheme is that of Schneider and Stoll"},
     {NULL, 0, NULL, NULL},
 };
@@ -43,6 +45,7 @@ static hs_status read_keyword(hs_fix *fix, const hs_args *args, int i, hs_error 
     langevin_state *state = fix->state;
     if (strcmp(args->word[i], "tally") == 0) return hs_arg_bool(args, i + 1, &state->is_tallied, err);
     if (strcmp(args->word[i], "zero") == 0) return hs_arg_bool(args, i + 1, &state->is_zeroed, err);
+    if (strcmp(args->word[i], "omega") == 0) return hs_arg_bool(args, i + 1, &state->turns, err);
     if (strcmp(args->word[i], "scale") != 0) return HS_OK; /* the syntax allows only `no` */
     int lo, hi;
     double ratio;
@@ -67,6 +70,13 @@ static hs_status create(hs_fix *fix, const hs_args *args, hs_error *err)
     for (int type = 1; type <= atoms->n_types; ++type) state->scale[type] = 1.0;
     for (int i = 4; i < args->n; i += strcmp(args->word[i], "scale") == 0 ? 3 : 2)
         HS_TRY(read_keyword(fix, args, i, err));
+    if (state->turns) {
+        const hs_spheres spheres = {.has_rotation = true};
+        state->turns = false; /* until the field is there to be released */
+        HS_TRY(hs_spheres_check_style(&spheres, fix, args, err));
+        HS_TRY(hs_torques_want(fix->env, err));
+        state->turns = true;
+    }
     fix->is_coupling = state->is_tallied;
     if (state->is_tallied) HS_TRY(hs_atom_vector_add(fix->env->atoms, &state->force, "fix", fix->id, "force", err));
     return hs_fix_noise(fix, seed, &state->noise, err);
@@ -76,6 +86,7 @@ static void destroy(hs_fix *fix)
 {
     langevin_state *state = fix->state;
     hs_atom_vector_remove(fix->env->atoms, &state->force);
+    if (state->turns) hs_torques_release(fix->env);
     hs_varying_fini(&state->bath.start);
     HS_FREE(state->temperature_id);
     HS_FREE(state->scale);
@@ -89,6 +100,7 @@ static hs_status init(hs_fix *fix, hs_error *err)
     const hs_env *env = fix->env;
     const hs_units *units = env->units;
     HS_TRY(hs_varying_check(&state->bath.start, fix, err));
+    if (state->turns) HS_TRY(hs_spheres_check(fix, err));
     for (int type = 1; type <= env->atoms->n_types; ++type) {
         const double mass = env->atoms->rmass != NULL ? 1.0 : env->atoms->mass[type],
                      damp = state->damp * state->scale[type];
@@ -181,6 +193,26 @@ static void push_biased(const hs_fix *fix, const hs_compute *bias, double root_t
     }
 }
 
+/** Torques on the atoms [begin, end): those of a sphere in a fluid that sticks to it, where friction -gamma v of the places
+ *  goes with -(4/3) R^2 gamma omega of the rotation, that is 10/3 of the rate at which velocities are forgotten. */
+static void turn(const hs_fix *fix, double root_t, int begin, int end)
+{
+    static const double ratio = 10.0 / 3.0;
+    const langevin_state *state = fix->state;
+    const hs_atoms *atoms = fix->env->atoms;
+    const int first = fix->env->box->dimension == 2 ? 2 : 0; /* in the plane they turn about z */
+    for (int i = begin; i < end; ++i) {
+        double xi[HS_NOISE_NUMBERS];
+        if (!(atoms->mask[i] & fix->mask)) continue;
+        const double inertia = hs_sphere_inertia(atoms, i);
+        const double drag = state->drag[atoms->type[i]] * ratio * inertia,
+                     kick = state->kick[atoms->type[i]] * root_t * sqrt(ratio * inertia);
+        hs_noise_numbers(state->noise, HS_NOISE_UNIFORM, hs_fix_clock(fix), 1, atoms->id[i], xi);
+        for (int axis = first; axis < 3; ++axis)
+            fix->env->torque[axis][i] += drag * atoms->omega[axis][i] + kick * xi[axis];
+    }
+}
+
 /** What random_forces needs of a step. */
 typedef struct random_context {
     const hs_fix *fix;
@@ -210,6 +242,7 @@ static void random_forces(const hs_atoms *atoms, const void *context, int begin,
 /** Forces on a thread's share of the atoms. */
 static void push_share(const hs_fix *fix, const hs_compute *bias, double root_t, const double offset[3])
 {
+    const langevin_state *state = fix->state;
     const int n_local = fix->env->atoms->n_local, n_blocks = (n_local + HS_NOISE_BLOCK - 1) / HS_NOISE_BLOCK;
     const hs_noise_set *functions = hs_isa_noise(fix->env->isa);
 #pragma omp for schedule(static) nowait
@@ -219,6 +252,7 @@ static void push_share(const hs_fix *fix, const hs_compute *bias, double root_t,
             push_biased(fix, bias, root_t, offset, begin, begin + n);
         else
             push_block(fix, root_t, offset, functions, begin, n);
+        if (state->turns) turn(fix, root_t, begin, begin + n);
     }
 }
 
@@ -295,7 +329,12 @@ const hs_fix_style hs_fix_style_langevin = {
              "multiplies damp for types or ranges of them. With `tally yes` the scalar `f_ID` is the energy the atoms "
              "have given to the bath, so that total energy plus f_ID is conserved; `fix_modify energy yes` adds it to "
              "the potential energy. `zero yes` takes the mean off the random forces, so that they do not push the "
-             "group as a whole. `omega`, `angmom` and `gjf` are known and only `no` is supported.\n\n"
+             "group as a whole. `angmom` and `gjf` are known and only `no` is supported.\n\n"
+             "`omega yes` does the same to the rotation of spheres, which `fix nve/sphere` or `nvt/sphere` then move: "
+             "their "
+             "angular velocities are forgotten in (3/10) damp, the time of a sphere in a fluid that sticks to it, and "
+             "noise holds the energy of rotation at k T / 2 for each direction. In two dimensions spheres turn about z "
+             "alone.\n\n"
              "After `fix_modify temp` only the thermal part of the velocities in that temperature feels friction, and "
              "components that it leaves out altogether (atoms outside of the region of temp/region, axes of "
              "temp/partial) feel neither friction nor noise.",

@@ -107,7 +107,7 @@ static hs_status create(hs_fix *fix, const hs_args *args, hs_error *err)
     HS_TRY(check_axes(fix, args, err));
     const bool *is_coupled = state->barometer.is_coupled;
     state->barometer.is_iso = is_coupled[0] && is_coupled[1] && (is_coupled[2] || fix->env->box->dimension == 2);
-    return hs_barometer_create(fix, false, err);
+    return hs_barometer_create(fix, "temp", false, err);
 }
 
 static void destroy(hs_fix *fix) { hs_barometer_fini(&((press_state *)fix->state)->barometer); }

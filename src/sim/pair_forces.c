@@ -67,6 +67,13 @@ static void clear_forces(hs_atoms *atoms)
         memset(atoms->f[axis], 0, (size_t)(atoms->n_local + atoms->n_halo) * sizeof(double));
 }
 
+/** Fixes add torques after the forces. */
+static void clear_torques(const hs_env *env)
+{
+    for (int axis = 0; axis < 3 && env->torque[axis] != NULL; ++axis)
+        memset(env->torque[axis], 0, (size_t)env->atoms->n_local * sizeof(double));
+}
+
 void hs_sim_await_halo(hs_sim *sim)
 {
     if (!sim->halo.is_awaited) return;
@@ -179,6 +186,7 @@ hs_status hs_sim_pair_forces(hs_sim *sim, bool with_energy, hs_error *err)
     hs_env *env = &sim->env;
     hs_force_result result = {0};
     hs_timer_mark(&sim->timer);
+    clear_torques(env);
     if (!hs_pair_has_forces(sim->pair) || sim->pair->cutoff_max <= 0.0) {
         hs_sim_await_halo(sim);
         clear_forces(&sim->atoms);

@@ -13,11 +13,11 @@ void hs_barometer_couple(hs_barometer *barometer, int which)
     memcpy(barometer->is_coupled, axes[which], sizeof barometer->is_coupled);
 }
 
-hs_status hs_barometer_create(hs_fix *fix, bool is_virial, hs_error *err)
+hs_status hs_barometer_create(hs_fix *fix, const char *temperature, bool is_virial, hs_error *err)
 {
     static const char *const words[] = {"thermo_temp", "virial"}; /* the first until the fix's own can be found */
     const hs_args none = {.command = "fix"}, pressure_words = {.command = "fix", .n = 1 + is_virial, .word = words};
-    HS_TRY(hs_fix_own_compute(fix, HS_OWN_TEMPERATURE, "temp", "temp", 0, &none, err));
+    HS_TRY(hs_fix_own_compute(fix, HS_OWN_TEMPERATURE, temperature, "temp", 0, &none, err));
     HS_TRY(hs_fix_own_compute(fix, HS_OWN_PRESSURE, "pressure", "press", 0, &pressure_words, err));
     hs_compute *pressure = fix->own[HS_OWN_PRESSURE];
     return pressure->style->set_temperature(pressure, fix->own[HS_OWN_TEMPERATURE]->id, err);

@@ -19,8 +19,9 @@ typedef struct hs_barometer {
 extern const char *const hs_couplings[];
 /** The coupling number @p which of these. */
 void hs_barometer_couple(hs_barometer *barometer, int which);
-/** Make the fix's computes; with @p is_virial the pressure is without its kinetic part. */
-HS_MUST_USE hs_status hs_barometer_create(hs_fix *fix, bool is_virial, hs_error *err);
+/** Make the fix's computes, the temperature of style @p temperature; with @p is_virial the pressure is without its kinetic
+ *  part. */
+HS_MUST_USE hs_status hs_barometer_create(hs_fix *fix, const char *temperature, bool is_virial, hs_error *err);
 /** The compute of the temperature that is in use. */
 HS_MUST_USE hs_status hs_barometer_temperature(const hs_fix *fix, const hs_barometer *barometer,
                                                hs_compute **temperature, hs_error *err);

@@ -44,6 +44,11 @@ typedef struct hs_env {
     hs_groups *groups;
     struct hs_lattice *lattice; /**< never NULL; `none` until the deck sets one */
 
+    /** Torques on the local atoms, [n_local], energy: 0 at the beginning of every evaluation of forces; NULL unless something
+     *  exerts any. See style/spheres.h. */
+    double *torque[3];
+    int n_torque_users;
+
     hs_isa isa; /**< instruction set of kernels */
 
     const hs_timer *timer; /**< what this rank has spent its time on since the run began */

@@ -13,9 +13,9 @@ static hs_status create_computes(hs_fix *fix, hs_error *err)
 {
     const hs_nose_hoover *nh = fix->state;
     const hs_args none = {.command = "fix"};
-    if (nh->has_barostat) return hs_barometer_create(fix, false, err);
-    return hs_fix_own_compute(fix, HS_OWN_TEMPERATURE, nh->is_sllod ? "temp/deform" : "temp", "temp", fix->group, &none,
-                              err);
+    const char *temperature = nh->is_sllod ? "temp/deform" : nh->spheres.has_rotation ? "temp/sphere" : "temp";
+    if (nh->has_barostat) return hs_barometer_create(fix, temperature, false, err);
+    return hs_fix_own_compute(fix, HS_OWN_TEMPERATURE, temperature, "temp", fix->group, &none, err);
 }
 
 hs_status hs_nose_hoover_create(hs_fix *fix, const hs_args *args, bool has_thermostat, bool has_barostat, hs_error *err)
@@ -25,6 +25,7 @@ hs_status hs_nose_hoover_create(hs_fix *fix, const hs_args *args, bool has_therm
     nh->has_thermostat = has_thermostat;
     nh->has_barostat = has_barostat;
     HS_TRY(hs_nose_hoover_read(fix, args, err));
+    if (nh->spheres.has_rotation) HS_TRY(hs_spheres_check_style(&nh->spheres, fix, args, err));
     if (!has_thermostat) nh->chain.n = 0;
     if (!has_barostat) nh->barostat_chain.n = 0;
     HS_TRY(hs_nh_chain_create(&nh->chain, err));
@@ -87,6 +88,7 @@ hs_status hs_nose_hoover_init(hs_fix *fix, hs_error *err)
     hs_nose_hoover *nh = fix->state;
     hs_compute *temperature;
     HS_TRY(hs_barometer_temperature(fix, &nh->barometer, &temperature, err));
+    if (nh->spheres.has_rotation) HS_TRY(hs_spheres_check(fix, err));
     if (nh->is_sllod && temperature->style->bias == NULL)
         return hs_fail(
             err, HS_ERROR_INPUT,
@@ -166,6 +168,7 @@ static hs_status advance_thermostat(const hs_fix *fix, hs_error *err)
         hs_nose_hoover_flow(fix, temperature != fix->own[HS_OWN_TEMPERATURE] ? temperature : NULL, s);
     else
         hs_nose_hoover_scale(fix, temperature, (const double[3]){s, s, s});
+    if (nh->spheres.has_rotation) hs_spheres_scale(fix, s);
     return HS_OK;
 }
 

@@ -20,6 +20,7 @@
 
 #include "style/barometer.h"
 #include "style/nh_chain.h"
+#include "style/spheres.h"
 #include "style/strain_energy.h"
 
 /** Components of pressure and strain, in this order: x y z xy xz yz. */
@@ -28,8 +29,9 @@ enum { HS_NH_XY = 3, HS_NH_COMPONENTS = 6 };
 /** State of such a fix. */
 typedef struct hs_nose_hoover {
     bool has_thermostat, has_barostat;
-    bool is_sllod;   /**< the velocities follow a box that changes; set by the style before hs_nose_hoover_create */
-    bool is_p_sllod; /**< G v instead of G (v - u): the variant p-SLLOD */
+    bool is_sllod;      /**< the velocities follow a box that changes; set by the style before hs_nose_hoover_create */
+    hs_spheres spheres; /**< has_rotation: the atoms turn, too; set by the style before hs_nose_hoover_create */
+    bool is_p_sllod;    /**< G v instead of G (v - u): the variant p-SLLOD */
     hs_barometer barometer; /**< is_iso: one strain for all axes, from the scalar pressure */
     double dt;
 
@@ -67,6 +69,8 @@ typedef struct hs_nose_hoover {
 
 /** Keywords of nvt, of nvt/sllod, and of npt and nph. */
 extern const hs_keyword hs_nose_hoover_nvt_keywords[], hs_nose_hoover_sllod_keywords[], hs_nose_hoover_npt_keywords[];
+/** The same for spheres that turn. */
+extern const hs_keyword hs_nose_hoover_nvt_sphere_keywords[], hs_nose_hoover_npt_sphere_keywords[];
 
 HS_MUST_USE hs_status hs_nose_hoover_create(hs_fix *fix, const hs_args *args, bool has_thermostat, bool has_barostat,
                                             hs_error *err);

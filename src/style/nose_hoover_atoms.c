@@ -91,7 +91,9 @@ static void kick_share(const hs_fix *fix)
 
 void hs_nose_hoover_kick(const hs_fix *fix)
 {
+    const hs_nose_hoover *nh = fix->state;
     HS_ON_THREADS(kick_share(fix));
+    if (nh->spheres.has_rotation) hs_spheres_kick(&nh->spheres, fix, nh->dt);
     hs_env_changed(fix->env);
 }
 
@@ -110,6 +112,8 @@ static void drift_share(const hs_fix *fix)
 
 void hs_nose_hoover_drift(const hs_fix *fix)
 {
+    const hs_nose_hoover *nh = fix->state;
     HS_ON_THREADS(drift_share(fix));
+    if (nh->spheres.has_rotation) hs_spheres_turn(&nh->spheres, fix, nh->dt);
     hs_env_changed(fix->env);
 }

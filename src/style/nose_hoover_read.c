@@ -43,6 +43,10 @@ const hs_keyword hs_nose_hoover_nvt_keywords[] = {TEMPERATURE_KEYWORDS COMMON_KE
 const hs_keyword hs_nose_hoover_sllod_keywords[] = {
     TEMPERATURE_KEYWORDS COMMON_KEYWORDS{"psllod", 1, "yes|no", "the variant p-SLLOD (default: no)"},
     {NULL, 0, NULL, NULL}};
+const hs_keyword hs_nose_hoover_nvt_sphere_keywords[] = {TEMPERATURE_KEYWORDS COMMON_KEYWORDS HS_SPHERES_KEYWORDS,
+                                                         {NULL, 0, NULL, NULL}};
+const hs_keyword hs_nose_hoover_npt_sphere_keywords[] = {
+    TEMPERATURE_KEYWORDS COMMON_KEYWORDS PRESSURE_KEYWORDS, HS_SPHERES_KEYWORDS, {NULL, 0, NULL, NULL}};
 const hs_keyword hs_nose_hoover_npt_keywords[] = {TEMPERATURE_KEYWORDS COMMON_KEYWORDS PRESSURE_KEYWORDS,
                                                   {NULL, 0, NULL, NULL}};
 
@@ -119,6 +123,8 @@ static hs_status read_keyword(hs_fix *fix, const hs_args *args, int i, int is_sc
     hs_nose_hoover *nh = fix->state;
     const char *word = args->word[i];
     int coupling;
+    HS_TRY(hs_spheres_read(&nh->spheres, fix, args, i, n_used, err));
+    if (*n_used > 0) return HS_OK;
     *n_used = 2;
     if (strcmp(word, "tchain") == 0) return read_count(args, i, 1, &nh->chain.n, err);
     if (strcmp(word, "tloop") == 0) return read_count(args, i, 1, &nh->chain.n_loops, err);

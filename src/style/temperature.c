@@ -34,8 +34,7 @@ static bool counts(const hs_compute *compute, const hs_atoms *atoms, int i)
            (compute->style->counts == NULL || compute->style->counts(compute, i));
 }
 
-/** Whether atoms come and go, so that degrees of freedom are counted whenever the temperature is asked for. */
-static bool is_recounted(const hs_compute *compute)
+bool hs_temperature_is_recounted(const hs_compute *compute)
 {
     return ((const hs_temperature *)compute->state)->is_dynamic || (compute->env->groups->dynamic & compute->mask) != 0;
 }
@@ -51,7 +50,7 @@ hs_status hs_temperature_init(hs_compute *compute, hs_error *err)
     /* those that are not thermal are spread evenly over the box's axes */
     const double n_fixed = state->has_n_fixed ? state->n_fixed : env->box->dimension;
     compute->n_dof = (double)n_axes * (double)n - n_fixed * n_axes / env->box->dimension - state->n_bias;
-    if (compute->n_dof >= 0.0 || n == 0 || is_recounted(compute)) return HS_OK;
+    if (compute->n_dof >= 0.0 || n == 0 || hs_temperature_is_recounted(compute)) return HS_OK;
     return hs_fail(err, HS_ERROR_INPUT, "compute '%s' (%s): %lld atoms have fewer than 0 degrees of freedom",
                    compute->id, compute->style->about.name, (long long)n);
 }
@@ -85,7 +84,7 @@ hs_status hs_temperature_scalar(hs_compute *compute, double *value, hs_error *er
 {
     const hs_env *env = compute->env;
     double sum;
-    if (compute->n_dof < 0.0 || is_recounted(compute)) HS_TRY(hs_temperature_init(compute, err));
+    if (compute->n_dof < 0.0 || hs_temperature_is_recounted(compute)) HS_TRY(hs_temperature_init(compute, err));
     hs_atom_sum(env->atoms, env->parallel, add_mv2, compute, 1, &sum);
     *value = compute->n_dof > 0.0 ? sum * (env->units->mvv2e / (compute->n_dof * env->units->boltz)) : 0.0;
     return HS_OK;

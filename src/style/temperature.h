@@ -28,6 +28,8 @@ HS_MUST_USE hs_status hs_temperature_init(hs_compute *compute, hs_error *err);
 HS_MUST_USE hs_status hs_temperature_scalar(hs_compute *compute, double *value, hs_error *err);
 /** sum(m v_a v_b) of the thermal velocities: xx yy zz xy xz yz (collective). */
 HS_MUST_USE hs_status hs_temperature_vector(hs_compute *compute, hs_error *err);
+/** Whether atoms come and go, so that degrees of freedom are counted whenever the temperature is asked for. */
+bool hs_temperature_is_recounted(const hs_compute *compute);
 HS_MUST_USE hs_status hs_temperature_modify(hs_compute *compute, const hs_args *args, int *n_used, hs_error *err);
 
 #endif

@@ -362,3 +362,28 @@ fix 3 all dt/reset 7 NULL 0.01 0.02
 fix 4 all viscous 0.2
 fix p all print 10 "$(f_2:%.17g) $(f_3) $(time:%.17g) $(dt:%.17g)" file p.txt screen no
 D
+
+check turning <<'D'
+clear
+units lj
+atom_style hybrid sphere dipole
+lattice fcc 0.8442
+region box block 0 4 0 4 0 4
+create_box 1 box
+create_atoms 1 box
+set group all diameter 0.9
+set group all dipole/random 4711 0.5
+velocity all create 1.44 87287
+set group all omega 0.3 -0.2 1.1
+pair_style lj/cut 2.5
+pair_coeff * * 1.0 1.0 2.5
+neigh_modify every 7 delay 0 check no
+checkpoint every 33 steps keep 9
+thermo 10
+fix 1 all nve/sphere update dipole
+fix 2 all langevin 1.44 1.44 0.7 4711 omega yes
+compute e all erotate/sphere
+fix p all ave/time 1 1 10 c_e file e.txt
+dump d all custom 10 d.dump id omegax omegay omegaz mux muy muz
+dump_modify d format float %.17g
+D

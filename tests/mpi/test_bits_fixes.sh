@@ -311,6 +311,23 @@ fix h all ehex 1 20 region hot
 variable r atom random(-0.1,0.1,4711)+normal(0.0,0.01,5)
 set group all vx v_r
 D
+    system turning 30 'c_t c_e f_1' 'omegax omegay omegaz mux muy muz' <<D
+atom_style hybrid sphere dipole
+lattice fcc 0.7
+region box block 0 5 0 4 0 4
+create_box 1 box
+create_atoms 1 box
+set type 1 diameter 0.9
+set type 1 dipole/random 4711 0.7
+velocity all create 1.5 12345
+variable w atom vx-0.3*y
+set group all omega v_w 0.2 v_w
+$liquid
+compute t all temp/sphere
+compute e all erotate/sphere
+fix 1 all nvt/sphere temp 1.5 1.2 0.3 update dipole/dlm
+fix 2 all langevin 1.5 1.2 0.7 4711 omega yes zero yes
+D
     system deposited 40 'f_d' <<D
 boundary p p f
 lattice fcc 0.9

@@ -254,6 +254,73 @@ START_TEST(test_equipartition)
 }
 END_TEST
 
+/** Free spheres that turn in a bath: k T for each direction of rotation, and angular velocities forgotten in (3/10) damp, the
+ *  time of a sphere that a fluid sticks to; in the plane they turn about z alone. Standard errors: sqrt(2/n) and 1/sqrt(n) for n
+ *  directions; four of them are allowed, and the scheme's error of order (dt/damp)^2 is far less. */
+START_TEST(test_rotating_spheres)
+{
+    enum { N = 4000 };
+    const int dimension = _i == 0 ? 3 : 2;
+    const double t = 1.7, damp = 0.5, dt = 0.002, time = 100 * dt;
+    experiment e;
+    open_experiment(&e, 1);
+    free_particles(&e, dimension, N, "sphere");
+    deck(&e,
+         "set group all diameter 1.3\nvelocity all create %g 12 dist gaussian loop geom\nfix 1 all nve/sphere\n"
+         "fix 2 all langevin %g %g %g 48 omega yes\ncompute r all temp/sphere dof rotate\n"
+         "compute w all property/atom omegax omegay omegaz\ntimestep %g\nrun 400\n",
+         t, t, t, damp, dt);
+    deck(&e,
+         "fix s all store/state 0 c_w[1] c_w[2] c_w[3]\n"
+         "variable p atom 0.4*mass*0.65^2*(c_w[1]*f_s[1]+c_w[2]*f_s[2]+c_w[3]*f_s[3])\ncompute p all reduce sum v_p\n"
+         "compute m all reduce max c_w[1] c_w[2]\nthermo_style custom step c_r c_p c_m[1] c_m[2]\n"
+         "thermo_modify norm no format float %%.17g\nrun 100\n");
+    table rows = last_table(&e);
+    const int last = rows.n_rows - 1;
+    const double n = dimension == 3 ? 3.0 * N : N;
+    ck_assert_double_eq_tol(cell(&rows, last, 1), t, 4.0 * t * sqrt(2.0 / n));
+    ck_assert_double_eq_tol(cell(&rows, last, 2) / n, t * exp(-time * 10.0 / 3.0 / damp), 4.0 * t / sqrt(n));
+    if (dimension == 2) ck_assert(cell(&rows, last, 3) == 0.0 && cell(&rows, last, 4) == 0.0);
+    free(rows.value);
+    close_experiment(&e);
+}
+END_TEST
+
+/** Spheres that turn without torques: energy of rotation and angular velocity stay, and the dipole goes round at the angle
+ *  omega t; with the simple update by atan(omega dt) a step, with DLM right to order dt^2. */
+START_TEST(test_free_rotation)
+{
+    static const char *const words[2] = {"dipole", "dipole/dlm"};
+    const double dt = 0.01, omega = 1.5;
+    const int n_steps = 200;
+    experiment e;
+    open_experiment(&e, 1);
+    deck(&e,
+         "units lj\natom_style hybrid dipole sphere\nregion b block 0 10 0 10 0 10\ncreate_box 1 b\n"
+         "create_atoms 1 single 5 5 5\nset group all dipole 0.5 0 1.2\nset group all omega 0 0 %g\npair_style none\n"
+         "timestep %g\nfix 1 all nve/sphere update %s\ncompute w all property/atom mux muy muz omegaz\n"
+         "compute s all reduce sum c_w[1] c_w[2] c_w[3] c_w[4]\ncompute e all erotate/sphere\n"
+         "thermo_style custom step c_s[*] c_e\nthermo_modify norm no format float %%.17g lost ignore\nrun %d\n",
+         omega, dt, words[_i], n_steps);
+    table t = last_table(&e);
+    const int last = t.n_rows - 1;
+    const double angle = n_steps * (_i == 0 ? atan(omega * dt) : omega * dt);
+    if (_i == 1) {
+        const double error = 5.0 * omega * omega * dt * dt; /* of the angle, a few (omega dt)^2 */
+        ck_assert_double_eq_tol(atan2(cell(&t, last, 2), cell(&t, last, 1)), remainder(angle, 2.0 * M_PI), error);
+        ck_assert_double_eq_tol(cell(&t, last, 3), 1.2, error);
+    } else { /* brought back to its length, the dipole sinks towards the plane: only the part in it grows */
+        ck_assert_double_eq_tol(atan2(cell(&t, last, 2), cell(&t, last, 1)), remainder(angle, 2.0 * M_PI), 1e-12);
+    }
+    const double length = sqrt(pow(cell(&t, last, 1), 2) + pow(cell(&t, last, 2), 2) + pow(cell(&t, last, 3), 2));
+    ck_assert_double_eq_tol(length, 1.3, 1e-13);
+    ck_assert_double_eq_tol(cell(&t, last, 4), omega, 1e-3 * omega);
+    ck_assert_double_eq_tol(cell(&t, last, 5), cell(&t, 0, 5), 1e-12);
+    free(t.value);
+    close_experiment(&e);
+}
+END_TEST
+
 /** Active particles that repel each other: the same bits on one thread and on three, and after the run is cut in
  *  two. */
 START_TEST(test_threads_and_cut_runs)
@@ -282,6 +349,7 @@ START_TEST(test_threads_and_cut_runs)
 }
 END_TEST
 
-HS_TEST_MAIN("active matter", test_free_abp_2d, test_free_abp_2d_uniform, test_free_abp_3d,
-             test_rotation_is_exact_for_long_steps, test_free_brownian, test_trapped_brownian, test_free_langevin,
-             test_equipartition, test_threads_and_cut_runs)
+HS_LOOP_TEST_MAIN("active matter", {test_free_abp_2d, 1}, {test_free_abp_2d_uniform, 1}, {test_free_abp_3d, 1},
+                  {test_rotation_is_exact_for_long_steps, 1}, {test_free_brownian, 1}, {test_trapped_brownian, 1},
+                  {test_free_langevin, 1}, {test_equipartition, 1}, {test_rotating_spheres, 2}, {test_free_rotation, 2},
+                  {test_threads_and_cut_runs, 1})
