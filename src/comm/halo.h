@@ -28,7 +28,8 @@ typedef struct hs_halo_side {
     int n_blocks, n_self; /**< blocks [0, n_self) stay on this rank: the same on both sides */
     int n, n_self_atoms;  /**< atoms of all blocks, and of the first n_self */
     double *buffer;       /**< owned: HS_HALO_WORDS words for each atom of another rank's blocks */
-    int capacity_blocks, capacity_buffer;
+    size_t capacity_blocks;
+    int capacity_buffer;
 } hs_halo_side;
 
 enum { HS_HALO_WORDS = 3 }; /**< words of 8 bytes that a message carries for each atom */

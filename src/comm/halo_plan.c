@@ -96,10 +96,8 @@ static hs_status list_blocks(hs_halo_side *side, const hs_halo_plan *plan, const
     const hs_halo_layers *l = plan->layers;
     int64_t n = 1;
     for (int axis = 0; axis < 3; ++axis) n *= l[axis].below + 1 + l[axis].above;
-    if (n / 2 + 1 > side->capacity_blocks) {
-        HS_TRY(HS_GROW(side->block, 0, (size_t)n + 1, err));
-        side->capacity_blocks = (int)n + 1;
-    }
+    HS_TRY(HS_RESERVE(side->block, side->capacity_blocks, (size_t)n,
+                      err)); /* brick at a corner: all offsets may be positive */
     side->n_blocks = side->n_self = 0;
     for (int j0 = -l[0].below; j0 <= l[0].above; ++j0)
         for (int j1 = -l[1].below; j1 <= l[1].above; ++j1)

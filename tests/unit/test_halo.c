@@ -3,7 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "comm/halo.h"
+#include "comm/halo_plan.h"
 #include "parallel/parallel.h"
 #include "support/harness.h"
 
@@ -124,4 +124,34 @@ START_TEST(copies_follow_and_give_back)
 }
 END_TEST
 
-HS_TEST_MAIN("halo", copies_follow_and_give_back)
+/** A brick at the upper face of a box that is not periodic has neighbors below only: nearly all its offsets are positive. The blocks of a
+ *  longer reach take the place of those of a shorter one. */
+START_TEST(blocks_of_a_longer_reach_have_room)
+{
+    static const double reach[] = {1.0, 2.0, 3.0, 9.0, 21.0, 40.0};
+    const hs_parallel ranks = {.n_ranks = 8};
+    hs_halo halo = {0};
+    hs_domain domain;
+    hs_box box;
+    memset(&err, 0, sizeof err);
+    hs_box_init(&box);
+    for (int axis = 0; axis < 3; ++axis) box.hi[axis] = 20.0;
+    box.periodic[0] = false;
+    hs_domain_init(&domain, &ranks);
+    domain.wanted[0] = 8;
+    ck_assert_hs_ok(hs_domain_divide(&domain, &box, &err), err);
+    for (int at = 0; at < 8; ++at)
+        for (size_t k = 0; k < sizeof reach / sizeof reach[0]; ++k) {
+            hs_halo_plan plan;
+            domain.at[0] = domain.rank = at;
+            ck_assert_hs_ok(hs_halo_plan_make(&plan, &halo, &domain, &box, reach[k], &err), err);
+            ck_assert_uint_le((size_t)halo.out.n_blocks, halo.out.capacity_blocks);
+            ck_assert_uint_le((size_t)halo.in.n_blocks, halo.in.capacity_blocks);
+            hs_halo_plan_fini(&plan);
+        }
+    hs_halo_fini(&halo);
+    hs_domain_fini(&domain);
+}
+END_TEST
+
+HS_TEST_MAIN("halo", copies_follow_and_give_back, blocks_of_a_longer_reach_have_room)
