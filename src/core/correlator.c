@@ -1,8 +1,8 @@
 /* Correlations by zero-padded transforms: W. H. Press et al., Numerical Recipes, 3rd ed. (2007), section 13.2. */
-#include <fftw3.h>
 #include <string.h>
 
 #include "base/memory.h"
+#include "core/fft_plan.h"
 #include "core/fourier.h"
 
 struct hs_correlator {
@@ -14,15 +14,15 @@ struct hs_correlator {
 
 static hs_status allocate(hs_correlator *c, hs_error *err)
 {
-    const size_t n = 2 * (size_t)c->n_lags;
-    HS_TRY(HS_ALLOC(c->a, n, err));
-    HS_TRY(HS_ALLOC(c->b, n, err));
+    const int n = 2 * c->n_lags;
+    HS_TRY(HS_ALLOC(c->a, (size_t)n, err));
+    HS_TRY(HS_ALLOC(c->b, (size_t)n, err));
     HS_TRY(hs_memory_alloc((void **)&c->at, (size_t)c->n_lags + 1, sizeof(fftw_complex), err));
     HS_TRY(hs_memory_alloc((void **)&c->bt, (size_t)c->n_lags + 1, sizeof(fftw_complex), err));
-    c->forward = fftw_plan_dft_r2c_1d((int)n, c->a, c->at, FFTW_ESTIMATE);
-    c->backward = fftw_plan_dft_c2r_1d((int)n, c->at, c->a, FFTW_ESTIMATE);
+    c->forward = hs_fft_plan_forward(1, &n, c->a, c->at);
+    c->backward = hs_fft_plan_backward(1, &n, c->at, c->a);
     if (c->forward != NULL && c->backward != NULL) return HS_OK;
-    return hs_fail(err, HS_ERROR_MEMORY, "FFTW could not plan a transform of %zu numbers", n);
+    return hs_fail(err, HS_ERROR_MEMORY, "FFTW could not plan a transform of %d numbers", n);
 }
 
 hs_status hs_correlator_create(hs_correlator **correlator, int n_lags, hs_error *err)
@@ -38,8 +38,8 @@ void hs_correlator_destroy(hs_correlator **correlator)
 {
     hs_correlator *c = *correlator;
     if (c == NULL) return;
-    if (c->forward != NULL) fftw_destroy_plan(c->forward);
-    if (c->backward != NULL) fftw_destroy_plan(c->backward);
+    hs_fft_plan_destroy(&c->forward);
+    hs_fft_plan_destroy(&c->backward);
     HS_FREE(c->a);
     HS_FREE(c->b);
     HS_FREE(c->at);

@@ -1,9 +1,9 @@
 /* Density modes by a non-uniform fast Fourier transform: see core/fourier.h. */
-#include <fftw3.h>
 #include <math.h>
 #include <string.h>
 
 #include "base/memory.h"
+#include "core/fft_plan.h"
 #include "core/fourier.h"
 #include "parallel/parallel.h"
 
@@ -75,7 +75,7 @@ static hs_status allocate(hs_modes *m, hs_error *err)
     const size_t rows = (size_t)m->size[0] * (size_t)m->size[1];
     HS_TRY(HS_ALLOC(m->grid, rows * (size_t)m->size[2], err));
     HS_TRY(hs_memory_alloc((void **)&m->out, rows * ((size_t)m->size[2] / 2 + 1), sizeof(fftw_complex), err));
-    m->plan = fftw_plan_dft_r2c_3d(m->size[0], m->size[1], m->size[2], &m->grid->real, m->out, FFTW_ESTIMATE);
+    m->plan = hs_fft_plan_forward(3, m->size, &m->grid->real, m->out);
     if (m->plan != NULL) return HS_OK;
     return hs_fail(err, HS_ERROR_MEMORY, "FFTW could not plan a transform of %d x %d x %d numbers", m->size[0],
                    m->size[1], m->size[2]);
@@ -94,7 +94,7 @@ void hs_modes_destroy(hs_modes **modes)
 {
     hs_modes *m = *modes;
     if (m == NULL) return;
-    if (m->plan != NULL) fftw_destroy_plan(m->plan);
+    hs_fft_plan_destroy(&m->plan);
     HS_FREE(m->grid);
     HS_FREE(m->out);
     for (int axis = 0; axis < 3; ++axis) HS_FREE(m->inverse[axis]);

@@ -1,8 +1,8 @@
 /* Power spectra of short series. */
-#include <fftw3.h>
 #include <math.h>
 
 #include "base/memory.h"
+#include "core/fft_plan.h"
 #include "core/fourier.h"
 
 struct hs_periodogram {
@@ -25,7 +25,7 @@ static hs_status allocate(hs_periodogram *p, bool has_window, hs_error *err)
         p->weight[i] = has_window ? s * s : 1.0;
         p->norm += p->weight[i] * p->weight[i];
     }
-    p->forward = fftw_plan_dft_r2c_1d(p->n, p->a, p->at, FFTW_ESTIMATE);
+    p->forward = hs_fft_plan_forward(1, &p->n, p->a, p->at);
     if (p->forward != NULL) return HS_OK;
     return hs_fail(err, HS_ERROR_MEMORY, "FFTW could not plan a transform of %d numbers", p->n);
 }
@@ -44,7 +44,7 @@ void hs_periodogram_destroy(hs_periodogram **periodogram)
 {
     hs_periodogram *p = *periodogram;
     if (p == NULL) return;
-    if (p->forward != NULL) fftw_destroy_plan(p->forward);
+    hs_fft_plan_destroy(&p->forward);
     HS_FREE(p->weight);
     HS_FREE(p->a);
     HS_FREE(p->at);
