@@ -1,5 +1,7 @@
 /* The program: arguments, one subcommand, and the only place that exits. */
 #define _GNU_SOURCE
+#include <errno.h>
+#include <fcntl.h>
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -19,13 +21,45 @@ static void on_signal(int number)
     stop_requested = 1;
 }
 
-static void catch_signals(void)
+/** SIGHUP: the terminal is gone, and often tells so twice. */
+static void on_hangup(int number)
 {
-    struct sigaction action = {.sa_handler = on_signal, .sa_flags = SA_RESTART};
+    (void)number;
+    stop_requested = 1;
+}
+
+/** SIGPIPE: who reads the output is gone. The write fails, too, and that ends a run as a full disk does, with a checkpoint. */
+static void on_broken_pipe(int number) { (void)number; }
+
+static void catch_signal(int number, void (*handler)(int))
+{
+    struct sigaction action = {.sa_handler = handler, .sa_flags = SA_RESTART};
     sigemptyset(&action.sa_mask);
-    const int numbers[] = {SIGINT, SIGTERM};
-    for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; ++i) sigaction(numbers[i], &action, NULL);
+    sigaction(number, &action, NULL);
+}
+
+static bool is_ignored(int number)
+{
+    struct sigaction action;
+    return sigaction(number, NULL, &action) == 0 && action.sa_handler == SIG_IGN;
+}
+
+static void catch_signals(bool is_run)
+{
+    catch_signal(SIGINT, on_signal);
+    catch_signal(SIGTERM, on_signal);
+    if (!is_ignored(SIGHUP)) catch_signal(SIGHUP, on_hangup); /* nohup */
+    if (is_run) catch_signal(SIGPIPE, on_broken_pipe); /* a handler, which programs that are started do not inherit */
     signal(SIGXFSZ, SIG_IGN); /* a file beyond the limit of the shell: an error of the write, as on a full disk */
+}
+
+/** Standard streams that were closed before the start: the next files to be opened would take their numbers, and what is meant for the
+ *  screen would go into them. In their places come streams that refuse what is asked of them. */
+static void fill_closed_streams(void)
+{
+    for (int fd = STDIN_FILENO; fd <= STDERR_FILENO; ++fd)
+        if (fcntl(fd, F_GETFD) == -1 && errno == EBADF)
+            (void)open("/dev/null", fd == STDIN_FILENO ? O_WRONLY : O_RDONLY);
 }
 
 static hs_status run_subcommand(const hs_cli *cli, const char *name, int *exit_code, hs_error *err)
@@ -87,22 +121,37 @@ static void limit_spinning(char **argv)
     /* where that is not possible the run is right all the same */
 }
 
-int main(int argc, char **argv)
+/** What needs no start-up: --help and --version. False: neither was asked for. */
+static bool answer(int argc, char **argv, const hs_cli_command *command)
 {
-    const hs_cli_command *command = argc > 1 ? find_subcommand(argv[1]) : NULL;
     if (argc > 1 && asks_for_help(argv[1])) {
         hs_cli_usage(stdout);
-        return fflush(stdout) == 0 ? EXIT_SUCCESS : 2;
+        return true;
     }
     for (int k = 2; k < argc && command != NULL; ++k) {
         if (k == 2 ? !asks_for_help(argv[k]) : strcmp(argv[k], "--help") != 0) continue;
         hs_cli_usage_of(stdout, command);
-        return fflush(stdout) == 0 ? EXIT_SUCCESS : 2;
+        return true;
     }
-    if (argc > 1 && is_word(argv[1], "--version", "-version", "-V")) {
-        printf("halfshell %s\n", HALFSHELL_VERSION);
-        return fflush(stdout) == 0 ? EXIT_SUCCESS : 2;
-    }
+    if (argc <= 1 || !is_word(argv[1], "--version", "-version", "-V")) return false;
+    printf("halfshell %s\n", HALFSHELL_VERSION);
+    return true;
+}
+
+/** Exit code after an answer. */
+static int finish_answer(void)
+{
+    hs_error err = {0};
+    if (hs_cli_flush(stdout, "screen output", &err) == HS_OK) return EXIT_SUCCESS;
+    hs_error_print(&err, stderr);
+    return hs_exit_code(err.status);
+}
+
+int main(int argc, char **argv)
+{
+    const hs_cli_command *command = argc > 1 ? find_subcommand(argv[1]) : NULL;
+    fill_closed_streams();
+    if (answer(argc, argv, command)) return finish_answer();
     limit_spinning(argv);
     (void)prctl(PR_SET_NAME, "halfshell"); /* as top shows it and pkill looks for it */
     const char *name = command != NULL ? command->name : "run";
@@ -111,9 +160,10 @@ int main(int argc, char **argv)
     hs_parallel parallel = {.n_ranks = 1};
     int exit_code = EXIT_SUCCESS;
     hs_cli cli = {.n = argc - first, .word = argv + first, .stop_requested = &stop_requested, .parallel = &parallel};
-    catch_signals();
+    catch_signals(command == NULL || command->bit == HS_CLI_RUN || command->bit == HS_CLI_RESUME);
     hs_status status = hs_parallel_init(&parallel, &err);
     if (status == HS_OK) status = run_subcommand(&cli, name, &exit_code, &err);
+    HS_UNLESS_FAILED(&err, hs_cli_flush(stdout, "screen output", &err));
     bool stop = stop_requested;
     status = hs_parallel_settle(&parallel, &stop, &err);
     if (status != HS_OK) {

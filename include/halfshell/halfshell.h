@@ -8,8 +8,10 @@
  *      hs_simulation_destroy(&simulation);
  *
  *  Any number of simulations live in one process; they share nothing. One simulation must not be used by two threads at
- *  the same time; different simulations may be. Functions return a code and leave their message in hs_simulation_error.
- *  Lengths, energies and times are in the units of the deck (`units lj|real|metal`).
+ *  the same time; different simulations may be (for H5MD files and checkpoints with an HDF5 that was built thread-safe, as
+ *  Debian's). Numbers have a decimal point whatever the caller's locale is, and the caller's number of OpenMP threads stays
+ *  as it was. Functions return a code and leave their message in hs_simulation_error.
+ *  Lengths, energies and times are in the deck's `units`.
  *
  *  Arrays of vectors are n rows of x, y, z, owned by the caller. Their order is the caller's choice: HS_ORDER_ID is by
  *  increasing atom id and stays the same while atoms are neither made nor deleted; HS_ORDER_LOCAL is the order in

@@ -32,10 +32,14 @@ const hs_catalog hs_catalogs[] = {
 };
 
 const char *const hs_exit_code_meanings[] = {
-    "0",  "Done.",
-    "1",  "The deck, a file it reads, or the command line is wrong; nothing was lost because nothing wrong was run.",
-    "2",  "The run failed: atoms lost, numbers out of range, a file that could not be written, no memory left.",
-    "3",  "Interrupted by SIGINT or SIGTERM after the step was finished. A second signal stops at once.",
+    "0",
+    "Done.",
+    "1",
+    "The deck, a file it reads, or the command line is wrong; nothing was lost because nothing wrong was run.",
+    "2",
+    "The run failed: atoms lost, numbers out of range, a file that could not be written, no memory left.",
+    "3",
+    "Interrupted by SIGINT, SIGTERM or SIGHUP after the step was finished. A second SIGINT or SIGTERM stops at once.",
     NULL,
 };
 

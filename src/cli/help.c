@@ -184,7 +184,5 @@ static hs_status show(const hs_cli *cli, hs_error *err)
 hs_status hs_cli_help(const hs_cli *cli, hs_error *err)
 {
     if (cli->parallel->rank != 0) return HS_OK;
-    HS_TRY(show(cli, err));
-    if (fflush(stdout) != 0 || ferror(stdout)) return hs_fail(err, HS_ERROR_IO, "help: the page could not be written");
-    return HS_OK;
+    return show(cli, err);
 }

@@ -48,6 +48,5 @@ hs_status hs_cli_resume(const hs_cli *cli, int *exit_code, hs_error *err)
     hs_progress_wipe(&out);
     if (status != HS_OK) hs_say_log(&out, "%s%s\n", status == HS_INTERRUPTED ? "" : "ERROR: ", err->text);
     hs_deck_destroy(&deck);
-    if (status == HS_OK) status = hs_cli_flush(out.screen, "screen output", err);
     return status;
 }

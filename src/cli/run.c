@@ -30,8 +30,10 @@ static hs_status open_output(const hs_cli *cli, const char *option, const char *
 hs_status hs_cli_flush(FILE *stream, const char *what, hs_error *err)
 {
     if (stream == NULL) return HS_OK;
-    if (fflush(stream) == 0 && !ferror(stream)) return HS_OK;
-    return hs_fail(err, HS_ERROR_IO, "the %s could not be written in full: %s", what, strerror(errno));
+    const bool is_flushed = fflush(stream) == 0;
+    if (is_flushed && !ferror(stream)) return HS_OK;
+    return hs_fail(err, HS_ERROR_IO, "the %s could not be written in full%s%s", what, is_flushed ? "" : ": ",
+                   is_flushed ? "" : strerror(errno)); /* an earlier write failed, and errno is of something else */
 }
 
 static void say_wall_time(hs_sink *out, double start_s)
@@ -54,6 +56,9 @@ static void greet(const hs_cli *cli, const hs_cli_settings *settings, hs_sink *o
                 "the %d threads of a rank have %d core%s together: mpirun has bound them; 'mpirun --bind-to none' or "
                 "'--map-by slot:PE=%d' gives each its own",
                 n_threads, hs_threads_available(), hs_threads_available() == 1 ? "" : "s", n_threads);
+    if (settings->options.n_threads > n_threads)
+        hs_warn(out, "OpenMP gives a rank %d thread%s, not the %d of -threads: see OMP_THREAD_LIMIT", n_threads,
+                n_threads == 1 ? "" : "s", settings->options.n_threads);
     for (int i = 0; i < HS_CLI_NO_EFFECT_MAX && settings->no_effect[i] != NULL; ++i)
         hs_say(out, "The option %s has no effect: Halfshell chooses its own kernels\n", settings->no_effect[i]);
 }
@@ -128,7 +133,7 @@ hs_status hs_cli_run(const hs_cli *cli, int *exit_code, hs_error *err)
     hs_threads_set(settings.options.n_threads);
     if (cli->parallel->n_ranks == 1) hs_threads_bind();
     hs_status status = run_deck(cli, &settings, &out, exit_code, err);
-    if (status == HS_OK) status = hs_cli_flush(out.screen, "screen output", err);
+    if (status == HS_OK) status = hs_cli_flush(file, "screen output", err);
     if (file != NULL) fclose(file);
     return status;
 }

@@ -8,9 +8,27 @@
 
 const char *hs_version(void) { return HALFSHELL_VERSION; }
 
+void hs_api_enter(hs_simulation *simulation)
+{
+    hs_api_caller *caller = &simulation->caller;
+    caller->threads = hs_threads_save();
+    caller->own = newlocale(LC_ALL_MASK, "C", (locale_t)0);
+    if (caller->own != (locale_t)0) caller->before = uselocale(caller->own);
+}
+
+void hs_api_leave(hs_simulation *simulation)
+{
+    hs_api_caller *caller = &simulation->caller;
+    hs_threads_restore(caller->threads);
+    if (caller->own == (locale_t)0) return;
+    (void)uselocale(caller->before);
+    freelocale(caller->own);
+}
+
 hs_status hs_api_begin(hs_simulation *simulation)
 {
     if (simulation == NULL) return HS_ERROR_MEMORY; /* so it came from hs_simulation_create */
+    hs_api_enter(simulation);
     hs_error_clear(&simulation->error);
     simulation->message[0] = '\0';
     if (simulation->deck != NULL) return HS_OK;
@@ -19,8 +37,9 @@ hs_status hs_api_begin(hs_simulation *simulation)
 
 hs_code hs_api_finish(hs_simulation *simulation, hs_status status)
 {
-    if (status == HS_OK) return HS_CODE_OK;
     if (simulation == NULL) return (hs_code)hs_exit_code(status);
+    hs_api_leave(simulation);
+    if (status == HS_OK) return HS_CODE_OK;
     const hs_error *error = &simulation->error;
     char line[32] = "";
     if (error->line > 0) snprintf(line, sizeof line, ":%ld", error->line);
@@ -62,13 +81,16 @@ hs_code hs_simulation_create(hs_simulation **simulation, const hs_simulation_opt
     hs_error err = {0};
     *simulation = NULL;
     if (HS_ALLOC(*simulation, 1, &err) != HS_OK) return (hs_code)hs_exit_code(err.status);
+    hs_api_enter(*simulation);
     return hs_api_finish(*simulation, create(*simulation, options));
 }
 
 void hs_simulation_destroy(hs_simulation **simulation)
 {
     if (simulation == NULL || *simulation == NULL) return;
+    hs_api_enter(*simulation); /* what is still to be written has numbers in it */
     hs_deck_destroy(&(*simulation)->deck);
+    hs_api_leave(*simulation);
     HS_FREE(*simulation);
 }
 

@@ -156,24 +156,24 @@ static const hs_keyword checkpoint_keywords[] = {
 };
 
 const hs_command hs_commands_restart[] = {
-    {.about = {.name = "checkpoint",
-               .syntax = {"every <N> steps|minutes [keyword value ...] | off", 1, 3, checkpoint_keywords},
-               .summary = "Write checkpoints, from which an interrupted run goes on",
-               .details =
-                   "After every N steps, or N minutes of wall time, all that decides the future goes into a file: "
-                   "atoms, box, fixes with their state, variables, random numbers, the schedule of neighbor lists, and "
-                   "the place in the deck. `halfshell resume FILE` goes on from there to the end of the deck. Files "
-                   "that dumps have added to since are cut back.\n\n"
-                   "A checkpoint appears whole or not at all: it is written beside its place, flushed to the disk and "
-                   "renamed. It is an HDF5 file with a checksum, which is tested before anything of it is used. "
-                   "SIGINT, SIGTERM and the end of `-walltime` also write one, without this command too; so does a "
-                   "file that cannot be written, if there is a place for it.\n\n"
-                   "A deck with neither `checkpoint` nor `restart` has an automatic one, `autosave.STEP.h5`, every 15 "
-                   "minutes of wall time, each in place of the one before; it is removed at the end of the deck, also "
-                   "of one that `resume` has brought to its end. The environment variable HALFSHELL_AUTOSAVE is "
-                   "another number of minutes, 0 for none; `checkpoint off` also means none.",
-               .example =
-                   "checkpoint every 10 minutes\ncheckpoint every 50000 steps keep 3 file run.*.chk\ncheckpoint off"},
+    {.about =
+         {.name = "checkpoint",
+          .syntax = {"every <N> steps|minutes [keyword value ...] | off", 1, 3, checkpoint_keywords},
+          .summary = "Write checkpoints, from which an interrupted run goes on",
+          .details =
+              "After every N steps, or N minutes of wall time, all that decides the future goes into a file: "
+              "atoms, box, fixes with their state, variables, random numbers, the schedule of neighbor lists, and "
+              "the place in the deck. `halfshell resume FILE` goes on from there to the end of the deck. Files "
+              "that dumps have added to since are cut back.\n\n"
+              "A checkpoint appears whole or not at all: it is written beside its place, flushed to the disk and "
+              "renamed. It is an HDF5 file with a checksum, which is tested before anything of it is used. "
+              "SIGINT, SIGTERM, SIGHUP and the end of `-walltime` also write one, without this command too; so does a "
+              "file that cannot be written, if there is a place for it.\n\n"
+              "A deck with neither `checkpoint` nor `restart` has an automatic one, `autosave.STEP.h5`, every 15 "
+              "minutes of wall time, each in place of the one before; it is removed at the end of the deck, also "
+              "of one that `resume` has brought to its end. The environment variable HALFSHELL_AUTOSAVE is "
+              "another number of minutes, 0 for none; `checkpoint off` also means none.",
+          .example = "checkpoint every 10 minutes\ncheckpoint every 50000 steps keep 3 file run.*.chk\ncheckpoint off"},
      .run = checkpoint_run,
      .check = checkpoint_check},
     {.about = {.name = "restart",

@@ -20,10 +20,41 @@ static void find_cores(void)
     cores.n = sched_getaffinity(0, sizeof cores.allowed, &cores.allowed) == 0 ? CPU_COUNT(&cores.allowed) : 0;
 }
 
+/** What the environment asks for, which is lost to later calls once a number of threads has been set. */
+static struct {
+    pthread_once_t once;
+    int n_threads;
+} environment = {.once = PTHREAD_ONCE_INIT};
+
+static void read_environment(void)
+{
+    environment.n_threads = getenv("OMP_NUM_THREADS") != NULL ? omp_get_max_threads() : 1;
+}
+
+static int team_size(void)
+{
+    int n = 1;
+#pragma omp parallel
+#pragma omp single
+    n = omp_get_num_threads();
+    return n;
+}
+
 void hs_threads_set(int n_threads)
 {
-    if (n_threads <= 0) n_threads = getenv("OMP_NUM_THREADS") != NULL ? omp_get_max_threads() : 1;
+    pthread_once(&environment.once, read_environment);
+    if (n_threads <= 0) n_threads = environment.n_threads;
+    omp_set_dynamic(0);
     omp_set_num_threads(n_threads);
+    if (n_threads > 1) omp_set_num_threads(team_size());
+}
+
+hs_threads hs_threads_save(void) { return (hs_threads){.n = omp_get_max_threads(), .is_dynamic = omp_get_dynamic()}; }
+
+void hs_threads_restore(hs_threads threads)
+{
+    omp_set_dynamic(threads.is_dynamic);
+    omp_set_num_threads(threads.n);
 }
 
 int hs_threads_get(void) { return omp_get_max_threads(); }

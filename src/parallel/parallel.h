@@ -48,9 +48,18 @@ void hs_parallel_gather_int64(const hs_parallel *parallel, int64_t value, int64_
 void hs_parallel_send(const hs_parallel *parallel, int to, const void *bytes, size_t n);
 void hs_parallel_receive(const hs_parallel *parallel, int from, void *bytes, size_t n);
 
-/** Threads of this rank's parallel regions. 0 asks for the default: OMP_NUM_THREADS if set, else 1 as LAMMPS does. */
+/** Threads of this rank's parallel regions. 0 asks for the default: OMP_NUM_THREADS if set, else 1 as LAMMPS does. Regions
+ *  have as many threads as hs_threads_get then says, not more nor fewer: buffers are theirs. That is fewer than asked for where OpenMP
+ *  gives no more (OMP_THREAD_LIMIT, a caller's parallel region around this one), and OMP_DYNAMIC is switched off. */
 void hs_threads_set(int n_threads);
 int hs_threads_get(void);
+/** What a library's caller has set for regions of its own, before hs_threads_set, to be put back after. */
+typedef struct hs_threads {
+    int n;
+    bool is_dynamic;
+} hs_threads;
+hs_threads hs_threads_save(void);
+void hs_threads_restore(hs_threads threads);
 /** Cores this process may run on. */
 int hs_threads_available(void);
 /** Give each thread a core of its own when there are as many threads as cores, and take that back when there are not. Without it systems

@@ -207,11 +207,24 @@ hs_status hs_sim_begin_output(hs_sim *sim, hs_error *err)
     return HS_OK;
 }
 
+/** A file could not be written, but the step is whole: a checkpoint, perhaps on another disk, loses nothing. */
+static hs_status rescue(hs_sim *sim, hs_status status)
+{
+    hs_error ignored = {0};
+    char *path = NULL;
+    if (status != HS_ERROR_IO || !sim->saving->on_stop) return status;
+    sim->is_output_due = true;
+    if (hs_sim_save_now(sim, &path, &ignored) == HS_OK) sim->saving->is_rescued = true;
+    sim->is_output_due = false;
+    HS_FREE(path);
+    return status;
+}
+
 static hs_status begin_run(hs_sim *sim, const hs_run_plan *plan, hs_error *err)
 {
     if (plan->is_resumed) { /* all is as it was at this step, and its output is written */
         hs_thermo_header(sim->thermo);
-        if (sim->is_output_due) HS_TRY(hs_sim_write_due(sim, false, err));
+        if (sim->is_output_due) HS_TRY(hs_sim_write_due(sim, sim->env.step == sim->env.first_step, err));
         sim->is_output_due = false;
         hs_timer_reset(&sim->timer);
         return HS_OK;
@@ -228,20 +241,7 @@ static hs_status begin_run(hs_sim *sim, const hs_run_plan *plan, hs_error *err)
         HS_TRY(init_styles(sim, err));
         hs_neighbor_continue(&sim->neighbor);
     }
-    return hs_sim_begin_output(sim, err);
-}
-
-/** A file could not be written, but the step is whole: a checkpoint, perhaps on another disk, loses nothing. */
-static hs_status rescue(hs_sim *sim, hs_status status)
-{
-    hs_error ignored = {0};
-    char *path = NULL;
-    if (status != HS_ERROR_IO || !sim->saving->on_stop) return status;
-    sim->is_output_due = true;
-    if (hs_sim_save_now(sim, &path, &ignored) == HS_OK) sim->saving->is_rescued = true;
-    sim->is_output_due = false;
-    HS_FREE(path);
-    return status;
+    return rescue(sim, hs_sim_begin_output(sim, err));
 }
 
 static hs_status write_output(hs_sim *sim, hs_error *err)
@@ -335,9 +335,10 @@ hs_status hs_sim_run(hs_sim *sim, const hs_run_plan *plan, hs_error *err)
         hs_say(sim->env.out, "Skipped: a fix halt has ended the runs of this deck\n");
         return HS_OK;
     }
-    HS_TRY(begin_run(sim, plan, err));
+    hs_status status = begin_run(sim, plan, err);
+    if (status != HS_OK && !sim->saving->is_rescued) return status;
     const double start_s = hs_time_now_s(), start_cpu_s = hs_time_cpu_s();
-    const hs_status status = run_steps(sim, plan, err);
+    if (status == HS_OK) status = run_steps(sim, plan, err);
     hs_progress_wipe(sim->env.out);
     if (status != HS_OK) return tell_what_is_left(sim, status, err);
     for (int k = 0; k < sim->n_fixes; ++k)

@@ -207,7 +207,10 @@ static hs_status check_written(const hs_thermo *thermo, hs_error *err)
     const char *what = out->log != NULL && ferror(out->log)         ? "log file"
                        : out->screen != NULL && ferror(out->screen) ? "screen output"
                                                                     : NULL;
-    if (what != NULL) (void)hs_fail(err, HS_ERROR_IO, "the %s could not be written in full; is the disk full?", what);
+    if (what != NULL)
+        (void)hs_fail(err, HS_ERROR_IO,
+                      "the %s could not be written in full: is the disk full, or the program gone that reads it?",
+                      what);
     return hs_parallel_agree(&thermo->sim->parallel, err);
 }
 

@@ -83,9 +83,18 @@ if [ -e /dev/full ]; then
     expect 2 "the screen output could not be written in full" bash -c '"$HALFSHELL" good.in -log none >/dev/full'
     # a long run does not go on into the void
     expect 2 "the log file could not be written in full" "$HALFSHELL" good.in -log /dev/full -var steps 100000000
+    # neither does what is no run
+    for words in --help --version help 'help lj/cut' 'check good.in' 'bench -size 3 -steps 5 -repeat 1 -threads 1'; do
+        # shellcheck disable=SC2016 # for the inner shell
+        expect 2 "the screen output could not be written in full" bash -c '"$HALFSHELL" '"$words"' >/dev/full'
+    done
     { cat good.in; echo "log second.log"; } >two_logs.in
     expect 2 "two_logs.in:14: error: log: " "$HALFSHELL" two_logs.in -log /dev/full
 fi
+
+# Standard streams that are closed: what was meant for them must not get into files that take their numbers.
+"$HALFSHELL" -in - -log closed.log <good.in >&- 2>/dev/null || true
+[ "$(grep -c '^Halfshell ' closed.log)" = 1 ] || wrong "closed output: the log holds the screen's text, too"
 
 # The command line.
 expect 1 "unknown option '-bogus'" "$HALFSHELL" good.in -bogus

@@ -65,7 +65,7 @@ rm -f $others
 
 # SIGINT and SIGTERM: exit code 3, and a checkpoint that says how to go on.
 sed 's/run 115 every 40/run 100000 every 40/' run.in >long.in
-for signal in INT TERM; do
+for signal in INT TERM HUP; do
     rm -f checkpoint.* out # the last signal's output must not pass for this run's
     "$HALFSHELL" long.in >out 2>err &
     pid=$!
@@ -77,6 +77,25 @@ for signal in INT TERM; do
     file=$(sed -n "s/.*'halfshell resume \([^']*\)'.*/\1/p" err)
     [ -s "$file" ] || fail "SIG$signal left no checkpoint: $(cat err)"
 done
+# SIGHUP once more: it often comes twice. With nohup it counts for nothing.
+rm -f checkpoint.* out
+(trap '' HUP && exec "$HALFSHELL" long.in >out 2>err) &
+pid=$!
+while ! grep -q "^ *10 " out 2>/dev/null; do sleep 0.02; done
+kill -HUP "$pid"
+sleep 0.5
+kill -TERM "$pid" || fail "a run under nohup ended with SIGHUP"
+code=0
+wait "$pid" || code=$?
+[ "$code" = 3 ] || fail "a run under nohup gave exit code $code"
+
+# Who reads the output goes away: nothing is lost.
+rm -f checkpoint.*
+# shellcheck disable=SC2016 # for the inner shell
+bash -c '"$HALFSHELL" long.in -log none 2>err | head -3 >out; exit "${PIPESTATUS[0]}"' && fail "a run without a reader went on"
+file=$(sed -n "s/.*'halfshell resume \([^']*\)'.*/\1/p" err)
+[ -s "$file" ] || fail "the end of the reader left no checkpoint: $(cat err)"
+
 code=0
 run long.in -walltime 2 || code=$?
 [ "$code" = 3 ] || fail "-walltime gave exit code $code: $(cat err)"

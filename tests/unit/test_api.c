@@ -1,7 +1,10 @@
 /* The public C API, used as an outside program uses it. */
 #define _GNU_SOURCE /* fopencookie, memmem */
 #include <halfshell/halfshell.h>
+#include <locale.h>
 #include <math.h>
+#include <omp.h>
+#include <pthread.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -336,5 +339,105 @@ START_TEST(test_stop)
 }
 END_TEST
 
+/** Simulations that measure by Fourier transforms, made and destroyed again and again; NULL, or what went wrong. */
+static void *transform_often(void *number)
+{
+    static const char failed[] = "a simulation failed";
+    const int first = *(const int *)number;
+    char deck[1024];
+    const char *result = NULL;
+    for (int round = 0; round < 20 && result == NULL; ++round) {
+        hs_simulation *simulation;
+        const int n = 10 + 2 * (first + 4 * round);
+        snprintf(deck, sizeof deck,
+                 "%sfix s all ave/spectrum 1 %d %d c_thermo_temp\ncompute s all sq %d.0\nvariable s equal c_s[1][2]\n"
+                 "thermo_style custom step v_s\nrun 1\n",
+                 melt, n, n, 3 + round % 8);
+        if (hs_simulation_create(&simulation, NULL) != HS_CODE_OK ||
+            hs_simulation_deck_text(simulation, deck) != HS_CODE_OK)
+            result = failed;
+        hs_simulation_destroy(&simulation);
+    }
+    return (void *)result;
+}
+
+START_TEST(test_threads_of_the_caller)
+{
+    int number[4];
+    pthread_t thread[4];
+    for (int k = 0; k < 4; ++k) {
+        number[k] = k;
+        ck_assert_int_eq(pthread_create(&thread[k], NULL, transform_often, &number[k]), 0);
+    }
+    for (int k = 0; k < 4; ++k) {
+        void *result;
+        pthread_join(thread[k], &result);
+        ck_assert_ptr_null(result);
+    }
+}
+END_TEST
+
+/** What the caller has set for OpenMP regions of its own is as it was after any call; within such a region, which leaves no threads for
+ *  others, the results are the same. */
+START_TEST(test_openmp_of_the_caller)
+{
+    static double alone[3 * N_ATOMS], within[3 * N_ATOMS];
+    const char *const methods[] = {"cluster", "cell", "nsq", "linked"};
+    for (size_t k = 0; k < sizeof methods / sizeof methods[0]; ++k) {
+        hs_simulation_options options = HS_SIMULATION_OPTIONS_INIT;
+        options.n_threads = 2;
+        options.neighbor_method = methods[k];
+        omp_set_num_threads(3);
+        omp_set_dynamic(1);
+        hs_simulation *simulation = create(&options), *other = create(&options);
+        need(simulation, hs_simulation_deck_text(simulation, melt));
+        need(simulation, hs_simulation_run(simulation, 20));
+        need(simulation, hs_simulation_get_positions(simulation, HS_ORDER_ID, N_ATOMS, alone));
+        ck_assert_int_eq(omp_get_max_threads(), 3);
+        ck_assert_int_ne(omp_get_dynamic(), 0);
+        hs_simulation_destroy(&simulation);
+        ck_assert_int_eq(omp_get_max_threads(), 3);
+        hs_code code = HS_CODE_FAILED;
+        need(other, hs_simulation_deck_text(other, melt));
+#pragma omp parallel
+#pragma omp single
+        code = hs_simulation_run(other, 20);
+        need(other, code);
+        need(other, hs_simulation_get_positions(other, HS_ORDER_ID, N_ATOMS, within));
+        ck_assert_mem_eq(within, alone, sizeof alone);
+        hs_simulation_destroy(&other);
+    }
+    omp_set_dynamic(0);
+    omp_set_num_threads(1);
+}
+END_TEST
+
+/** Numbers have a point where the caller's have a comma. */
+START_TEST(test_locale_of_the_caller)
+{
+    char folder[] = "/tmp/halfshell-locale-XXXXXX", command[256];
+    const char *found = NULL;
+    ck_assert_ptr_nonnull(mkdtemp(folder));
+    snprintf(command, sizeof command, "localedef -i de_DE -f UTF-8 %s/de_DE.UTF-8 >/dev/null 2>&1", folder);
+    if (system(command) == 0) setenv("LOCPATH", folder, 1);
+    found = setlocale(LC_ALL, "de_DE.UTF-8");
+    snprintf(command, sizeof command, "rm -r %s", folder);
+    ck_assert_int_eq(system(command), 0);
+    if (found == NULL) return; /* this machine has no such locale */
+    double value;
+    char text[32];
+    hs_simulation *simulation = create_melt();
+    need(simulation, hs_simulation_command(simulation, "variable half equal 0.5"));
+    need(simulation, hs_simulation_get_variable(simulation, "half", &value));
+    ck_assert_double_eq(value, 0.5);
+    need(simulation, hs_simulation_run(simulation, 1));
+    hs_simulation_destroy(&simulation);
+    snprintf(text, sizeof text, "%g", 0.5);
+    ck_assert_str_eq(text, "0,5"); /* the caller's own numbers are as they were */
+    setlocale(LC_ALL, "C");
+}
+END_TEST
+
 HS_TEST_MAIN("api", test_empty, test_options, test_thermo, test_arrays, test_reversal, test_tilted_box,
-             test_set_positions, test_two_at_a_time, test_variables_and_errors, test_no_simulation, test_stop)
+             test_set_positions, test_two_at_a_time, test_variables_and_errors, test_no_simulation, test_stop,
+             test_threads_of_the_caller, test_openmp_of_the_caller, test_locale_of_the_caller)
