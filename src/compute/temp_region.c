@@ -23,6 +23,13 @@ static hs_status create(hs_compute *compute, const hs_args *args, hs_error *err)
     return HS_OK;
 }
 
+/** The region as it is now. */
+static hs_status renew_region(hs_compute *compute, hs_error *err)
+{
+    HS_TRY(find_region(compute, err));
+    return hs_where_update(&((const region_state *)compute->state)->where, err);
+}
+
 static void destroy(hs_compute *compute)
 {
     hs_where_fini(&((region_state *)compute->state)->where);
@@ -48,13 +55,13 @@ static hs_status init(hs_compute *compute, hs_error *err)
 
 static hs_status scalar(hs_compute *compute, double *value, hs_error *err)
 {
-    HS_TRY(find_region(compute, err));
+    HS_TRY(renew_region(compute, err));
     return hs_temperature_scalar(compute, value, err);
 }
 
 static hs_status vector(hs_compute *compute, hs_error *err)
 {
-    HS_TRY(find_region(compute, err));
+    HS_TRY(renew_region(compute, err));
     return hs_temperature_vector(compute, err);
 }
 

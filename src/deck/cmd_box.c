@@ -178,8 +178,10 @@ static hs_status check_box_region(hs_sim *sim, const hs_args *args, const hs_reg
 {
     HS_TRY(hs_sim_need_region(sim, "create_box", args->word[1], region, err));
     if (!(*region)->has_extent)
-        return hs_fail(err, HS_ERROR_INPUT,
-                       "create_box: the region '%s' has no bounds (a plane, or side out); use a block", args->word[1]);
+        return hs_fail(
+            err, HS_ERROR_INPUT,
+            "create_box: the region '%s' has no bounds (a plane, side out, or one that follows variables); use a block",
+            args->word[1]);
     for (int axis = 0; axis < 3; ++axis) {
         const double lo = (*region)->extent[axis][0], hi = (*region)->extent[axis][1];
         if (!(lo < hi) || !isfinite(lo) || !isfinite(hi) || hi - lo > HS_REGION_FAR)

@@ -42,6 +42,10 @@ static hs_status find_region(const hs_fix *fix, hs_error *err)
     const hs_box *box = fix->env->box;
     HS_TRY(hs_where_find(&state->where, fix->env, "fix", fix->id, "deposit", err));
     const hs_region *region = state->where.region;
+    if (region->is_varying)
+        return hs_fail(err, HS_ERROR_INPUT,
+                       "fix '%s' (deposit): the region '%s' follows variables; atoms are put into regions that stay",
+                       fix->id, region->id);
     if (!region->has_extent)
         return hs_fail(err, HS_ERROR_INPUT,
                        "fix '%s' (deposit): the region '%s' has no bounds, so that no places can be drawn in it",

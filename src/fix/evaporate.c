@@ -61,6 +61,7 @@ static hs_status find_candidates(const hs_fix *fix, candidate **found, int *n_fo
     const hs_atoms *atoms = fix->env->atoms;
     candidate *list;
     int n = 0;
+    HS_TRY(hs_where_update(&state->where, err));
     HS_TRY(HS_ALLOC(list, (size_t)atoms->n_local + 1, err));
     for (int i = 0; i < atoms->n_local; ++i) {
         uint32_t word[HS_NOISE_NUMBERS];

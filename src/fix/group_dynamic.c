@@ -76,6 +76,7 @@ static hs_status choose(hs_fix *fix, hs_error *err)
     const uint32_t bit = hs_group_mask(state->group);
     double *values = NULL;
     hs_env_changed(fix->env); /* atoms have moved since computes were asked */
+    HS_TRY(hs_where_update(&state->where, err));
     if (state->variable != NULL) {
         HS_TRY(HS_ALLOC(values, (size_t)atoms->n_local + 1, err));
         const hs_status status = fix->env->variable_atoms(fix->env->deck, state->variable, values, err);

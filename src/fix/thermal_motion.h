@@ -88,6 +88,7 @@ static inline hs_status thermal_find(hs_fix *fix, thermal_acts acts, double heat
     const hs_env *env = fix->env;
     const thermal_context context = {.fix = fix, .acts = acts};
     double sums[THERMAL_N_SUMS], drift = 0.0;
+    HS_TRY(hs_where_update(&((const thermal_state *)fix->state)->where, err));
     hs_atom_sum(env->atoms, env->parallel, thermal_add_terms, &context, THERMAL_N_SUMS, sums);
     motion->mass = sums[THERMAL_MASS];
     if (!(motion->mass > 0.0)) return HS_OK;

@@ -43,7 +43,7 @@ const hs_region_style hs_region_style_block = {
     .about =
         {
             .name = "block",
-            .syntax = {"<xlo> <xhi> <ylo> <yhi> <zlo> <zhi> [side in|out] [units lattice|box]", 6, 6, NULL},
+            .syntax = {"<xlo> <xhi> <ylo> <yhi> <zlo> <zhi> [keyword value ...]", 6, 6, NULL},
             .summary = "Box with faces across x, y and z",
             .details = "`xlo xhi ylo yhi zlo zhi` are the bounds, each a length, `INF` (1e20, beyond any atom) or "
                        "`EDGE` (the face of the\n"

@@ -58,8 +58,7 @@ const hs_region_style hs_region_style_cone = {
     .about =
         {
             .name = "cone",
-            .syntax = {"x|y|z <c1> <c2> <radius-lo> <radius-hi> <lo> <hi> [side in|out] [units lattice|box]", 7, 7,
-                       NULL},
+            .syntax = {"x|y|z <c1> <c2> <radius-lo> <radius-hi> <lo> <hi> [keyword value ...]", 7, 7, NULL},
             .summary = "Circular cone or frustum along x, y or z, with flat ends",
             .details =
                 "`x|y|z` is the axis; `c1 c2` its place in the other two coordinates (y z, x z or x y); the radius "

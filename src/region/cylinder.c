@@ -9,18 +9,27 @@ typedef struct cylinder {
     double lo, hi;       /**< distance, along the axis */
 } cylinder;
 
+static bool fit(hs_region *region)
+{
+    cylinder *c = region->state;
+    c->radius = region->size[2].value;
+    for (int k = 0; k < 2; ++k) {
+        c->center[k] = region->size[k].value;
+        region->extent[c->across[k]][0] = c->center[k] - c->radius;
+        region->extent[c->across[k]][1] = c->center[k] + c->radius;
+    }
+    return c->radius > 0.0;
+}
+
 static hs_status create(hs_region *region, const hs_args *args, hs_error *err)
 {
     static const char *const axes[] = {"x", "y", "z", NULL};
     static const int across[3][2] = {{1, 2}, {0, 2}, {0, 1}};
     cylinder *c = region->state;
     HS_TRY(hs_arg_choice(args, 0, axes, &c->axis, err));
-    for (int k = 0; k < 2; ++k) {
-        c->across[k] = across[c->axis][k];
-        HS_TRY(hs_region_length(region, args, 1 + k, c->across[k], &c->center[k], err));
-    }
-    HS_TRY(hs_region_length(region, args, 3, c->across[0], &c->radius, err));
-    if (!(c->radius > 0.0)) return hs_arg_refuse(args, 3, "a radius greater than 0", NULL, err);
+    for (int k = 0; k < 2; ++k) c->across[k] = across[c->axis][k];
+    for (int k = 0; k < 3; ++k) HS_TRY(hs_region_add_size(region, args, 1 + k, c->across[k % 2], err));
+    HS_TRY(hs_region_fit(region, args, 3, "a radius greater than 0", err));
     HS_TRY(hs_region_bound(region, args, 4, c->axis, 0, &c->lo, err));
     HS_TRY(hs_region_bound(region, args, 5, c->axis, 1, &c->hi, err));
     if (c->lo > c->hi)
@@ -28,10 +37,6 @@ static hs_status create(hs_region *region, const hs_args *args, hs_error *err)
                        args->word[4], args->word[5]);
     region->extent[c->axis][0] = c->lo;
     region->extent[c->axis][1] = c->hi;
-    for (int k = 0; k < 2; ++k) {
-        region->extent[c->across[k]][0] = c->center[k] - c->radius;
-        region->extent[c->across[k]][1] = c->center[k] + c->radius;
-    }
     region->has_extent = true;
     return HS_OK;
 }
@@ -75,7 +80,7 @@ const hs_region_style hs_region_style_cylinder = {
     .about =
         {
             .name = "cylinder",
-            .syntax = {"x|y|z <c1> <c2> <radius> <lo> <hi> [side in|out] [units lattice|box]", 6, 6, NULL},
+            .syntax = {"x|y|z <c1> <c2> <radius> <lo> <hi> [keyword value ...]", 6, 6, NULL},
             .summary = "Circular cylinder along x, y or z, with flat ends",
             .details = "`x|y|z` is the axis; `c1 c2` its place in the other two coordinates (y z, x z or x y); "
                        "`radius` is greater than 0;\n"
@@ -83,12 +88,14 @@ const hs_region_style hs_region_style_cylinder = {
                        "time of the command).\n"
                        "Lengths are in lattice spacings of their axis (the radius: of y for an axis along x, else of "
                        "x), or in distance\n"
-                       "units after `units box`. The surface belongs to the cylinder. A radius that follows a variable "
-                       "is refused.\n",
+                       "units after `units box`. The surface belongs to the cylinder. Center and radius can be "
+                       "equal-style\n"
+                       "variables, `v_name`, which are evaluated whenever the region is used.\n",
             .example = "region pore cylinder z 10 10 4 INF INF\nregion rod cylinder x 0 0 2.5 -5 5 units box",
         },
     .state_size = sizeof(cylinder),
     .create = create,
+    .fit = fit,
     .inside = inside,
     .surfaces = surfaces,
 };

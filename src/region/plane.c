@@ -48,7 +48,7 @@ const hs_region_style hs_region_style_plane = {
     .about =
         {
             .name = "plane",
-            .syntax = {"<px> <py> <pz> <nx> <ny> <nz> [side in|out] [units lattice|box]", 6, 6, NULL},
+            .syntax = {"<px> <py> <pz> <nx> <ny> <nz> [keyword value ...]", 6, 6, NULL},
             .summary = "Half space on one side of a plane",
             .details =
                 "`px py pz` is a point of the plane and `nx ny nz` a normal, of any length but 0, that points into the "

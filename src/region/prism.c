@@ -81,8 +81,7 @@ const hs_region_style hs_region_style_prism = {
     .about =
         {
             .name = "prism",
-            .syntax = {"<xlo> <xhi> <ylo> <yhi> <zlo> <zhi> <xy> <xz> <yz> [side in|out] [units lattice|box]", 9, 9,
-                       NULL},
+            .syntax = {"<xlo> <xhi> <ylo> <yhi> <zlo> <zhi> <xy> <xz> <yz> [keyword value ...]", 9, 9, NULL},
             .summary = "Parallelepiped: a block with tilted edges",
             .details =
                 "A block with the bounds `xlo ... zhi` (lengths, `INF` or `EDGE`), whose second edge is tilted by `xy` "

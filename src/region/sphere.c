@@ -6,18 +6,23 @@ typedef struct sphere {
     double center[3], radius; /**< distance */
 } sphere;
 
-static hs_status create(hs_region *region, const hs_args *args, hs_error *err)
+static bool fit(hs_region *region)
 {
     sphere *s = region->state;
-    for (int axis = 0; axis < 3; ++axis) HS_TRY(hs_region_length(region, args, axis, axis, &s->center[axis], err));
-    HS_TRY(hs_region_length(region, args, 3, 0, &s->radius, err));
-    if (s->radius < 0.0) return hs_arg_refuse(args, 3, "a radius of 0 or more", NULL, err);
+    s->radius = region->size[3].value;
     for (int axis = 0; axis < 3; ++axis) {
+        s->center[axis] = region->size[axis].value;
         region->extent[axis][0] = s->center[axis] - s->radius;
         region->extent[axis][1] = s->center[axis] + s->radius;
     }
+    return s->radius >= 0.0;
+}
+
+static hs_status create(hs_region *region, const hs_args *args, hs_error *err)
+{
+    for (int k = 0; k < 4; ++k) HS_TRY(hs_region_add_size(region, args, k, k % 3, err));
     region->has_extent = true;
-    return HS_OK;
+    return hs_region_fit(region, args, 3, "a radius of 0 or more", err);
 }
 
 static bool inside(const hs_region *region, const double x[3])
@@ -43,17 +48,19 @@ const hs_region_style hs_region_style_sphere = {
     .about =
         {
             .name = "sphere",
-            .syntax = {"<x> <y> <z> <radius> [side in|out] [units lattice|box]", 4, 4, NULL},
+            .syntax = {"<x> <y> <z> <radius> [keyword value ...]", 4, 4, NULL},
             .summary = "Ball",
             .details = "`x y z` is the center and `radius` the radius, 0 or more. Lengths are in lattice spacings (the "
                        "radius in that of\n"
-                       "x), or in distance units after `units box`. The surface belongs to the ball. A radius that "
-                       "follows a variable\n"
-                       "(`v_name`) is refused.\n",
-            .example = "region drop sphere 10 10 10 4.5\nregion hole sphere 0 0 0 2 side out units box",
+                       "x), or in distance units after `units box`. The surface belongs to the ball. Each of the four "
+                       "can be an equal-style\n"
+                       "variable, `v_name`, which is evaluated whenever the region is used.\n",
+            .example = "region drop sphere 10 10 10 4.5\nregion hole sphere 0 0 0 2 side out units box\n"
+                       "variable r equal ramp(5,3)\nregion bag sphere 0 0 0 v_r units box",
         },
     .state_size = sizeof(sphere),
     .create = create,
+    .fit = fit,
     .inside = inside,
     .surfaces = surfaces,
 };

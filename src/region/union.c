@@ -38,7 +38,7 @@ const hs_region_style hs_region_style_union = {
     .about =
         {
             .name = "union",
-            .syntax = {"<N> <region-ID> <region-ID> ... [side in|out] [units lattice|box]", 3, -1, NULL},
+            .syntax = {"<N> <region-ID> <region-ID> ... [keyword value ...]", 3, -1, NULL},
             .summary = "What lies in at least one of several regions",
             .details = "`N` is the number of regions, 2 or more, and is followed by their IDs. Their own `side` "
                        "counts: a member with `side out`\n"
@@ -50,6 +50,7 @@ const hs_region_style hs_region_style_union = {
     .state_size = sizeof(hs_region_members),
     .create = create,
     .destroy = hs_region_members_destroy,
+    .update = hs_region_members_update,
     .inside = inside,
     .uses = hs_region_members_use,
 };

@@ -197,8 +197,9 @@ hs_status hs_sim_need_box(const hs_sim *sim, const char *command, hs_error *err)
 
 hs_status hs_sim_need_region(hs_sim *sim, const char *command, const char *id, const hs_region **region, hs_error *err)
 {
-    *region = hs_sim_find_region(sim, id);
-    if (*region != NULL) return HS_OK;
+    hs_region *found = hs_sim_find_region(sim, id);
+    *region = found;
+    if (found != NULL) return hs_region_update(found, err);
     return hs_fail(err, HS_ERROR_INPUT, "%s: there is no region '%s'; the command 'region' makes one", command, id);
 }
 

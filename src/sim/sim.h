@@ -133,7 +133,7 @@ hs_fix *hs_sim_find_fix(hs_sim *sim, const char *id);
 hs_compute *hs_sim_find_compute(hs_sim *sim, const char *id);
 hs_region *hs_sim_find_region(hs_sim *sim, const char *id);
 hs_dump *hs_sim_find_dump(hs_sim *sim, const char *id);
-/** The region of that ID; an error that begins with @p command when there is none. */
+/** The region of that ID, brought to the present step (collective); an error that begins with @p command when there is none. */
 HS_MUST_USE hs_status hs_sim_need_region(hs_sim *sim, const char *command, const char *id, const hs_region **region,
                                          hs_error *err);
 

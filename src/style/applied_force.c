@@ -53,6 +53,7 @@ hs_status hs_applied_force_update(hs_applied_force *force, const hs_fix *fix, hs
 {
     const hs_env *env = fix->env;
     const size_t n = (size_t)env->atoms->n_local;
+    HS_TRY(hs_where_update(&force->where, err));
     for (int axis = 0; axis < 3; ++axis) {
         if (force->variable[axis] == NULL) continue;
         if (force->of_atom[axis] == NULL) {

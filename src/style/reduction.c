@@ -81,6 +81,7 @@ hs_status hs_reduction_init(hs_compute *compute, hs_error *err)
 static hs_status fetch(hs_compute *compute, int input, hs_error *err)
 {
     hs_reduction *state = compute->state;
+    HS_TRY(hs_where_update(&state->where, err));
     HS_TRY(HS_RESERVE(state->values, state->capacity, (size_t)compute->env->atoms->n_local, err));
     return hs_atom_source_values(compute->env, &state->inputs[input], compute->mask, state->values, err);
 }

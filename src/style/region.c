@@ -12,13 +12,12 @@
 const hs_keyword hs_region_keywords[] = {
     {"side", 1, "in|out", "the region is the inside of the shape (default) or everything outside of it"},
     {"units", 1, "lattice|box", "lengths are in lattice spacings (default) or in the distance units of the run"},
+    {"move", 3, "<v_x> <v_y> <v_z>",
+     "the region is displaced by equal-style variables, distance; NULL: not along this axis"},
+    {"rotate", 7, "<v_angle> <Px> <Py> <Pz> <Rx> <Ry> <Rz>",
+     "it is turned by the variable's angle, radians, about the axis R through the place P, before it is displaced"},
     {NULL, 0, NULL, NULL},
 };
-
-bool hs_region_contains(const hs_region *region, const double x[3])
-{
-    return region->style->inside(region, x) != region->is_outside;
-}
 
 hs_status hs_where_set(hs_where *where, const char *id, hs_error *err)
 {
@@ -35,9 +34,13 @@ hs_status hs_where_find(hs_where *where, hs_env *env, const char *what, const ch
                         hs_error *err)
 {
     if (where->id == NULL) return HS_OK;
+    char who[192];
     where->region = env->find_region(env, where->id);
-    if (where->region != NULL) return HS_OK;
-    return hs_fail(err, HS_ERROR_INPUT, "%s '%s' (%s): there is no region '%s'", what, who_id, style, where->id);
+    if (where->region == NULL)
+        return hs_fail(err, HS_ERROR_INPUT, "%s '%s' (%s): there is no region '%s'", what, who_id, style, where->id);
+    if (!where->region->is_varying) return HS_OK;
+    snprintf(who, sizeof who, "%.40s '%.80s' (%.40s)", what, who_id, style);
+    return hs_region_check_variables(where->region, who, err);
 }
 
 void hs_region_touch(const double d[3], double cutoff, hs_contact *contact, int *n)
@@ -96,14 +99,12 @@ static int count_own(const hs_region_style *style, const hs_args *args)
 /** Check the common keywords in args (nothing else may be there). */
 static hs_status check_keywords(const hs_region_style *style, const hs_args *args, bool has_variables, hs_error *err)
 {
-    static const char *const refused[] = {"move", "rotate", "open", NULL};
     for (int i = 0; i < args->n; ++i)
-        for (int k = 0; refused[k] != NULL; ++k)
-            if (strcmp(args->word[i], refused[k]) == 0)
-                return hs_fail(err, HS_ERROR_INPUT,
-                               "%s: the keyword '%s' is not supported: regions keep their place and have no open "
-                               "faces; the keywords are side and units",
-                               args->command, refused[k]);
+        if (strcmp(args->word[i], "open") == 0)
+            return hs_fail(err, HS_ERROR_INPUT,
+                           "%s: the keyword 'open' is not supported: regions have no open faces; a face at INF is no "
+                           "wall; the keywords are side, units, move and rotate",
+                           args->command);
     const hs_syntax syntax = {style->about.syntax.usage, 0, 0, hs_region_keywords};
     return hs_syntax_check(&syntax, args, has_variables, err);
 }
@@ -139,16 +140,26 @@ hs_status hs_region_check(const hs_args *args, bool has_variables, hs_error *err
     return check_words(style, &words, has_variables, err);
 }
 
-/** Read the common keywords. They were checked. */
-static void apply_keywords(hs_region *region, const hs_args *args)
+static const hs_keyword *find_keyword(const char *word)
+{
+    const hs_keyword *keyword = hs_region_keywords;
+    while (strcmp(keyword->name, word) != 0) ++keyword;
+    return keyword;
+}
+
+/** Read the common keywords. They were checked. Lengths of motions need the units, wherever these stand. */
+static hs_status apply_keywords(hs_region *region, const hs_args *args, hs_error *err)
 {
     bool is_lattice = true;
-    for (int i = 0; i + 1 < args->n; i += 2)
-        if (strcmp(args->word[i], "side") == 0)
-            region->is_outside = strcmp(args->word[i + 1], "out") == 0;
-        else
-            is_lattice = strcmp(args->word[i + 1], "lattice") == 0;
+    for (int i = 0; i < args->n; i += 1 + find_keyword(args->word[i])->n_values) {
+        if (strcmp(args->word[i], "side") == 0) region->is_outside = strcmp(args->word[i + 1], "out") == 0;
+        if (strcmp(args->word[i], "units") == 0) is_lattice = strcmp(args->word[i + 1], "lattice") == 0;
+    }
     for (int axis = 0; axis < 3; ++axis) region->scale[axis] = is_lattice ? region->env->lattice->spacing[axis] : 1.0;
+    for (int i = 0; i < args->n; i += 1 + find_keyword(args->word[i])->n_values)
+        if (strcmp(args->word[i], "move") == 0 || strcmp(args->word[i], "rotate") == 0)
+            HS_TRY(hs_region_read_motion(region, args, i, err));
+    return HS_OK;
 }
 
 static hs_status build(hs_region *region, const hs_args *args, hs_error *err)
@@ -158,10 +169,10 @@ static hs_status build(hs_region *region, const hs_args *args, hs_error *err)
     const int n_own = count_own(style, args);
     const hs_args own = {.command = args->command, .n = n_own, .word = args->word};
     const hs_args rest = hs_args_from(args, n_own, NULL);
-    apply_keywords(region, &rest);
+    HS_TRY(apply_keywords(region, &rest, err));
     if (style->state_size > 0) HS_TRY(hs_memory_alloc(&region->state, 1, style->state_size, err));
     HS_TRY(style->create(region, &own, err));
-    if (region->is_outside) region->has_extent = false;
+    if (region->is_outside || region->is_varying) region->has_extent = false;
     return HS_OK;
 }
 
@@ -188,6 +199,7 @@ void hs_region_destroy(hs_region **region)
 {
     if (*region == NULL) return;
     if ((*region)->style->destroy != NULL && (*region)->state != NULL) (*region)->style->destroy(*region);
+    hs_region_fini_motion(*region);
     HS_FREE((*region)->state);
     HS_FREE((*region)->id);
     HS_FREE(*region);
@@ -198,8 +210,8 @@ hs_status hs_region_length(const hs_region *region, const hs_args *args, int i, 
     HS_TRY(hs_arg_need(args, i, "a length", err));
     if (strncmp(args->word[i], "v_", 2) == 0)
         return hs_fail(err, HS_ERROR_INPUT,
-                       "%s: '%s': a size that follows a variable during the run is not supported; ${%s} takes the "
-                       "variable's present value",
+                       "%s: '%s': only radii, and centers of spheres and cylinders, can follow a variable during the "
+                       "run; ${%s} takes the variable's present value, and the keywords move and rotate move a region",
                        args->command, args->word[i], args->word[i] + 2);
     HS_TRY(hs_arg_double(args, i, value, err));
     *value = region->scale[axis] * *value;

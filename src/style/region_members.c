@@ -14,6 +14,7 @@ hs_status hs_region_members_read(hs_region *region, const hs_args *args, hs_erro
     m->n = (int)n;
     for (int k = 0; k < m->n; ++k) {
         m->region[k] = region->env->find_region(region->env, args->word[k + 1]);
+        if (m->region[k] != NULL) region->is_varying = region->is_varying || m->region[k]->is_varying;
         if (m->region[k] == NULL)
             return hs_fail(err, HS_ERROR_INPUT, "%s: there is no region '%s'; define it before this line",
                            args->command, args->word[k + 1]);
@@ -33,4 +34,11 @@ bool hs_region_members_use(const hs_region *region, const hs_region *other)
     for (int k = 0; k < m->n; ++k)
         if (m->region[k] == other) return true;
     return false;
+}
+
+hs_status hs_region_members_update(hs_region *region, hs_error *err)
+{
+    const hs_region_members *m = region->state;
+    for (int k = 0; k < m->n; ++k) HS_TRY(hs_region_update(m->region[k], err));
+    return HS_OK;
 }

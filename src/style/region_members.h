@@ -15,6 +15,8 @@ typedef struct hs_region_members {
 HS_MUST_USE hs_status hs_region_members_read(hs_region *region, const hs_args *args, hs_error *err);
 /** Hook `destroy`. */
 void hs_region_members_destroy(hs_region *region);
+/** Hook `update`. */
+HS_MUST_USE hs_status hs_region_members_update(hs_region *region, hs_error *err);
 /** Hook `uses`. */
 bool hs_region_members_use(const hs_region *region, const hs_region *other);
 

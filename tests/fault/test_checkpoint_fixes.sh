@@ -75,6 +75,21 @@ next u
 run 20
 D
 
+check vessels <<'D'
+variable d equal 0.005*step
+variable r equal 3.5-0.02*step
+variable turn equal 0.1*step
+region ball sphere v_r 3 3 v_r units box move v_d NULL NULL
+region brick block 1 3 EDGE 2 1 3 rotate v_turn 2 2 2 1 2 1
+region stone sphere -3 3 3 2 units box side out move v_d NULL NULL
+group d dynamic all region ball every 3
+fix 1 all nve
+fix 2 d addforce 0.3 0 0
+fix 3 all heat 5 1.0 region brick
+fix w all wall/region stone lj93 1.0 1.0 2.5
+dump 1 d custom 10 members.dump id x
+D
+
 check drying <<'D'
 region r block 1.1 3.1 INF INF INF INF
 fix 1 all nve

@@ -58,6 +58,33 @@ fix h all ave/histo 2 2 10 0 4 7 v_g mode vector
 run 10
 next q
 D
+    system vessels 30 'v_ves_in v_ves_out c_t c_v f_w' 'vx' <<D
+lattice fcc 0.7
+region box block 0 6 0 5 0 5
+create_box 1 box
+create_atoms 1 box
+mass 1 1.0
+velocity all create 1.5 12345
+$liquid
+neigh_modify every 5 delay 0 check no
+variable ves_d equal 0.02*step
+variable ves_r equal 3.5-0.02*step
+variable ves_turn equal 0.1*step
+region ball sphere v_ves_r 4 4 v_ves_r units box move v_ves_d NULL NULL
+region brick block 1 5 2 4 1 4 rotate v_ves_turn 3 2.5 2.5 1 2 1
+region both union 2 ball brick
+region stone sphere -3 4 4 2 units box side out move v_ves_d NULL NULL
+variable ves_in equal count(all,both)
+variable ves_out equal xcm(all,x,brick)
+compute t all temp/region ball
+compute v all reduce/region brick sum vx
+group d dynamic all region both every 3
+fix 1 all nve
+fix 2 d addforce 0.3 0 0
+fix 3 all addforce 0 0.2 0 region ball
+fix 4 all heat 5 1.0 region brick
+fix w all wall/region stone lj93 1.0 1.0 2.5
+D
     system drying 30 'atoms f_d c_t' 'vx' <<D
 lattice fcc 0.7
 region box block 0 6 0 5 0 4
