@@ -12,6 +12,13 @@ typedef struct property_state {
     int n;
 } property_state;
 
+/** Whether the chunks, which may be others than when this was defined, have what column k shows. */
+static bool have(const hs_chunks *chunks, int property)
+{
+    if (property == ORIGINAL) return chunks->is_compressed;
+    return property < COORD1 || property - COORD1 < chunks->n_axes;
+}
+
 static hs_status create(hs_compute *compute, const hs_args *args, hs_error *err)
 {
     property_state *state = compute->state;
@@ -20,13 +27,13 @@ static hs_status create(hs_compute *compute, const hs_args *args, hs_error *err)
     for (int k = 0; k < state->n; ++k) HS_TRY(hs_arg_choice(args, 1 + k, properties, &state->property[k], err));
     HS_TRY(hs_per_chunk_create(compute, args, state->n, state->n > 1, err));
     const hs_chunks *chunks = hs_chunks_of(state->base.chunk_atom);
-    for (int k = 0; k < state->n; ++k) {
-        if (state->property[k] == ORIGINAL && !chunks->is_compressed)
-            return hs_arg_refuse(args, 1 + k, "of use where chunks are not compressed: numbers are those of the rows",
+    for (int k = 0; k < state->n; ++k)
+        if (!have(chunks, state->property[k]))
+            return hs_arg_refuse(args, 1 + k,
+                                 state->property[k] == ORIGINAL
+                                     ? "of use where chunks are not compressed: numbers are those of the rows"
+                                     : "a coordinate that these chunks have",
                                  NULL, err);
-        if (state->property[k] >= COORD1 && state->property[k] - COORD1 >= chunks->n_axes)
-            return hs_arg_refuse(args, 1 + k, "a coordinate that these chunks have", NULL, err);
-    }
     return HS_OK;
 }
 
@@ -49,6 +56,9 @@ static hs_status evaluate(hs_compute *compute, hs_error *err)
     const hs_chunks *chunks = hs_chunks_of(state->base.chunk_atom);
     for (int k = 0; k < state->n; ++k) {
         const int property = state->property[k];
+        if (!have(chunks, property))
+            return hs_fail(err, HS_ERROR_INPUT, "compute '%s' (property/chunk): the chunks of '%s' have no %s any more",
+                           compute->id, state->base.chunk_id, properties[property]);
         if (property == COUNT) HS_TRY(hs_per_chunk_sum(compute, k, one, NULL, err));
         for (int64_t c = 0; c < state->base.n && property != COUNT; ++c)
             *hs_per_chunk_at(compute, c, k) = property == ORIGINAL

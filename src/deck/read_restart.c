@@ -73,7 +73,7 @@ hs_status hs_deck_read_restart(hs_deck *deck, const char *path, hs_error *err)
     if (status == HS_OK) status = keep_each(checkpoint, sim, &state, "fields of fixes", keep_field, err);
     if (status == HS_OK) status = keep_each(checkpoint, sim, &state, "fields of computes", keep_field, err);
     if (status == HS_OK) status = hs_saved_get_atoms(checkpoint, sim, false, err);
-    if (status == HS_OK) status = hs_saved_get_run(checkpoint, sim, err);
+    if (status == HS_OK) status = hs_saved_get_run(checkpoint, sim, false, err);
     sim->is_initialized = false;
     hs_state_fini(&state);
     HS_FREE(commands);

@@ -54,11 +54,12 @@ hs_status hs_saved_get_atoms(hs_checkpoint *checkpoint, hs_sim *sim, bool all_fi
     return HS_OK;
 }
 
-hs_status hs_saved_get_run(hs_checkpoint *checkpoint, hs_sim *sim, hs_error *err)
+hs_status hs_saved_get_run(hs_checkpoint *checkpoint, hs_sim *sim, bool is_resumed, hs_error *err)
 {
     hs_state state;
     HS_TRY(hs_checkpoint_get(checkpoint, "run", &state, err));
-    const hs_status status = hs_sim_keep_run(sim, &state, err);
+    hs_status status = hs_sim_keep_run(sim, &state, err);
+    if (status == HS_OK && is_resumed) status = hs_sim_keep_dof(sim, &state, err);
     hs_state_fini(&state);
     return status;
 }

@@ -95,7 +95,7 @@ static hs_status get_simulation(hs_checkpoint *checkpoint, hs_deck *deck, char *
     hs_sim *sim = deck->sim; /* a `clear` among the commands has made it anew */
     HS_TRY(hs_variables_join_atoms(deck->variables, &sim->atoms, err));
     HS_TRY(hs_saved_get_atoms(checkpoint, sim, true, err));
-    HS_TRY(hs_saved_get_run(checkpoint, sim, err));
+    HS_TRY(hs_saved_get_run(checkpoint, sim, true, err));
     HS_TRY(get_dumps(checkpoint, sim, err));
     const bool is_set_up = sim->is_initialized;
     if (is_set_up) {
@@ -106,7 +106,7 @@ static hs_status get_simulation(hs_checkpoint *checkpoint, hs_deck *deck, char *
     }
     HS_TRY(get_styles(checkpoint, sim, err));
     if (is_set_up) HS_TRY(hs_sim_setup_resumed(sim, err));
-    return hs_saved_get_run(checkpoint, sim, err); /* what set-up has changed */
+    return hs_saved_get_run(checkpoint, sim, true, err); /* what set-up has changed */
 }
 
 /* ---- The place in the deck ---- */

@@ -27,8 +27,9 @@ HS_MUST_USE hs_status hs_saved_get(hs_checkpoint *checkpoint, const char *kind, 
 HS_MUST_USE hs_status hs_saved_cut_words(char *text, hs_args *words, hs_error *err);
 /** Box, types and atoms, as far as what there is knows of their fields (collective). */
 HS_MUST_USE hs_status hs_saved_get_atoms(hs_checkpoint *checkpoint, hs_sim *sim, bool all_fields, hs_error *err);
-/** Step, time, energies and settings of the run. */
-HS_MUST_USE hs_status hs_saved_get_run(hs_checkpoint *checkpoint, hs_sim *sim, hs_error *err);
+/** Step, time, energies and settings of the run; @p is_resumed: the same run goes on, with the degrees of freedom that
+ *  were counted at its start. */
+HS_MUST_USE hs_status hs_saved_get_run(hs_checkpoint *checkpoint, hs_sim *sim, bool is_resumed, hs_error *err);
 /** Repeat the commands that made the simulation, without a word to anyone; @p is_restart: only those that read_restart
  *  takes over. @p commands is cut in place (collective). */
 HS_MUST_USE hs_status hs_saved_repeat(hs_checkpoint *checkpoint, hs_deck *deck, char *commands, bool is_restart,

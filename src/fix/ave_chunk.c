@@ -89,17 +89,23 @@ static hs_status create(hs_fix *fix, const hs_args *args, hs_error *err)
     return HS_OK;
 }
 
+/** Chunks stay as many as they are while a window is averaged. */
 static void lock_chunks(hs_fix *fix, bool is_locking)
 {
     ave_state *state = fix->state;
-    hs_compute *compute = state->chunk_id != NULL ? fix->env->find_compute(fix->env, state->chunk_id) : NULL;
-    if (compute != NULL && state->is_locking != is_locking) hs_chunks_of(compute)->n_locks += is_locking ? 1 : -1;
+    hs_compute *compute;
+    hs_error ignored = {0};
+    if (state->is_locking == is_locking || state->chunk_id == NULL) return;
     state->is_locking = is_locking;
+    if (hs_chunks_find(fix->env, state->chunk_id, "", &compute, &ignored) != HS_OK) return;
+    hs_chunks *chunks = hs_chunks_of(compute);
+    if (is_locking || chunks->n_locks > 0) chunks->n_locks += is_locking ? 1 : -1; /* perhaps another in its place */
 }
 
 static void destroy(hs_fix *fix)
 {
     ave_state *state = fix->state;
+    lock_chunks(fix, false); /* in the middle of a window */
     hs_chunk_columns_fini(&state->columns);
     HS_FREE(state->chunk_id);
     HS_FREE(state->sum);

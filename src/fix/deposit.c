@@ -246,7 +246,8 @@ const hs_fix_style hs_fix_style_deposit = {
                   "It belongs to group all and to the fix's group, so that other fixes of that group act on it. A "
                   "place is taken when no atom is nearer than `near`; after `attempt` places in vain (a warning says "
                   "so) the next try is M steps later. Velocities are even between the bounds of `vx`, `vy` and `vz`. "
-                  "The first atom comes M steps after the step that follows the fix's definition. Random numbers, and "
+                  "The first atom comes at the step that follows the fix's definition, if that is one of the next run. "
+                  "Random numbers, and "
                   "so places and velocities, are those of LAMMPS with the same seed, whatever the number of ranks.\n\n"
                   "The scalar `f_ID` is the number of atoms added. Temperatures of groups that grow need "
                   "`compute_modify dynamic/dof yes`.",

@@ -2,6 +2,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/memory.h"
 #include "sim/methods.h"
 #include "sim/saving.h"
 #include "sim/thermo.h"
@@ -111,6 +112,21 @@ hs_status hs_sim_keep_run(hs_sim *sim, hs_state *state, hs_error *err)
     HS_TRY(hs_sim_keep_box_of_forces(sim, state, err));
     HS_TRY(keep_adapted(sim->pair, state, err));
     return keep_neighbor(&sim->neighbor, &sim->box, state, err);
+}
+
+hs_status hs_sim_keep_dof(hs_sim *sim, hs_state *state, hs_error *err)
+{
+    static const char name[] = "degrees of freedom";
+    int64_t n = 0;
+    double *values = NULL;
+    if (state->is_reading && hs_state_find(state, name) == NULL) return HS_OK; /* older checkpoints have none */
+    while (hs_sim_temperature(sim, (int)n) != NULL) ++n;
+    HS_TRY(HS_ALLOC(values, (size_t)n, err));
+    for (int k = 0; k < n; ++k) values[k] = hs_sim_temperature(sim, k)->n_dof;
+    const hs_status status = hs_state_double(state, name, values, n, err);
+    for (int k = 0; k < n; ++k) hs_sim_temperature(sim, k)->n_dof = values[k];
+    HS_FREE(values);
+    return status;
 }
 
 /** Arrays that travel with the atoms for a while: what the exchange would lose. */

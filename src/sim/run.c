@@ -103,12 +103,22 @@ hs_status hs_sim_setup(hs_sim *sim, hs_error *err)
     return hs_sim_setup_forces(sim, err);
 }
 
+/** Atoms that are lost when the first lists are made are no part of the run: temperatures are to count anew. */
+static void count_again_if_lost(hs_sim *sim)
+{
+    int64_t n = sim->atoms.n_local;
+    hs_parallel_sum_int64(&sim->parallel, &n, 1);
+    if (n == sim->atoms.n_all) return;
+    for (int k = 0; hs_sim_temperature(sim, k) != NULL; ++k) hs_sim_temperature(sim, k)->n_dof = -1.0;
+}
+
 hs_status hs_sim_setup_forces(hs_sim *sim, hs_error *err)
 {
     hs_neighbor_start(&sim->neighbor);
     hs_sim_forget_force_places(sim);
     HS_TRY(hs_sim_pre_force(sim, true, err));
     HS_TRY(hs_sim_exchange(sim, err));
+    count_again_if_lost(sim);
     HS_TRY(hs_sim_pair_forces(sim, true, err));
     sim->env.with_energy = true;
     hs_env_changed(&sim->env);

@@ -130,6 +130,18 @@ hs_compute *hs_sim_find_compute(hs_sim *sim, const char *id)
     FIND(sim->compute, sim->n_computes, id);
 }
 
+hs_compute *hs_sim_temperature(hs_sim *sim, int k)
+{
+    for (int i = 0; i < sim->n_computes; ++i)
+        if (sim->compute[i]->style->is_temperature && k-- == 0) return sim->compute[i];
+    for (int i = 0; i < sim->n_fixes; ++i)
+        for (int own = 0; own < HS_FIX_OWN_MAX; ++own) {
+            hs_compute *compute = sim->fix[i]->own[own];
+            if (compute != NULL && compute->style->is_temperature && k-- == 0) return compute;
+        }
+    return NULL;
+}
+
 hs_region *hs_sim_find_region(hs_sim *sim, const char *id) { FIND(sim->region, sim->n_regions, id); }
 hs_dump *hs_sim_find_dump(hs_sim *sim, const char *id) { FIND(sim->dump, sim->n_dumps, id); }
 

@@ -131,6 +131,8 @@ HS_MUST_USE hs_status hs_sim_remove_dump(hs_sim *sim, const char *id, hs_error *
 /** Look-ups; NULL when there is none. */
 hs_fix *hs_sim_find_fix(hs_sim *sim, const char *id);
 hs_compute *hs_sim_find_compute(hs_sim *sim, const char *id);
+/** Number k, from 0, of the computes of temperatures, those of fixes included; NULL: there are no more. Borrowed. */
+hs_compute *hs_sim_temperature(hs_sim *sim, int k);
 hs_region *hs_sim_find_region(hs_sim *sim, const char *id);
 hs_dump *hs_sim_find_dump(hs_sim *sim, const char *id);
 /** The region of that ID, brought to the present step (collective); an error that begins with @p command when there is none. */

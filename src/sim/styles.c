@@ -33,10 +33,11 @@ static void destroy_dump(hs_dump *dump)
 
 void hs_sim_destroy_styles(hs_sim *sim)
 {
-    for (int k = 0; k < sim->n_dumps; ++k) destroy_dump(sim->dump[k]);
-    for (int k = 0; k < sim->n_fixes; ++k) destroy_fix(sim->fix[k]);
-    for (int k = 0; k < sim->n_computes; ++k) hs_compute_destroy(&sim->compute[k]);
-    for (int k = sim->n_regions; k-- > 0;) hs_region_destroy(&sim->region[k]);
+    /* they may look up one another while they go: nothing that is gone is listed */
+    while (sim->n_dumps > 0) destroy_dump(sim->dump[--sim->n_dumps]);
+    while (sim->n_fixes > 0) destroy_fix(sim->fix[--sim->n_fixes]);
+    while (sim->n_computes > 0) hs_compute_destroy(&sim->compute[--sim->n_computes]);
+    while (sim->n_regions > 0) hs_region_destroy(&sim->region[--sim->n_regions]);
     HS_FREE(sim->dump);
     HS_FREE(sim->fix);
     HS_FREE(sim->compute);

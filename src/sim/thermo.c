@@ -158,16 +158,16 @@ static hs_status check_lost(hs_thermo *thermo, hs_error *err)
     int64_t n = sim->atoms.n_local;
     hs_parallel_sum_int64(&sim->parallel, &n, 1);
     thermo->n_atoms = n;
-    if (n == n_expected || thermo->lost == HS_LOST_IGNORE || (thermo->lost == HS_LOST_WARN && thermo->lost_warned))
-        return HS_OK;
+    if (n == n_expected) return HS_OK;
     if (thermo->lost == HS_LOST_ERROR)
         return hs_fail(err, HS_ERROR_ATOMS,
                        "Lost atoms: original %lld current %lld, at step %lld. They left the box through a face that is "
                        "not periodic, or moved too far in one step: use a shorter timestep, periodic or shrink-wrapped "
                        "boundaries, or walls; 'thermo_modify lost ignore' goes on without them",
                        (long long)n_expected, (long long)n, (long long)sim->env.step);
-    hs_warn(sim->env.out, "Lost atoms: original %lld current %lld", (long long)n_expected, (long long)n);
     sim->atoms.n_all = n;
+    if (thermo->lost == HS_LOST_IGNORE || thermo->lost_warned) return HS_OK;
+    hs_warn(sim->env.out, "Lost atoms: original %lld current %lld", (long long)n_expected, (long long)n);
     thermo->lost_warned = true;
     return HS_OK;
 }

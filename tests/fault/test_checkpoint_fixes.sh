@@ -402,3 +402,34 @@ fix p all ave/time 1 1 10 c_e file e.txt
 dump d all custom 10 d.dump id omegax omegay omegaz mux muy muz
 dump_modify d format float %.17g
 D
+
+# temperatures go on with the degrees of freedom that were counted when the run began, though atoms have been lost since
+check leaking <<'D'
+clear
+units lj
+boundary f p p
+lattice fcc 0.8442
+region box block 0 4 0 4 0 4
+create_box 1 box
+create_atoms 1 box
+mass 1 1.0
+velocity all create 3.0 87287
+pair_style lj/cut 2.5
+pair_coeff 1 1 1.0 1.0
+checkpoint every 33 steps keep 9
+thermo 10
+thermo_modify lost ignore
+compute hot all temp
+fix 1 all nvt temp 2.0 2.0 0.5
+fix p all print 10 "$(atoms) $(temp:%.17g) $(c_hot:%.17g) $(c_1_temp:%.17g)" file p.txt screen no
+D
+
+# the step of the checkpoint has been measured: its places are not to count twice in the mean
+check averaged <<'D'
+compute m all msd average yes
+fix 1 all nve
+thermo_style custom step c_m[4]
+run 33
+print "$(c_m[4]:%.17g)" file first.txt
+fix p all print 11 "$(c_m[4]:%.17g)" file p.txt screen no
+D
