@@ -28,15 +28,8 @@ static const hs_keyword keywords[] = {
 static hs_status find_temperature(const hs_compute *compute, hs_compute **temperature, hs_error *err)
 {
     const pressure_state *state = compute->state;
-    *temperature = compute->env->find_compute(compute->env, state->temperature_id);
-    if (*temperature == NULL)
-        return hs_fail(err, HS_ERROR_INPUT,
-                       "compute '%s' (pressure): there is no compute '%s' to take the temperature from", compute->id,
-                       state->temperature_id);
-    if (!(*temperature)->style->is_temperature)
-        return hs_fail(err, HS_ERROR_INPUT, "compute '%s' (pressure): compute '%s' (%s) does not compute a temperature",
-                       compute->id, state->temperature_id, (*temperature)->style->about.name);
-    return HS_OK;
+    return hs_compute_get(compute->env, state->temperature_id, HS_TEMPERATURE, hs_compute_who(compute).text,
+                          temperature, err);
 }
 
 static hs_status create(hs_compute *compute, const hs_args *args, hs_error *err)

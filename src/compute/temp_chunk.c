@@ -17,6 +17,7 @@ typedef struct temp_chunk_state {
     double dof_per_atom, dof_per_chunk;
     char *bias_id;           /**< owned; NULL: none */
     hs_compute *bias;        /**< borrowed during an evaluation */
+    bool is_asking;          /**< the bias is being evaluated */
     double *motion;          /**< owned [n][4]: velocity of the center of mass, and mass */
     double *count, *kinetic; /**< owned [n] */
     size_t capacity;
@@ -171,14 +172,29 @@ static void keep_bias(hs_compute *compute)
     }
 }
 
+/** Bring the bias up to date (collective). */
+static hs_status update_bias(hs_compute *compute, hs_error *err)
+{
+    temp_chunk_state *state = compute->state;
+    double t;
+    HS_TRY(find_bias(compute, err));
+    if (state->bias == NULL) return HS_OK;
+    if (state->is_asking)
+        return hs_fail(err, HS_ERROR_INPUT,
+                       "compute '%s' (temp/chunk): its bias '%s' takes off what it takes off itself", compute->id,
+                       state->bias_id);
+    state->is_asking = true;
+    const hs_status status = hs_compute_scalar(state->bias, &t, err);
+    state->is_asking = false;
+    return status;
+}
+
 /** Number the atoms; how chunks move and how many atoms they have (collective). */
 static hs_status find_motion(hs_compute *compute, hs_error *err)
 {
     temp_chunk_state *state = compute->state;
-    double t;
     if (state->motion_at == compute->env->revision) return HS_OK;
-    HS_TRY(find_bias(compute, err));
-    if (state->bias != NULL) HS_TRY(hs_compute_scalar(state->bias, &t, err)); /* brings it up to date */
+    HS_TRY(update_bias(compute, err));
     HS_TRY(hs_per_chunk_begin(compute, err));
     HS_TRY(reserve(state, err));
     for (int k = 0; k < 4; ++k) HS_TRY(hs_per_chunk_add_up(compute, moment, &k, state->motion + k, 4, err));

@@ -63,13 +63,7 @@ static hs_status velocity_check(const hs_args *args, bool has_variables, hs_erro
 
 static hs_status read_temperature_compute(velocity *vel, const char *id, hs_error *err)
 {
-    vel->temperature = hs_sim_find_compute(vel->sim, id);
-    if (vel->temperature == NULL)
-        return hs_fail(err, HS_ERROR_INPUT, "velocity: there is no compute '%s'; the command 'compute' makes one", id);
-    if (!vel->temperature->style->is_temperature)
-        return hs_fail(err, HS_ERROR_INPUT, "velocity: the compute '%s' is a %s, not a temperature", id,
-                       vel->temperature->style->about.name);
-    return HS_OK;
+    return hs_compute_get(&vel->sim->env, id, HS_TEMPERATURE, "velocity", &vel->temperature, err);
 }
 
 static hs_status read_keywords(velocity *vel, const hs_args *args, hs_error *err)

@@ -307,8 +307,10 @@ static hs_status keep_state(hs_fix *fix, hs_state *kept, hs_error *err)
         char name[48];
         snprintf(name, sizeof name, "originals %d", k + 1);
         HS_TRY(hs_state_doubles(kept, name, &state->target[k].original, &state->target[k].n_original, err));
-        const int n = state->target[k].part != NULL ? state->target[k].part->n_types + 1 : 0;
-        if (kept->is_reading && state->has_originals && state->target[k].n_original != (int64_t)n * n)
+        /* before a run's set-up, which takes the coefficients of then, the part is not known */
+        if (!kept->is_reading || state->target[k].part == NULL) continue;
+        const int n = state->target[k].part->n_types + 1;
+        if (state->has_originals && state->target[k].n_original != (int64_t)n * n)
             return hs_fail(err, HS_ERROR_INPUT, "fix '%s' (adapt): its state is of another number of types", fix->id);
     }
     return HS_OK;

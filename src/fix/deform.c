@@ -131,6 +131,7 @@ static void destroy(hs_fix *fix)
 static hs_status check_start(const hs_fix *fix, hs_error *err)
 {
     const deform_state *state = fix->state;
+    if (fix->env->box_flow == NULL) fix->env->box_flow = &state->flow; /* another one has gone */
     if (fix->env->box_flow != &state->flow)
         return hs_fail(
             err, HS_ERROR_INPUT,

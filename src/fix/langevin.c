@@ -123,10 +123,8 @@ static hs_status find_bias(hs_fix *fix, const hs_compute **bias, hs_error *err)
     double ignored;
     *bias = NULL;
     if (state->temperature_id == NULL) return HS_OK;
-    hs_compute *compute = fix->env->find_compute(fix->env, state->temperature_id);
-    if (compute == NULL)
-        return hs_fail(err, HS_ERROR_INPUT, "fix '%s' (langevin): there is no compute '%s' any more", fix->id,
-                       state->temperature_id);
+    hs_compute *compute;
+    HS_TRY(hs_compute_get(fix->env, state->temperature_id, HS_TEMPERATURE, hs_fix_who(fix).text, &compute, err));
     HS_TRY(hs_compute_scalar(compute, &ignored, err));
     if (compute->style->bias != NULL) *bias = compute;
     return HS_OK;

@@ -41,11 +41,9 @@ static inline hs_status scaling_set_temperature(hs_fix *fix, const char *id, hs_
 static inline hs_status scaling_find_temperature(const hs_fix *fix, hs_compute **temperature, hs_error *err)
 {
     const velocity_scaling *state = fix->state;
-    *temperature =
-        state->temperature_id != NULL ? fix->env->find_compute(fix->env, state->temperature_id) : fix->own[0];
-    if (*temperature != NULL) return HS_OK;
-    return hs_fail(err, HS_ERROR_INPUT, "fix '%s' (%s): there is no compute '%s' any more", fix->id,
-                   fix->style->about.name, state->temperature_id);
+    *temperature = fix->own[0];
+    if (state->temperature_id == NULL) return HS_OK;
+    return hs_compute_get(fix->env, state->temperature_id, HS_TEMPERATURE, hs_fix_who(fix).text, temperature, err);
 }
 
 static inline hs_status scaling_init(hs_fix *fix, hs_error *err)

@@ -46,16 +46,13 @@ hs_status hs_sim_post_force(hs_sim *sim, hs_error *err)
 static hs_status set_compute(hs_sim *sim, hs_fix *fix, const char *keyword, const char *id, hs_error *err)
 {
     const bool is_pressure = keyword[0] == 'p';
-    const hs_compute *compute = hs_sim_find_compute(sim, id);
+    hs_compute *compute;
     hs_status (*set)(hs_fix *, const char *, hs_error *) =
         is_pressure ? fix->style->set_pressure : fix->style->set_temperature;
     if (set == NULL)
         return hs_fail(err, HS_ERROR_INPUT, "fix_modify: fix '%s' (%s) uses no %s", fix->id, fix->style->about.name,
                        is_pressure ? "pressure" : "temperature");
-    if (compute == NULL) return hs_fail(err, HS_ERROR_INPUT, "fix_modify: there is no compute '%s'", id);
-    if (!(is_pressure ? compute->style->is_pressure : compute->style->is_temperature))
-        return hs_fail(err, HS_ERROR_INPUT, "fix_modify: compute '%s' (%s) does not compute a %s", id,
-                       compute->style->about.name, is_pressure ? "pressure" : "temperature");
+    HS_TRY(hs_compute_get(&sim->env, id, is_pressure ? HS_PRESSURE : HS_TEMPERATURE, "fix_modify", &compute, err));
     return set(fix, id, err);
 }
 

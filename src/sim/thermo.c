@@ -88,14 +88,10 @@ hs_status hs_thermo_find_computes(hs_thermo *thermo, hs_error *err)
 {
     const char *temp_id = thermo->temp_id != NULL ? thermo->temp_id : "thermo_temp";
     const char *press_id = thermo->press_id != NULL ? thermo->press_id : "thermo_press";
-    thermo->temp = hs_sim_find_compute(thermo->sim, temp_id);
-    thermo->press = hs_sim_find_compute(thermo->sim, press_id);
-    thermo->pe = hs_sim_find_compute(thermo->sim, "thermo_pe");
-    if (thermo->temp == NULL || thermo->press == NULL || thermo->pe == NULL)
-        return hs_fail(err, HS_ERROR_INPUT, "thermo output needs the compute '%s', which does not exist",
-                       thermo->temp == NULL    ? temp_id
-                       : thermo->press == NULL ? press_id
-                                               : "thermo_pe");
+    hs_env *env = &thermo->sim->env;
+    HS_TRY(hs_compute_get(env, temp_id, HS_TEMPERATURE, "thermo output", &thermo->temp, err));
+    HS_TRY(hs_compute_get(env, press_id, HS_PRESSURE, "thermo output", &thermo->press, err));
+    thermo->pe = hs_sim_find_compute(thermo->sim, "thermo_pe"); /* which cannot be removed */
     thermo->is_norm = thermo->norm >= 0 ? thermo->norm != 0 : thermo->sim->env.units->energy_per_atom != 0;
     thermo->n_atoms = thermo->sim->atoms.n_all;
     return HS_OK;

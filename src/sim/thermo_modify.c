@@ -70,12 +70,9 @@ static hs_status modify_format(hs_thermo *thermo, const hs_args *args, int i, in
 
 static hs_status modify_compute(hs_thermo *thermo, const hs_args *args, int i, bool is_temp, hs_error *err)
 {
-    hs_compute *compute = hs_sim_find_compute(thermo->sim, args->word[i]);
-    if (compute == NULL)
-        return hs_fail(err, HS_ERROR_INPUT, "%s: there is no compute '%s'", args->command, args->word[i]);
-    if (is_temp ? !compute->style->is_temperature : !compute->style->is_pressure)
-        return hs_fail(err, HS_ERROR_INPUT, "%s: compute '%s' (%s) does not compute a %s", args->command, args->word[i],
-                       compute->style->about.name, is_temp ? "temperature" : "pressure");
+    hs_compute *compute;
+    HS_TRY(hs_compute_get(&thermo->sim->env, args->word[i], is_temp ? HS_TEMPERATURE : HS_PRESSURE, args->command,
+                          &compute, err));
     HS_TRY(hs_memory_replace(is_temp ? &thermo->temp_id : &thermo->press_id, args->word[i], err));
     if (!is_temp) return HS_OK;
     if (compute->group != 0)

@@ -32,10 +32,9 @@ void hs_barometer_fini(hs_barometer *barometer)
 static hs_status find(const hs_fix *fix, const hs_barometer *barometer, int which, hs_compute **compute, hs_error *err)
 {
     const char *id = which == HS_OWN_TEMPERATURE ? barometer->temperature_id : barometer->pressure_id;
-    *compute = id != NULL ? fix->env->find_compute(fix->env, id) : fix->own[which];
-    if (*compute != NULL) return HS_OK;
-    return hs_fail(err, HS_ERROR_INPUT, "fix '%s' (%s): there is no compute '%s' any more", fix->id,
-                   fix->style->about.name, id);
+    const hs_measure what = which == HS_OWN_TEMPERATURE ? HS_TEMPERATURE : HS_PRESSURE;
+    *compute = fix->own[which];
+    return id == NULL ? HS_OK : hs_compute_get(fix->env, id, what, hs_fix_who(fix).text, compute, err);
 }
 
 hs_status hs_barometer_temperature(const hs_fix *fix, const hs_barometer *barometer, hs_compute **temperature,

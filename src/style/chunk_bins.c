@@ -125,11 +125,13 @@ static hs_status lay_axis(hs_bins_axis *b, const hs_box *box, bool is_reduced, c
         end[k] = origin + sign * trunc((fabs(bound - origin) + hair) / b->delta) * b->delta;
         if (k == 0 ? end[k] > bound + hair : end[k] < bound - hair) end[k] += k == 0 ? -b->delta : b->delta;
     }
+    const double n = floor((end[1] - end[0]) / b->delta + 0.5);
+    if (!(n >= 1.0 && n <= INT32_MAX))
+        return hs_fail(err, HS_ERROR_INPUT, "%s: %.10g bins along %s; there must be 1 to %d", command, n,
+                       axis_names[b->axis], INT32_MAX);
     b->offset = end[0];
-    b->n = (int64_t)((end[1] - end[0]) / b->delta + 0.5);
-    if (b->n > 0 && b->n <= INT32_MAX) return HS_OK;
-    return hs_fail(err, HS_ERROR_INPUT, "%s: %lld bins along %s; there must be 1 to %d", command, (long long)b->n,
-                   axis_names[b->axis], INT32_MAX);
+    b->n = (int64_t)n;
+    return HS_OK;
 }
 
 hs_status hs_chunk_bins_lay(hs_chunk_bins *bins, const hs_env *env, const char *command, int64_t *n, double *volume,

@@ -19,6 +19,17 @@ hs_who hs_compute_who(const hs_compute *compute)
     return who;
 }
 
+hs_status hs_compute_get(hs_env *env, const char *id, hs_measure what, const char *who, hs_compute **compute,
+                         hs_error *err)
+{
+    *compute = env->find_compute(env, id);
+    if (*compute == NULL) return hs_fail(err, HS_ERROR_INPUT, "%s: there is no compute '%s'", who, id);
+    const hs_compute_style *style = (*compute)->style;
+    if (what == HS_TEMPERATURE ? style->is_temperature : style->is_pressure) return HS_OK;
+    return hs_fail(err, HS_ERROR_INPUT, "%s: compute '%s' (%s) does not compute a %s", who, id, style->about.name,
+                   what == HS_TEMPERATURE ? "temperature" : "pressure");
+}
+
 hs_status hs_compute_create(hs_compute **compute, hs_env *env, const hs_compute_style *style, const char *id, int group,
                             const hs_args *args, hs_error *err)
 {

@@ -90,6 +90,13 @@ const hs_compute_style *hs_compute_style_find(const char *name);
 
 hs_who hs_compute_who(const hs_compute *compute);
 
+/** What a compute that another style or command uses must be one of. */
+typedef enum { HS_TEMPERATURE, HS_PRESSURE } hs_measure;
+/** The compute of that ID, which must be there and measure that. Whoever keeps an ID looks it up before each use: another compute may
+ *  have taken its place. @p who begins the message. Borrowed. */
+HS_MUST_USE hs_status hs_compute_get(hs_env *env, const char *id, hs_measure what, const char *who,
+                                     hs_compute **compute, hs_error *err);
+
 /** Evaluate if needed (collective); an error when the style has none, or needs an energy that this step did not
  *  compute. */
 HS_MUST_USE hs_status hs_compute_scalar(hs_compute *compute, double *value, hs_error *err);

@@ -433,3 +433,13 @@ run 33
 print "$(c_m[4]:%.17g)" file first.txt
 fix p all print 11 "$(c_m[4]:%.17g)" file p.txt screen no
 D
+
+# a checkpoint between runs, when the next one is to be set up anew and the pair style's parts are not known yet
+check between <<'D'
+fix 1 all nve
+variable e equal 1+0.004*step
+fix a all adapt 4 pair lj/cut epsilon 1 1 v_e scale yes
+run 33
+displace_atoms all move 0 0 0
+write_restart checkpoint.33.h5
+D
