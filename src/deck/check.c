@@ -184,7 +184,7 @@ static hs_status check_meaning(checker *c, file *f, const hs_args *args)
     if (strcmp(args->command, "include") == 0) return check_files(c, f, args->word[0], is_certain, NULL);
     if (strcmp(args->command, "jump") == 0) return check_jump(c, f, args, is_certain);
     if (strcmp(args->command, "quit") == 0 && c->nesting == 0) f->is_dead = true;
-    if (strcmp(args->command, "write_data") == 0 && args->n > 0)
+    if ((strcmp(args->command, "write_data") == 0 || strcmp(args->command, "write_coeff") == 0) && args->n > 0)
         return hs_name_list_add(&c->names.written, args->word[0], c->err);
     if (strcmp(args->command, "pair_write") == 0 && args->n > 6)
         return hs_name_list_add(&c->names.written, args->word[6], c->err);

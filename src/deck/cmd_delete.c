@@ -297,7 +297,41 @@ static hs_status delete_run(hs_deck *deck, const hs_args *args, hs_error *err)
     return status != HS_OK ? status : err->status;
 }
 
+static hs_status reset_ids_run(hs_deck *deck, const hs_args *args, hs_error *err)
+{
+    hs_sim *sim = deck->sim;
+    unsigned char *none = NULL;
+    HS_TRY(hs_sim_need_box(sim, args->command, err));
+    HS_UNLESS_FAILED(err, HS_ALLOC(none, (size_t)sim->atoms.n_local, err));
+    hs_status status = hs_parallel_agree(&sim->parallel, err);
+    if (status == HS_OK) {
+        hs_say(deck->out, "Resetting atom IDs ...\n");
+        status = renumber(sim, none, sim->atoms.n_all, err);
+    }
+    HS_FREE(none);
+    if (status == HS_OK) hs_sim_atoms_changed(sim);
+    return status;
+}
+
+static const hs_keyword reset_ids_keywords[] = {
+    {"sort", 1, "no", "the order of ids stays (default); LAMMPS's order in space is not known here"},
+    {NULL, 0, NULL, NULL},
+};
+
 const hs_command hs_commands_delete[] = {
+    {
+        .about =
+            {
+                .name = "reset_atom_ids",
+                .syntax = {"[sort no]", 0, 0, reset_ids_keywords},
+                .summary = "Number the atoms from 1 on without gaps",
+                .details =
+                    "Ids become 1 to N, in the order in which they are. Where there are no gaps nothing changes. "
+                    "`delete_atoms` does so by itself; atoms that fixes remove leave gaps.\n",
+                .example = "fix 1 all evaporate 100 10 top 4711\nrun 10000\nunfix 1\nreset_atom_ids",
+            },
+        .run = reset_ids_run,
+    },
     {
         .about =
             {

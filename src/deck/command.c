@@ -47,7 +47,6 @@ static const char *const of_lammps[] = {
     "plugin",
     "prd",
     "python",
-    "reset_atom_ids",
     "reset_mol_ids",
     "server",
     "tad",
@@ -56,7 +55,6 @@ static const char *const of_lammps[] = {
     "temper/npt",
     "third_order",
     "third_order/kk",
-    "write_coeff",
     NULL,
 };
 

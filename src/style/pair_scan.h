@@ -83,20 +83,26 @@ static inline bool hs_pair_scan_is_listed(const hs_pair_scan *scan, const hs_pai
     return r2 < row[HS_TABLE_LISTED_R2] && (!view->listed_by_radius || r2 < reach * reach);
 }
 
-/** Force over distance and energy of a pair of the scan's atoms, over all parts of the pair style. */
+/** Force over distance and energy of a pair of the scan's atoms in one part of the pair style; false: it has none. */
+static inline bool hs_pair_scan_eval_part(const hs_pair_scan *scan, const hs_pair_view *view, int part, int i, int j,
+                                          double r2, double *force_over_r, double *energy)
+{
+    const hs_evaluator *evaluator = view->pair->part[part]->style->evaluator;
+    const double sum_of_radii = scan->radius != NULL ? scan->radius[i] + scan->radius[j] : 0.0;
+    return evaluator != NULL &&
+           hs_evaluator_pair(evaluator, &view->table[part], scan->atoms.type[i], scan->atoms.type[j], sum_of_radii, r2,
+                             force_over_r, energy) &&
+           hs_pair_scan_is_listed(scan, view, &view->table[part], sum_of_radii, i, j);
+}
+
+/** The same over all parts. */
 static inline void hs_pair_scan_eval(const hs_pair_scan *scan, const hs_pair_view *view, int i, int j, double r2,
                                      double *force_over_r, double *energy)
 {
-    const int type_i = scan->atoms.type[i], type_j = scan->atoms.type[j];
-    const double sum_of_radii = scan->radius != NULL ? scan->radius[i] + scan->radius[j] : 0.0;
     *force_over_r = *energy = 0.0;
     for (int k = 0; k < view->pair->n_parts; ++k) {
-        const hs_evaluator *evaluator = view->pair->part[k]->style->evaluator;
-        const hs_pair_table *table = &view->table[k];
-        if (evaluator == NULL) continue;
         double f, e;
-        if (!hs_evaluator_pair(evaluator, table, type_i, type_j, sum_of_radii, r2, &f, &e)) continue;
-        if (!hs_pair_scan_is_listed(scan, view, table, sum_of_radii, i, j)) continue;
+        if (!hs_pair_scan_eval_part(scan, view, k, i, j, r2, &f, &e)) continue;
         *force_over_r += f;
         *energy += e;
     }

@@ -109,6 +109,31 @@ START_TEST(atomfiles_end_with_the_atoms)
 }
 END_TEST
 
+/* Coefficients in force, mixed ones included, and ids without gaps. */
+START_TEST(what_is_there_can_be_written_and_numbered)
+{
+    run_with("region b block 0 4 0 4 0 4\ncreate_box 3 b\ncreate_atoms 1 random 5 123 NULL\nmass * 1\n"
+             "pair_style hybrid/overlay lj/cut 2.5 soft 1.2 lj/cut 2\npair_coeff * * lj/cut 1 1 1\n"
+             "pair_coeff 3 3 lj/cut 2 0.1 1 1.4\npair_coeff 1 2 soft 5\nwrite_coeff a.coeff\n"
+             "pair_style hybrid/overlay lj/cut 2.5 soft 1.2 lj/cut 2\ninclude a.coeff\nwrite_coeff b.coeff\n"
+             "pair_style lj/cut 2.5\npair_coeff 1 1 0.25 1\npair_coeff 2 2 1 4 3\npair_coeff 3 3 1 1\n"
+             "write_coeff c.coeff\ngroup g id 2 4\nvariable before equal x[5]\nvariable x equal ${before}\n"
+             "delete_atoms group g compress no\nreset_atom_ids\nprint \"same $(v_x-x[3]) of $(count(all))\"\n",
+             NULL, NULL);
+    char a[1000], b[1000], c[1000];
+    read_file("a.coeff", a, sizeof a);
+    read_file("b.coeff", b, sizeof b);
+    read_file("c.coeff", c, sizeof c);
+    ck_assert_ptr_nonnull(strstr(a, "pair_coeff 1 1 lj/cut 1 1 1 2.5\n"));
+    ck_assert_ptr_nonnull(strstr(a, "pair_coeff 1 2 soft 5 1.2\n"));
+    ck_assert_str_eq(a, b);
+    ck_assert_str_eq(
+        c, "# coefficients of\n# pair_style lj/cut\npair_coeff 1 1 0.25 1 2.5\npair_coeff 1 2 0.5 2 EXPECT\n");
+    ck_assert_ptr_nonnull(strstr(screen_text, "same 0 of 3\n"));
+    forget();
+}
+END_TEST
+
 /* next() in formulas: what the function returned last is gone. */
 START_TEST(formulas_read_files)
 {
@@ -318,9 +343,10 @@ START_TEST(thermo_rows_by_a_variable)
 }
 END_TEST
 
-HS_TEST_MAIN("good decks", loops, one_partition_takes_all_values, atomfiles_end_with_the_atoms, formulas_read_files,
-             command_line_variables_win, branches, quotes_and_substitution, echo_shows_lines_as_read_and_as_run,
-             files_within_files, a_deck_may_include_what_it_has_written, print_goes_where_it_is_told, log_moves_on,
-             quit_ends_the_deck, clear_forgets_the_box_and_keeps_variables,
-             accelerator_words_are_said_to_have_no_effect, runs_count_steps_and_time, ramps_and_oscillations_of_a_run,
-             commands_between_the_parts_of_a_run, displacements_that_are_not_gaussian, thermo_rows_by_a_variable)
+HS_TEST_MAIN("good decks", loops, what_is_there_can_be_written_and_numbered, one_partition_takes_all_values,
+             atomfiles_end_with_the_atoms, formulas_read_files, command_line_variables_win, branches,
+             quotes_and_substitution, echo_shows_lines_as_read_and_as_run, files_within_files,
+             a_deck_may_include_what_it_has_written, print_goes_where_it_is_told, log_moves_on, quit_ends_the_deck,
+             clear_forgets_the_box_and_keeps_variables, accelerator_words_are_said_to_have_no_effect,
+             runs_count_steps_and_time, ramps_and_oscillations_of_a_run, commands_between_the_parts_of_a_run,
+             displacements_that_are_not_gaussian, thermo_rows_by_a_variable)

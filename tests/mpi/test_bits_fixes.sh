@@ -85,6 +85,38 @@ fix 3 all addforce 0 0.2 0 region ball
 fix 4 all heat 5 1.0 region brick
 fix w all wall/region stone lj93 1.0 1.0 2.5
 D
+    system shared 20 'c_e c_y c_s[1] c_s[2] c_l[2]' 'c_p[1] c_p[2] c_g' <<D
+lattice fcc 0.7
+region box block 0 6 0 5 0 5
+region corner block 0 2 0 2 0 2
+create_box 2 box
+create_atoms 1 box
+set type 1 type/fraction 2 0.3 77
+delete_atoms region corner compress no
+reset_atom_ids
+mass * 1.0
+velocity all create 1.5 12345
+pair_style hybrid/overlay lj/cut 2.5 yukawa 1.2 2.2
+pair_coeff * * lj/cut 1 1
+pair_coeff * * yukawa 0.4
+pair_coeff 1 2 yukawa -0.4
+neigh_modify every 5 delay 0 check no
+group two type 2
+compute e all pair lj/cut
+compute y all pair yukawa
+compute near two cluster/atom 1.3
+compute drops two chunk/atom c_near compress yes
+compute size all property/chunk drops count
+compute move two vcm/chunk drops
+compute p all chunk/spread/atom drops c_size c_move[1]
+compute s all reduce sum c_p[*]
+compute kind all property/atom type
+compute r all rdf 20
+variable twice vector c_r[2]*2
+compute g all global/atom c_kind v_twice
+compute l all slice 9 20 4 v_twice
+fix 1 all nve
+D
     system drying 30 'atoms f_d c_t' 'vx' <<D
 lattice fcc 0.7
 region box block 0 6 0 5 0 4
