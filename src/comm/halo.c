@@ -6,8 +6,8 @@
 #include "base/memory.h"
 #include "comm/halo_plan.h"
 
-/* Parts into which the atoms are cut to find those that go to a halo: many more than threads. */
-enum { N_PARTS = 64 };
+/* Parts into which several threads cut the atoms to find those that go to a halo: many more than threads. */
+enum { PARTS_OF_THREADS = 64 };
 
 /** Layers lo..hi along every axis that need an atom. */
 typedef struct layer_range {
@@ -65,26 +65,28 @@ static void list_atoms(const hs_halo_plan *plan, const hs_atoms *atoms, int64_t 
 
 /** list_atoms for all parts of the local atoms. Atoms near lower faces, which go to halos, stand together in the arrays;
  *  parts handed out in turn give every thread its share of them. */
-static void list_parts(const hs_halo_plan *plan, const hs_halo *halo, const hs_atoms *atoms, int *next, int32_t *source)
+static void list_parts(const hs_halo_plan *plan, const hs_halo *halo, const hs_atoms *atoms, int n_parts, int *next,
+                       int32_t *source)
 {
-#pragma omp parallel for schedule(static, 1)
-    for (int part = 0; part < N_PARTS; ++part) {
+#pragma omp parallel for schedule(static, 1) if (n_parts > 1)
+    for (int part = 0; part < n_parts; ++part) {
         int64_t begin, end;
-        hs_thread_range(atoms->n_local, 1, part, N_PARTS, &begin, &end);
+        hs_thread_range(atoms->n_local, 1, part, n_parts, &begin, &end);
         list_atoms(plan, atoms, begin, end, next + (size_t)part * (size_t)halo->out.n_blocks, source);
     }
 }
 
 /** Turn the counts of all parts into places: next[part * n_blocks + b]. Blocks in order, parts within. */
-static hs_status places_from_counts(hs_halo_side *out, int *next, hs_error *err)
+static hs_status places_from_counts(hs_halo_side *out, int n_parts, int *next, hs_error *err)
 {
     int64_t n = 0;
     const size_t n_blocks = (size_t)out->n_blocks;
     for (size_t b = 0; b < n_blocks; ++b) {
         out->block[b].begin = (int)n;
-        for (size_t part = 0; part < N_PARTS; ++part) {
-            const int count = next[part * n_blocks + b];
-            next[part * n_blocks + b] = (int)n;
+        for (int part = 0; part < n_parts; ++part) {
+            int *const place = &next[(size_t)part * n_blocks + b];
+            const int count = *place;
+            *place = (int)n;
             n += count;
         }
         if (n > INT32_C(1) << 30)
@@ -99,16 +101,17 @@ static hs_status places_from_counts(hs_halo_side *out, int *next, hs_error *err)
 /** Choose the atoms to send. */
 static hs_status choose_atoms(hs_halo *halo, const hs_halo_plan *plan, const hs_atoms *atoms, hs_error *err)
 {
+    const int n_parts = hs_threads_get() > 1 ? PARTS_OF_THREADS : 1;
     int *next;
-    HS_TRY(HS_ALLOC(next, (size_t)N_PARTS * (size_t)halo->out.n_blocks, err));
-    list_parts(plan, halo, atoms, next, NULL);
-    hs_status status = places_from_counts(&halo->out, next, err);
+    HS_TRY(HS_ALLOC(next, (size_t)n_parts * (size_t)halo->out.n_blocks, err));
+    list_parts(plan, halo, atoms, n_parts, next, NULL);
+    hs_status status = places_from_counts(&halo->out, n_parts, next, err);
     if (status == HS_OK && halo->out.n > halo->capacity_source) {
         const size_t capacity = (size_t)halo->out.n + (size_t)halo->out.n / 8 + 64;
         status = HS_GROW(halo->source, 0, capacity, err);
         if (status == HS_OK) halo->capacity_source = (int)capacity;
     }
-    if (status == HS_OK) list_parts(plan, halo, atoms, next, halo->source);
+    if (status == HS_OK) list_parts(plan, halo, atoms, n_parts, next, halo->source);
     HS_FREE(next);
     return status;
 }

@@ -12,6 +12,7 @@ enum {
     VECTORS_BETWEEN = 16, /* vectors whose pairs are mixed: see mix */
     LANES_MAX = 16,
 };
+_Static_assert((int)LANES_MAX <= (int)HS_VERLET_PAD, "a vector beyond the last neighbor is in the padding");
 
 void hs_verlet_list_fini(hs_verlet_list *list)
 {
@@ -72,6 +73,7 @@ static hs_status begin_chunk(hs_verlet_chunk *chunk, hs_error *err)
     chunk->n = 0;
     chunk->rest.n = 0;
     chunk->blocks.n = 0;
+    HS_TRY(reserve_neighbors(chunk, 1, err)); /* what is read beyond the last is there, even if there is none */
     if (chunk->n_atoms + 1 > chunk->capacity_start) {
         chunk->capacity_start = chunk->n_atoms + chunk->n_atoms / 8 + 4;
         HS_TRY(HS_GROW(chunk->start, 0, (size_t)chunk->capacity_start, err));
@@ -79,41 +81,38 @@ static hs_status begin_chunk(hs_verlet_chunk *chunk, hs_error *err)
     return HS_OK;
 }
 
-/** Where in a row of four j-atoms the ones whose bit is set are, packed to the front. */
-static const unsigned char packed[16][4] = {
+/** Of a row of four j-atoms: where the ones whose bit is set are, packed to the front. */
+typedef int32_t row_places __attribute__((vector_size(HS_CLUSTER * sizeof(int32_t))));
+static const row_places packed[16] = {
     {0, 0, 0, 0}, {0, 0, 0, 0}, {1, 0, 0, 0}, {0, 1, 0, 0}, {2, 0, 0, 0}, {0, 2, 0, 0}, {1, 2, 0, 0}, {0, 1, 2, 0},
     {3, 0, 0, 0}, {0, 3, 0, 0}, {1, 3, 0, 0}, {0, 1, 3, 0}, {2, 3, 0, 0}, {0, 2, 3, 0}, {1, 2, 3, 0}, {0, 1, 2, 3},
 };
+static const unsigned char n_bits[16] = {0, 1, 1, 2, 1, 2, 2, 3, 1, 2, 2, 3, 2, 3, 3, 4};
 
-/** Take the last neighbors of atom i, those beyond full vectors, over to the pairs. The list begins at neighbor[begin]. */
-static hs_status take_rest(hs_verlet_chunk *chunk, int64_t begin, int i, int lanes, hs_error *err)
+/** Append the j-atoms of one row (i-atom) of refined entries. There is room for all of their atoms: each entry writes four,
+ *  of which the next overwrites what does not count. */
+static void append_row(hs_verlet_chunk *chunk, const hs_entry_list *entries, int row)
 {
-    hs_pair_list *rest = &chunk->rest;
-    const int64_t n_rest = (chunk->n - begin) % lanes;
-    HS_TRY(reserve_pairs(rest, lanes, err));
-    for (int64_t k = 0; k < n_rest; ++k) {
-        rest->i[rest->n + k] = i;
-        rest->j[rest->n + k] = chunk->neighbor[chunk->n - n_rest + k];
-    }
-    rest->n += n_rest;
-    chunk->n -= n_rest;
-    return HS_OK;
-}
-
-/** Append the j-atoms of one row (i-atom) of refined entries. */
-static hs_status append_row(hs_verlet_chunk *chunk, const hs_entry_list *entries, int row, hs_error *err)
-{
-    HS_TRY(reserve_neighbors(chunk, (int64_t)HS_CLUSTER * entries->n, err));
     int32_t *to = chunk->neighbor + chunk->n;
     for (int e = 0; e < entries->n; ++e) {
         const uint32_t bits = entries->entry[e].mask >> HS_CLUSTER * row & 0xfu;
-        const unsigned char *place = packed[bits];
-        for (int k = 0; k < HS_CLUSTER; ++k)
-            to[k] = entries->entry[e].first + place[k]; /* may write beyond what counts */
-        to += __builtin_popcount(bits);
+        const row_places atoms = packed[bits] + entries->entry[e].first;
+        memcpy(to, &atoms, sizeof atoms);
+        to += n_bits[bits];
     }
     chunk->n = to - chunk->neighbor;
-    return HS_OK;
+}
+
+/** Take the last neighbors of atom i, those beyond full vectors of so many lanes (a power of two), over to the pairs. The list begins
+ *  at neighbor[begin]; there is room, and padding, into which more is written than counts. */
+static void take_rest(hs_verlet_chunk *chunk, int64_t begin, int i, int lanes)
+{
+    hs_pair_list *rest = &chunk->rest;
+    const int64_t n_rest = (chunk->n - begin) & (lanes - 1);
+    chunk->n -= n_rest;
+    memcpy(rest->j + rest->n, chunk->neighbor + chunk->n, LANES_MAX * sizeof *rest->j);
+    for (int k = 0; k < LANES_MAX; ++k) rest->i[rest->n + k] = i;
+    rest->n += n_rest;
 }
 
 /** List the neighbors of the atoms of one cluster. */
@@ -135,11 +134,13 @@ static hs_status list_cluster(hs_verlet_chunk *chunk, hs_force_buffer *buffer, c
         kept.entry = found->entry + found->n;
         kept.n = hs_isa_refine(job->isa)(&job->input, first, found->entry, n_found, set->group, kept.entry, &n_pairs);
     }
+    HS_TRY(reserve_neighbors(chunk, (int64_t)HS_CLUSTER * HS_CLUSTER * kept.n, err));
+    HS_TRY(reserve_pairs(&chunk->rest, (int64_t)HS_CLUSTER * set->lanes, err));
     for (int row = 0; row < local->size[ci]; ++row) {
         const int64_t begin = chunk->n;
         chunk->start[first + row - chunk->first] = begin;
-        HS_TRY(append_row(chunk, &kept, row, err));
-        HS_TRY(take_rest(chunk, begin, first + row, set->lanes, err));
+        append_row(chunk, &kept, row);
+        take_rest(chunk, begin, first + row, set->lanes);
     }
     return HS_OK;
 }

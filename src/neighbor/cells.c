@@ -223,10 +223,8 @@ static hs_status sort(hs_cells *cells, const sort_input *in, hs_error *err)
     const int n_threads = hs_threads_get();
     const int64_t n_cells = (int64_t)cells->n_columns * cells->n[2];
     HS_TRY(reserve_scratch(cells, in->n, n_cells * n_threads, err));
-    int64_t *share_sum;
-    HS_TRY(HS_ALLOC(share_sum, (size_t)n_threads, err));
+    int64_t share_sum[n_threads];
     HS_ON_THREADS(sort_share(cells, in, n_cells, share_sum));
-    HS_FREE(share_sum);
     return HS_OK;
 }
 

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "base/memory.h"
+#include "base/wide.h"
 #include "parallel/parallel.h"
 
 /** Lower *least and raise *most to the numbers of a thread's share of x[n]. */
@@ -47,28 +48,41 @@ static size_t count_boxes(const hs_occupied *o, int dimension, double edge, int 
     }
 }
 
-static inline int64_t box_of(const hs_occupied *o, const double scale[3], const int n[3], const hs_atoms *atoms, int i)
+enum { BLOCK = 256 }; /* atoms whose boxes are found at a time */
+
+/** Numbers box[k] (whole, as doubles: vector code for every instruction set) of the boxes of @p count atoms from `begin` on. */
+HS_WIDE static void find_boxes(const hs_occupied *o, const double scale[3], const int n[3], int dimension,
+                               const hs_atoms *atoms, int begin, int count, double box[BLOCK])
 {
-    int64_t box = 0;
-    for (int axis = 0; axis < 3; ++axis) {
-        const double place = (atoms->x[axis][i] - o->lo[axis]) * scale[axis];
-        box = box * n[axis] + (place <= 0.0 ? 0 : place >= n[axis] ? n[axis] - 1 : (int)place);
+    for (int k = 0; k < count; ++k) box[k] = 0.0;
+    for (int axis = 0; axis < dimension; ++axis) {
+        const double *x = atoms->x[axis] + begin, lo = o->lo[axis], factor = scale[axis], width = n[axis], last = width - 1.0;
+        for (int k = 0; k < count; ++k) {
+            double place = (x[k] - lo) * factor;
+            place = place > 0.0 ? place : 0.0;
+            place = place < last ? place : last;
+            box[k] = box[k] * width + (double)(int)place;
+        }
     }
-    return box;
 }
 
 /** Mark the boxes of a thread's share of the atoms. */
-static void mark_boxes(const hs_occupied *o, const double scale[3], const int n[3], const hs_atoms *atoms,
-                       unsigned char *is_occupied)
+static void mark_boxes(const hs_occupied *o, const double scale[3], const int n[3], int dimension,
+                       const hs_atoms *atoms, unsigned char *is_occupied)
 {
+    double box[BLOCK];
 #pragma omp for schedule(static) nowait
-    for (int i = 0; i < atoms->n_local; ++i) {
-        unsigned char *flag = &is_occupied[box_of(o, scale, n, atoms, i)], is_set;
+    for (int begin = 0; begin < atoms->n_local; begin += BLOCK) {
+        const int left = atoms->n_local - begin, count = left < BLOCK ? left : BLOCK;
+        find_boxes(o, scale, n, dimension, atoms, begin, count, box);
+        for (int k = 0; k < count; ++k) {
+            unsigned char *flag = &is_occupied[(int64_t)box[k]], is_set;
 #pragma omp atomic read
-        is_set = *flag;
-        if (is_set) continue; /* a store would take the line from the caches of other threads */
+            is_set = *flag;
+            if (is_set) continue; /* a store would take the line from the caches of other threads */
 #pragma omp atomic write
-        *flag = 1;
+            *flag = 1;
+        }
     }
 }
 
@@ -92,7 +106,7 @@ hs_status hs_occupied_find(hs_occupied *o, const double lo[3], const double hi[3
         box_volume *= side;
     }
     HS_TRY(HS_ALLOC(is_occupied, n_boxes, err));
-    HS_ON_THREADS(mark_boxes(o, scale, n, atoms, is_occupied));
+    HS_ON_THREADS(mark_boxes(o, scale, n, dimension, atoms, is_occupied));
     int64_t count = 0;
     for (size_t k = 0; k < n_boxes; ++k) count += is_occupied[k];
     HS_FREE(is_occupied);

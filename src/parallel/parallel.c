@@ -111,6 +111,11 @@ int hs_thread_count(void) { return omp_get_num_threads(); }
 
 void hs_thread_range(int64_t n, int chunk, int thread, int n_threads, int64_t *begin, int64_t *end)
 {
+    if (n_threads == 1) { /* the usual case of small systems, without divisions */
+        *begin = 0;
+        *end = n;
+        return;
+    }
     const int64_t n_chunks = (n + chunk - 1) / chunk;
     *begin = n_chunks * thread / n_threads * chunk;
     *end = n_chunks * (thread + 1) / n_threads * chunk;
