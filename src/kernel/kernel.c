@@ -50,6 +50,16 @@ hs_isa hs_isa_best(void)
     return (hs_isa)isa;
 }
 
+bool hs_isa_gathers_fast(hs_isa isa)
+{
+#if defined(__x86_64__) && !defined(HS_PORTABLE_ONLY)
+    return isa == HS_ISA_AVX512 && __builtin_cpu_is("intel"); /* kernel/simd.h has the measurements */
+#else
+    (void)isa;
+    return false;
+#endif
+}
+
 hs_status hs_isa_get(const char *name, hs_isa *isa, hs_error *err)
 {
     *isa = hs_isa_best();

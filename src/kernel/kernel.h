@@ -62,6 +62,7 @@ typedef struct hs_kernel_input {
     const int32_t *site,
         *site_listed; /**< mixed precision, methods with clusters: packed positions (kernel/packed.h) */
     double unit;      /**< distance: their unit */
+    bool gathers;     /**< the machine's gather instructions are fast (hs_isa_gathers_fast) */
     const hs_pair_table *table;
     double magic_force, magic_energy; /**< fixed point only: see kernel/accumulate.h */
 } hs_kernel_input;
@@ -111,6 +112,9 @@ typedef int (*hs_list_refine)(const hs_kernel_input *in, int first, hs_cluster_e
                               hs_cluster_entry *to, int64_t *n_pairs);
 extern const hs_list_refine hs_list_refine_portable, hs_list_refine_sse2, hs_list_refine_avx2, hs_list_refine_avx512;
 hs_list_refine hs_isa_refine(hs_isa isa);
+
+/** Whether this machine's instructions that gather are faster than loads one by one. */
+bool hs_isa_gathers_fast(hs_isa isa);
 
 /** n rounds of multiplications and additions of vectors of doubles that do not wait for one another; how many operations on
  *  numbers these are. Returns their result, so that none can be left out. */

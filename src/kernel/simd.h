@@ -27,10 +27,11 @@
  *
  *  and, defined below for all of them, for j-atoms that are listed one by one:
  *
- *      hs_gather(x, origin, j)            hs_local of x[j[0]], x[j[1]], ...
+ *      hs_gather(x, origin, j, by_machine)   hs_local of x[j[0]], x[j[1]], ...; with the machine's own instruction if that is wanted and
+ *                                         there (HS_GATHERS is defined, with hs_machine_gather(x, j))
  *      hs_scatter_add(f, j, a)            f[j[0]] += lane 0 of a, ...; an atom that occurs twice gets both
  *      hs_scatter_subtract(f, j, a)       the same with -=
- *      hs_gather_between(x, i, j)         x[j[0]] - x[i[0]], ..., rounded after the subtraction
+ *      hs_gather_between(x, i, j, by_machine)   x[j[0]] - x[i[0]], ..., rounded after the subtraction
  *      hs_first_lanes(n)                  mask of the lanes below n
  *      hs_to_indices(a, j)                j[k] = lane k of a without its fraction; lanes fit 32-bit integers
  *      hs_from_indices(j)                 and back
@@ -95,10 +96,15 @@
 static inline hs_vec hs_min(hs_vec a, hs_vec b) { return hs_select(hs_less(a, b), a, b); }
 static inline hs_vec hs_max(hs_vec a, hs_vec b) { return hs_select(hs_less(b, a), a, b); }
 
-/* Compilers make loads and inserts of this. The machine's gather instructions measured slower: 4.6 instead of 5.5 (AVX-512)
-   and 6.3 (AVX2) million atom-steps/s on a Zen 4. */
-static inline hs_vec hs_gather(const double *x, double origin, const int32_t *j)
+/* Compilers make loads and inserts of the loop. The machine's gather instructions measured slower on a Zen 4: 4.6 instead of 5.5 (AVX-512)
+   and 6.3 (AVX2) million atom-steps/s; those of AVX-512 faster on an Intel processor, by a tenth of the steps of a WCA fluid, those of AVX2
+   slower by a tenth there, too. So hs_isa_gathers_fast() asks for the vendor, and AVX2 has none. */
+static inline hs_vec hs_gather(const double *x, double origin, const int32_t *j, bool by_machine)
 {
+#ifdef HS_GATHERS
+    if (by_machine) return hs_machine_gather(x, j);
+#endif
+    (void)by_machine;
     hs_real lane[HS_LANES];
     hs_vec a;
     for (int k = 0; k < HS_LANES; ++k) lane[k] = hs_local(x[j[k]], origin);
@@ -122,16 +128,17 @@ static inline hs_vec hs_from_indices(const int32_t *j)
     return a;
 }
 
-static inline hs_vec hs_gather_between(const double *x, const int32_t *i, const int32_t *j)
+static inline hs_vec hs_gather_between(const double *x, const int32_t *i, const int32_t *j, bool by_machine)
 {
 #ifdef HS_MIXED
+    (void)by_machine;
     hs_real lane[HS_LANES];
     hs_vec a;
     for (int k = 0; k < HS_LANES; ++k) lane[k] = hs_local(x[j[k]], x[i[k]]);
     memcpy(&a, lane, sizeof a);
     return a;
 #else
-    return hs_gather(x, 0.0, j) - hs_gather(x, 0.0, i);
+    return hs_gather(x, 0.0, j, by_machine) - hs_gather(x, 0.0, i, by_machine);
 #endif
 }
 

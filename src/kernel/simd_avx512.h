@@ -37,6 +37,14 @@ static inline void hs_append_indices(int32_t *to, hs_msk m, const int32_t *from)
     _mm256_storeu_si256((__m256i *)(void *)to, _mm256_maskz_compress_epi32(m, all));
 }
 
+#define HS_GATHERS
+static inline hs_vec hs_machine_gather(const double *x, const int32_t *j)
+{
+    /* into zeros: what is undefined would have to wait for whatever the register had before */
+    const __m256i index = _mm256_loadu_si256((const __m256i *)(const void *)j);
+    return _mm512_mask_i32gather_pd(_mm512_setzero_pd(), 0xff, index, x, sizeof *x);
+}
+
 static inline hs_msk hs_mask_and(hs_msk m, hs_msk n) { return m & n; }
 static inline hs_msk hs_less(hs_vec a, hs_vec b) { return _mm512_cmp_pd_mask(a, b, _CMP_LT_OQ); }
 static inline hs_vec hs_keep(hs_msk m, hs_vec a) { return _mm512_maskz_mov_pd(m, a); }

@@ -29,7 +29,7 @@ HS_INLINE void verlet_params(const hs_kernel_input *in, const verlet_atom *atom,
     const int stride = HS_TABLE_PARAMS + N_PARAMS;
     int32_t row[HS_LANES];
     for (int k = 0; k < HS_LANES; ++k) row[k] = stride * in->type[j[k]];
-    for (int k = 0; k < stride; ++k) params[k] = hs_gather(atom->row_table + k, 0.0, row);
+    for (int k = 0; k < stride; ++k) params[k] = hs_gather(atom->row_table + k, 0.0, row, in->gathers);
 }
 
 /** What the pairs of one vector, d from i to j, exert on their j-atoms: terms of the forces, to be settled; energy and virial go
@@ -64,12 +64,12 @@ HS_INLINE void verlet_vector(const hs_kernel_input *in, hs_kernel_output *out, c
     const int stride = HS_TABLE_PARAMS + N_PARAMS;
     hs_vec params[HS_TABLE_PARAMS + N_PARAMS + HS_HAS_RADII];
     for (int k = 0; k < stride && !by_type; ++k) params[k] = only[k];
-    if (HS_HAS_RADII) params[stride] = hs_gather(in->radius, 0.0, j) + atom->radius;
+    if (HS_HAS_RADII) params[stride] = hs_gather(in->radius, 0.0, j, in->gathers) + atom->radius;
     if (by_type) verlet_params(in, atom, j, params);
     const int n_axes = in->is_flat ? 2 : 3;
-    hs_vec d[3] = {hs_gather(in->x[0], atom->x[0], j) - atom->x_local[0],
-                   hs_gather(in->x[1], atom->x[1], j) - atom->x_local[1], hs_set1(0.0)};
-    if (n_axes == 3) d[2] = hs_gather(in->x[2], atom->x[2], j) - atom->x_local[2];
+    hs_vec d[3] = {hs_gather(in->x[0], atom->x[0], j, in->gathers) - atom->x_local[0],
+                   hs_gather(in->x[1], atom->x[1], j, in->gathers) - atom->x_local[1], hs_set1(0.0)};
+    if (n_axes == 3) d[2] = hs_gather(in->x[2], atom->x[2], j, in->gathers) - atom->x_local[2];
     const hs_msk counts = hs_first_lanes(n);
     hs_acc term[3];
     vector_terms(in, params, d, is_full ? NULL : &counts, atom->magic_force, atom->magic_energy, sums, term,
@@ -144,34 +144,36 @@ HS_INLINE void verlet_loop(const hs_kernel_input *in, hs_kernel_output *out, int
 
 /** The parameters of the pairs (i, j) of one vector, from the first to before the last. */
 HS_INLINE void pair_params(const hs_kernel_input *in, const int32_t *i, const int32_t *j, int first, int last,
-                           hs_vec *params)
+                           hs_vec *params, const bool gathers)
 {
     const int stride = HS_TABLE_PARAMS + N_PARAMS;
     int32_t row[HS_LANES];
     for (int k = 0; k < HS_LANES; ++k) row[k] = stride * (in->type[i[k]] * in->table->n_types + in->type[j[k]]);
-    for (int k = first; k < last; ++k) params[k] = hs_gather(in->table->values + k, 0.0, row);
+    for (int k = first; k < last; ++k) params[k] = hs_gather(in->table->values + k, 0.0, row, gathers);
 }
 
 /** Vectors d between the atoms of some pairs. */
-HS_INLINE void pair_distances(const hs_kernel_input *in, const int32_t *i, const int32_t *j, hs_vec d[3])
+HS_INLINE void pair_distances(const hs_kernel_input *in, const int32_t *i, const int32_t *j, hs_vec d[3],
+                              const bool gathers)
 {
-    d[0] = hs_gather_between(in->x[0], i, j);
-    d[1] = hs_gather_between(in->x[1], i, j);
-    d[2] = in->is_flat ? hs_set1(0.0) : hs_gather_between(in->x[2], i, j);
+    d[0] = hs_gather_between(in->x[0], i, j, gathers);
+    d[1] = hs_gather_between(in->x[1], i, j, gathers);
+    d[2] = in->is_flat ? hs_set1(0.0) : hs_gather_between(in->x[2], i, j, gathers);
 }
 
 /** One vector of pairs (i, j), of which the first n count; is_full: all do. */
 HS_INLINE void pairs_vector(const hs_kernel_input *in, hs_kernel_output *out, const int32_t *i, const int32_t *j,
                             const hs_vec d[3], int n, hs_vec *params, verlet_sums *sums, const bool is_full,
-                            const bool with_energy, const bool by_type)
+                            const bool with_energy, const bool by_type, const bool gathers)
 {
     const int n_axes = in->is_flat ? 2 : 3;
     const hs_magic magic_force = hs_magic_of(in->magic_force), magic_energy = hs_magic_of(in->magic_energy);
     const hs_msk counts = hs_first_lanes(n);
     hs_acc term[3];
-    if (by_type) pair_params(in, i, j, 0, HS_TABLE_PARAMS + N_PARAMS, params);
+    if (by_type) pair_params(in, i, j, 0, HS_TABLE_PARAMS + N_PARAMS, params, gathers);
     if (HS_HAS_RADII)
-        params[HS_TABLE_PARAMS + N_PARAMS] = hs_gather(in->radius, 0.0, i) + hs_gather(in->radius, 0.0, j);
+        params[HS_TABLE_PARAMS + N_PARAMS] =
+            hs_gather(in->radius, 0.0, i, gathers) + hs_gather(in->radius, 0.0, j, gathers);
     vector_terms(in, params, d, is_full ? NULL : &counts, magic_force, magic_energy, sums, term, with_energy);
     for (int axis = 0; axis < n_axes; ++axis) {
         hs_acc_settle(&term[axis], 1, magic_force);
@@ -198,16 +200,16 @@ typedef struct close_pairs {
 
 /** Append the close ones of a vector of pairs, of which the first n count. */
 HS_INLINE void find_close(const hs_kernel_input *in, const int32_t *i, const int32_t *j, int n, hs_vec *params,
-                          close_pairs *close, const bool by_type)
+                          close_pairs *close, const bool by_type, const bool gathers)
 {
     const int at = close->n, n_axes = in->is_flat ? 2 : 3;
     hs_vec d[3];
-    pair_distances(in, i, j, d);
-    if (by_type) pair_params(in, i, j, HS_TABLE_CUT_R2, HS_TABLE_CUT_R2 + 1, params);
+    pair_distances(in, i, j, d, gathers);
+    if (by_type) pair_params(in, i, j, HS_TABLE_CUT_R2, HS_TABLE_CUT_R2 + 1, params, gathers);
     const hs_vec r2 = hs_fma(d[2], d[2], hs_fma(d[1], d[1], d[0] * d[0]));
     hs_msk mask = hs_less(r2, params[HS_TABLE_CUT_R2]);
     if (HS_HAS_RADII) {
-        const hs_vec reach = hs_gather(in->radius, 0.0, i) + hs_gather(in->radius, 0.0, j);
+        const hs_vec reach = hs_gather(in->radius, 0.0, i, gathers) + hs_gather(in->radius, 0.0, j, gathers);
         mask = hs_mask_and(mask, hs_less(r2, reach * reach));
     }
     if (n < HS_LANES) mask = hs_mask_and(mask, hs_first_lanes(n));
@@ -218,12 +220,12 @@ HS_INLINE void find_close(const hs_kernel_input *in, const int32_t *i, const int
 
 HS_INLINE void close_vector(const hs_kernel_input *in, hs_kernel_output *out, const close_pairs *close, int at, int n,
                             hs_vec *params, verlet_sums *sums, const bool is_full, const bool with_energy,
-                            const bool by_type)
+                            const bool by_type, const bool gathers)
 {
     const int n_axes = in->is_flat ? 2 : 3;
     hs_vec d[3] = {hs_set1(0.0), hs_set1(0.0), hs_set1(0.0)};
     for (int axis = 0; axis < n_axes; ++axis) memcpy(&d[axis], close->d[axis] + at, sizeof d[axis]);
-    pairs_vector(in, out, close->i + at, close->j + at, d, n, params, sums, is_full, with_energy, by_type);
+    pairs_vector(in, out, close->i + at, close->j + at, d, n, params, sums, is_full, with_energy, by_type, gathers);
 }
 
 /** The pairs that are left, less than a vector, go from @p at to the front; lanes beyond them name some atom. */
@@ -240,19 +242,19 @@ HS_INLINE void keep_rest(close_pairs *close, int at, int n_axes)
 
 HS_INLINE void take_pairs(const hs_kernel_input *in, hs_kernel_output *out, const int32_t *i, const int32_t *j, int n,
                           hs_vec *params, close_pairs *close, verlet_sums *sums, const bool with_energy,
-                          const bool by_type)
+                          const bool by_type, const bool gathers)
 {
     int done = 0;
-    for (int at = 0; at < n; at += HS_LANES) find_close(in, i + at, j + at, n - at, params, close, by_type);
+    for (int at = 0; at < n; at += HS_LANES) find_close(in, i + at, j + at, n - at, params, close, by_type, gathers);
     for (; close->n - done >= HS_LANES; done += HS_LANES)
-        close_vector(in, out, close, done, HS_LANES, params, sums, true, with_energy, by_type);
+        close_vector(in, out, close, done, HS_LANES, params, sums, true, with_energy, by_type, gathers);
     keep_rest(close, done, in->is_flat ? 2 : 3);
 }
 
 HS_INLINE void take_rest(const hs_kernel_input *in, hs_kernel_output *out, hs_vec *params, const close_pairs *close,
-                         verlet_sums *sums, const bool with_energy, const bool by_type)
+                         verlet_sums *sums, const bool with_energy, const bool by_type, const bool gathers)
 {
-    if (close->n > 0) close_vector(in, out, close, 0, close->n, params, sums, false, with_energy, by_type);
+    if (close->n > 0) close_vector(in, out, close, 0, close->n, params, sums, false, with_energy, by_type, gathers);
 }
 #else
 /** None are set aside. */
@@ -262,31 +264,31 @@ typedef struct close_pairs {
 
 HS_INLINE void take_pairs(const hs_kernel_input *in, hs_kernel_output *out, const int32_t *i, const int32_t *j, int n,
                           hs_vec *params, close_pairs *close, verlet_sums *sums, const bool with_energy,
-                          const bool by_type)
+                          const bool by_type, const bool gathers)
 {
     hs_vec d[3];
     int at = 0;
     (void)close;
     for (; n - at >= HS_LANES; at += HS_LANES) {
-        pair_distances(in, i + at, j + at, d);
-        pairs_vector(in, out, i + at, j + at, d, HS_LANES, params, sums, true, with_energy, by_type);
+        pair_distances(in, i + at, j + at, d, gathers);
+        pairs_vector(in, out, i + at, j + at, d, HS_LANES, params, sums, true, with_energy, by_type, gathers);
     }
     if (at == n) return;
-    pair_distances(in, i + at, j + at, d);
-    pairs_vector(in, out, i + at, j + at, d, n - at, params, sums, false, with_energy, by_type);
+    pair_distances(in, i + at, j + at, d, gathers);
+    pairs_vector(in, out, i + at, j + at, d, n - at, params, sums, false, with_energy, by_type, gathers);
 }
 
 HS_INLINE void take_rest(const hs_kernel_input *in, hs_kernel_output *out, hs_vec *params, const close_pairs *close,
-                         verlet_sums *sums, const bool with_energy, const bool by_type)
+                         verlet_sums *sums, const bool with_energy, const bool by_type, const bool gathers)
 {
-    (void)in, (void)out, (void)params, (void)close, (void)sums, (void)with_energy, (void)by_type;
+    (void)in, (void)out, (void)params, (void)close, (void)sums, (void)with_energy, (void)by_type, (void)gathers;
 }
 #endif
 
 /** Pairs one by one, whatever their atoms: what is left of the lists when the full vectors of each i-atom are taken, and all of short
  *  lists, for which a vector of their own would be mostly empty. */
-HS_INLINE void pairs_loop(const hs_kernel_input *in, hs_kernel_output *out, int64_t n, const int32_t *i,
-                          const int32_t *j, const bool with_energy, const bool by_type)
+HS_INLINE void all_pairs(const hs_kernel_input *in, hs_kernel_output *out, int64_t n, const int32_t *i,
+                         const int32_t *j, const bool with_energy, const bool by_type, const bool gathers)
 {
     const hs_pair_table *table = in->table;
     const int stride = HS_TABLE_PARAMS + N_PARAMS;
@@ -300,12 +302,25 @@ HS_INLINE void pairs_loop(const hs_kernel_input *in, hs_kernel_output *out, int6
     begin_atom(&sums, with_energy);
     for (int64_t at = 0; at < n; at += PAIRS_AT_ONCE) {
         const int n_now = n - at > PAIRS_AT_ONCE ? PAIRS_AT_ONCE : (int)(n - at);
-        take_pairs(in, out, i + at, j + at, n_now, params, &close, &sums, with_energy, by_type);
+        take_pairs(in, out, i + at, j + at, n_now, params, &close, &sums, with_energy, by_type, gathers);
         /* sums are passed on before they can leave their 64 bits */
         if (sums.n_terms < (PAIRS_MAX - 2 * PAIRS_AT_ONCE) / HS_LANES) continue;
         report_sums(out, magic_energy, &sums, with_energy);
         begin_atom(&sums, with_energy);
     }
-    take_rest(in, out, params, &close, &sums, with_energy, by_type);
+    take_rest(in, out, params, &close, &sums, with_energy, by_type, gathers);
     report_sums(out, magic_energy, &sums, with_energy);
+}
+
+/** How pairs are gathered is a constant for compilers, too: asked for every vector, it cost half of what the machine's instructions gain. */
+HS_INLINE void pairs_loop(const hs_kernel_input *in, hs_kernel_output *out, int64_t n, const int32_t *i,
+                          const int32_t *j, const bool with_energy, const bool by_type)
+{
+#ifdef HS_GATHERS
+    if (in->gathers) {
+        all_pairs(in, out, n, i, j, with_energy, by_type, true);
+        return;
+    }
+#endif
+    all_pairs(in, out, n, i, j, with_energy, by_type, false);
 }

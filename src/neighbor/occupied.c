@@ -56,7 +56,8 @@ HS_WIDE static void find_boxes(const hs_occupied *o, const double scale[3], cons
 {
     for (int k = 0; k < count; ++k) box[k] = 0.0;
     for (int axis = 0; axis < dimension; ++axis) {
-        const double *x = atoms->x[axis] + begin, lo = o->lo[axis], factor = scale[axis], width = n[axis], last = width - 1.0;
+        const double *x = atoms->x[axis] + begin, lo = o->lo[axis], factor = scale[axis], width = n[axis],
+                     last = width - 1.0;
         for (int k = 0; k < count; ++k) {
             double place = (x[k] - lo) * factor;
             place = place > 0.0 ? place : 0.0;

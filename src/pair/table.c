@@ -11,8 +11,9 @@ enum { FORCE = 0, ENERGY = 4, PER_INTERVAL = 8 };
 
 static inline __attribute__((always_inline)) hs_vec cubic(const double *c, const int32_t *at, hs_vec t)
 {
-    const hs_vec c3 = hs_gather(c + 3, 0.0, at), c2 = hs_gather(c + 2, 0.0, at), c1 = hs_gather(c + 1, 0.0, at);
-    return hs_fma(hs_fma(hs_fma(c3, t, c2), t, c1), t, hs_gather(c, 0.0, at));
+    const hs_vec c3 = hs_gather(c + 3, 0.0, at, false), c2 = hs_gather(c + 2, 0.0, at, false),
+                 c1 = hs_gather(c + 1, 0.0, at, false);
+    return hs_fma(hs_fma(hs_fma(c3, t, c2), t, c1), t, hs_gather(c, 0.0, at, false));
 }
 
 HS_EVALUATE(const hs_vec *p, const double *shared, hs_vec r2, hs_vec *force_over_r, hs_vec *energy, bool with_energy)

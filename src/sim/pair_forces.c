@@ -39,6 +39,7 @@ hs_force_job hs_sim_make_job(hs_sim *sim, bool with_energy)
                                   .listed_by_radius = hs_pair_has_radii(sim->pair, true),
                                   .skin = neighbor->settings.skin,
                                   .type = sim->kernel_type != NULL ? sim->kernel_type : atoms->type,
+                                  .gathers = hs_isa_gathers_fast(sim->isa),
                                   .table = &sim->pair_table[part]};
     return job;
 }
