@@ -42,10 +42,14 @@ static inline __attribute__((always_inline)) void move_axis(double *restrict x, 
     const double dt = sizes.dt, magic = sizes.magic, only_kick = kick[0];
     for (int i = 0; i < n; ++i) {
         const double v_old = v[i], v_new = v_old + (is_uniform ? only_kick : kick[i]) * f[i];
-        v[i] = is_uniform || moves[i] != 0 ? v_new : v_old;
-        if (!drift) continue;
-        const double x_old = x[i], x_new = hs_moved(x_old, dt * v_new, magic);
-        x[i] = is_uniform || moves[i] != 0 ? x_new : x_old;
+        const bool is_moved = is_uniform || moves[i] != 0;
+        if (drift) { /* x is read before v is written: arrays may begin at the same place of a page */
+            const double x_old = x[i], x_new = hs_moved(x_old, dt * v_new, magic);
+            v[i] = is_moved ? v_new : v_old;
+            x[i] = is_moved ? x_new : x_old;
+        } else {
+            v[i] = is_moved ? v_new : v_old;
+        }
     }
 }
 

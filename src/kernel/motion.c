@@ -11,10 +11,11 @@ static inline __attribute__((always_inline)) void move(const hs_overdamped *moti
     const double drift = motion->drift, kick = motion->kick, dt = motion->dt, magic = motion->magic;
     for (int i = 0; i < n; ++i) {
         const bool is_moved = is_all || (group[i] & mask) != 0;
-        const double v_new = drift * f[i] + kick * noise[i];
-        const double x_new = x[i] + ((dt * v_new + magic) - magic); /* as hs_moved */
-        v[i] = is_moved ? v_new : v[i];
-        x[i] = is_moved ? x_new : x[i];
+        const double v_old = v[i], v_new = drift * f[i] + kick * noise[i];
+        const double x_old = x[i], x_new = x_old + ((dt * v_new + magic) - magic); /* as hs_moved */
+        /* after all loads: arrays that begin at the same place of a page would make them wait */
+        v[i] = is_moved ? v_new : v_old;
+        x[i] = is_moved ? x_new : x_old;
     }
 }
 
@@ -27,15 +28,26 @@ static void translate(const hs_overdamped *motion, int n, const uint32_t *group,
         move(motion, n, group, mask, f, noise, x, v, false);
 }
 
-static void rotate(int n, const double *restrict angle, double *restrict x, double *restrict y)
+static inline __attribute__((always_inline)) void turn_by(double turn, int n, const uint32_t *restrict group,
+                                                          uint32_t mask, const double *restrict noise,
+                                                          double *restrict x, double *restrict y, const bool is_all)
 {
     for (int i = 0; i < n; ++i) {
+        const bool is_turned = is_all || (group[i] & mask) != 0;
         const double a = x[i], b = y[i];
         double sine, cosine;
-        hs_sincos(angle[i], &sine, &cosine);
-        x[i] = cosine * a - sine * b;
-        y[i] = sine * a + cosine * b;
+        hs_sincos(turn * noise[i], &sine, &cosine);
+        x[i] = is_turned ? cosine * a - sine * b : a;
+        y[i] = is_turned ? sine * a + cosine * b : b;
     }
+}
+
+static void rotate(double turn, int n, const uint32_t *group, uint32_t mask, const double *noise, double *x, double *y)
+{
+    if (group == NULL)
+        turn_by(turn, n, group, mask, noise, x, y, true);
+    else
+        turn_by(turn, n, group, mask, noise, x, y, false);
 }
 
 /** Not every set can convert 64-bit integers: two halves, each exact, are added with one rounding, as a conversion would. */

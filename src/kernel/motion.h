@@ -16,8 +16,9 @@ typedef struct hs_overdamped {
 /** v = drift f + kick noise, x += dt v for n atoms; with @p group only for those that have a bit of @p mask, without (NULL) for all. */
 typedef void (*hs_motion_translate)(const hs_overdamped *motion, int n, const uint32_t *group, uint32_t mask,
                                     const double *f, const double *noise, double *x, double *v);
-/** Turn the vectors (x, y) of n atoms by angle[n] (radians, below 2^30). */
-typedef void (*hs_motion_rotate)(int n, const double *angle, double *x, double *y);
+/** Turn the vectors (x, y) of n atoms by turn * noise[n] (radians, below 2^30); which atoms: as above. */
+typedef void (*hs_motion_rotate)(double turn, int n, const uint32_t *group, uint32_t mask, const double *noise,
+                                 double *x, double *y);
 /** In place, n 64-bit integers in the memory of doubles become multiples of @p unit, a power of two. */
 typedef void (*hs_motion_settle)(double *f, int64_t n, double unit);
 

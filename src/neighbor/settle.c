@@ -19,15 +19,19 @@ pass(const hs_settle_input *in, int begin, int end, hs_settle_result *result, co
     const double magic = in->magic;
     uint64_t largest = result->displacement2, highest = result->z;
     for (int i = begin; i < end; ++i) {
+        /* all loads before the first store: arrays that begin at the same place of a page would make loads wait for it */
+        const double x_now = is_rounded ? (x[i] + magic) - magic : x[i],
+                     y_now = is_rounded ? (y[i] + magic) - magic : y[i],
+                     z_now = is_rounded && !is_flat ? (z[i] + magic) - magic : z[i];
+        const double dx = x_now - x0[i], dy = y_now - y0[i], dz = is_flat ? z_now : z_now - z0[i];
         if (is_rounded) {
-            x[i] = (x[i] + magic) - magic;
-            y[i] = (y[i] + magic) - magic;
-            if (!is_flat) z[i] = (z[i] + magic) - magic;
+            x[i] = x_now;
+            y[i] = y_now;
+            if (!is_flat) z[i] = z_now;
         }
-        const double dx = x[i] - x0[i], dy = y[i] - y0[i], dz = is_flat ? z[i] : z[i] - z0[i];
         const uint64_t d2 = bits_of(dx * dx + dy * dy + dz * dz);
         largest = d2 > largest ? d2 : largest;
-        if (is_flat) highest |= bits_of(z[i]) & INT64_MAX;
+        if (is_flat) highest |= bits_of(z_now) & INT64_MAX;
     }
     result->displacement2 = largest;
     result->z = highest;
