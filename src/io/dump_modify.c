@@ -1,4 +1,5 @@
 /* The command dump_modify. */
+#include <math.h>
 #include <string.h>
 
 #include "base/memory.h"
@@ -33,7 +34,10 @@ const hs_keyword hs_dump_modify_keywords[] = {
     {"region", 1, "<region | none>", "only atoms in the region"},
     {"scale", 1, "yes|no", "style atom: positions scaled to 0 ... 1 (default yes)"},
     {"sort", 1, "<off | id | N | -N>", "order of rows: in memory, by id (default), or by column N up or down"},
-    {"thresh", -1, "<attribute> <comparison> <value> | none", "only atoms that meet the condition, and all other ones"},
+    {"thresh", -1, "<attribute> <comparison> <value>|LAST | none",
+     "only atoms that meet the condition, and all other ones; LAST: what the attribute was for this atom in the "
+     "snapshot "
+     "before (in the first one: what it is)"},
     {"time", 1, "yes|no", "write the simulated time (default no)"},
     {"units", 1, "yes|no", "write the unit system at the head of a file (default no)"},
     {"unwrap", 1, "yes|no", "style dcd: places unwrapped by the atoms' images (default no)"},
@@ -110,38 +114,72 @@ static hs_status modify_format(hs_dump *dump, const hs_args *args, int *n_used, 
     return modify_column_format(table, args, err);
 }
 
+static void fini_condition(hs_dump *dump, hs_dump_condition *condition)
+{
+    hs_dump_last *last = condition->last;
+    hs_dump_fini_column(&condition->column);
+    if (last != NULL && last->values != NULL) hs_atoms_remove_field(dump->env->atoms, (void **)&last->values);
+    if (last != NULL) HS_FREE(last->name);
+    HS_FREE(condition->last);
+}
+
+void hs_dump_clear_conditions(hs_dump *dump)
+{
+    hs_dump_table *table = dump->state;
+    for (int k = 0; k < table->n_conditions; ++k) fini_condition(dump, &table->condition[k]);
+    table->n_conditions = 0;
+}
+
+/** Values of the latest snapshot, of which there is none yet, for condition k. */
+static hs_status add_last(hs_dump *dump, hs_dump_condition *condition, int k, hs_error *err)
+{
+    hs_atoms *atoms = dump->env->atoms;
+    hs_text name = {0};
+    HS_TRY(HS_ALLOC(condition->last, 1, err));
+    hs_dump_last *last = condition->last;
+    hs_status status = hs_text_printf(&name, err, "dump %s last %d", dump->id, k + 1);
+    if (status == HS_OK) status = hs_memory_strdup(&last->name, hs_text_get(&name), err);
+    hs_text_fini(&name);
+    HS_TRY(status);
+    HS_TRY(hs_atoms_add_field(atoms, last->name, (void **)&last->values, sizeof *last->values, false, err));
+    for (int i = 0; i < atoms->n_local; ++i) last->values[i] = NAN;
+    return HS_OK;
+}
+
+static hs_status check_condition(const hs_dump *dump, const hs_dump_condition *condition, const hs_args *args,
+                                 hs_error *err)
+{
+    HS_TRY(hs_attribute_check(condition->column.attribute, dump->env->atoms, err));
+    if (condition->column.attribute != HS_ATTR_ELEMENT) return HS_OK;
+    return hs_fail(err, HS_ERROR_INPUT, "%s: thresh compares numbers; use type instead of element", args->command);
+}
+
 static hs_status modify_thresh(hs_dump *dump, const hs_args *args, int *n_used, hs_error *err)
 {
     hs_dump_table *table = dump->state;
-    hs_dump_condition condition;
+    hs_dump_condition condition = {.last = NULL};
     HS_TRY(hs_arg_need(args, 1, "the attribute after thresh", err));
     if (strcmp(args->word[1], "none") == 0) {
-        for (int k = 0; k < table->n_conditions; ++k) hs_dump_fini_column(&table->condition[k].column);
-        table->n_conditions = 0;
+        hs_dump_clear_conditions(dump);
         *n_used = 2;
         return HS_OK;
     }
     *n_used = 4;
     HS_TRY(hs_arg_need(args, 3, "the attribute, comparison and value after thresh", err));
     HS_TRY(hs_arg_comparison(args, 2, &condition.how, err));
-    if (strcmp(args->word[3], "LAST") == 0)
-        return hs_fail(err, HS_ERROR_INPUT, "%s: thresh ... LAST is not supported; compare with a number",
-                       args->command);
-    HS_TRY(hs_arg_double(args, 3, &condition.value, err));
+    const bool is_last = strcmp(args->word[3], "LAST") == 0;
+    if (!is_last) HS_TRY(hs_arg_double(args, 3, &condition.value, err));
     HS_TRY(HS_GROW(table->condition, (size_t)table->n_conditions, (size_t)table->n_conditions + 1, err));
     if (strchr(args->word[1], '*') != NULL)
         return hs_arg_refuse(args, 1, "one value: c_ID, c_ID[i], f_ID, f_ID[i] or v_name", NULL, err);
     HS_TRY(hs_dump_parse_column(args->word[1], &condition.column, err));
-    if (hs_attribute_check(condition.column.attribute, dump->env->atoms, err) != HS_OK) {
-        hs_dump_fini_column(&condition.column);
-        return HS_ERROR_INPUT;
-    }
-    if (condition.column.attribute == HS_ATTR_ELEMENT) {
-        hs_dump_fini_column(&condition.column);
-        return hs_fail(err, HS_ERROR_INPUT, "%s: thresh compares numbers; use type instead of element", args->command);
-    }
-    table->condition[table->n_conditions++] = condition;
-    return HS_OK;
+    hs_status status = check_condition(dump, &condition, args, err);
+    if (status == HS_OK && is_last) status = add_last(dump, &condition, table->n_conditions, err);
+    if (status == HS_OK)
+        table->condition[table->n_conditions++] = condition;
+    else
+        fini_condition(dump, &condition);
+    return status;
 }
 
 static hs_status modify_sort(hs_dump_table *table, const hs_args *args, hs_error *err)

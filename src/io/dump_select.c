@@ -1,4 +1,5 @@
 /* Which atoms a snapshot holds, and in which order. */
+#include <math.h>
 #include <stdlib.h>
 
 #include "base/memory.h"
@@ -12,9 +13,23 @@ static bool is_selected(const hs_dump *dump, int i)
     if (!(atoms->mask[i] & dump->mask) || !hs_where_has(&table->where, atoms, i)) return false;
     for (int k = 0; k < table->n_conditions; ++k) {
         const hs_dump_condition *condition = &table->condition[k];
-        if (!hs_compares(hs_dump_value(dump, &condition->column, i), condition->how, condition->value)) return false;
+        const double value = hs_dump_value(dump, &condition->column, i),
+                     last = condition->last != NULL ? condition->last->values[i] : 0.0,
+                     other = condition->last == NULL ? condition->value
+                             : isnan(last)           ? value
+                                                     : last;
+        if (!hs_compares(value, condition->how, other)) return false;
     }
     return true;
+}
+
+/** For the next snapshot. */
+static void remember_values(const hs_dump *dump)
+{
+    const hs_dump_table *table = dump->state;
+    for (int k = 0; k < table->n_conditions; ++k)
+        for (int i = 0; table->condition[k].last != NULL && i < dump->env->atoms->n_local; ++i)
+            table->condition[k].last->values[i] = hs_dump_value(dump, &table->condition[k].column, i);
 }
 
 /** What a row is sorted by; ties go by id. */
@@ -82,6 +97,7 @@ static hs_status select_local(hs_dump *dump, hs_error *err)
     table->n_rows = 0;
     for (int i = 0; i < atoms->n_local; ++i)
         if (is_selected(dump, i)) table->order[table->n_rows++] = i;
+    remember_values(dump);
     return sort_rows(dump, err);
 }
 

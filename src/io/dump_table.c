@@ -68,7 +68,7 @@ void hs_dump_table_destroy(hs_dump *dump)
     HS_FREE(table->format_int);
     HS_FREE(table->format_float);
     hs_where_fini(&table->where);
-    for (int k = 0; k < table->n_conditions; ++k) hs_dump_fini_column(&table->condition[k].column);
+    hs_dump_clear_conditions(dump);
     HS_FREE(table->condition);
     for (int64_t k = 0; table->recent != NULL && k < table->max_files; ++k) HS_FREE(table->recent[k]);
     HS_FREE(table->recent);

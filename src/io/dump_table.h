@@ -22,11 +22,18 @@ typedef struct hs_dump_column {
     char *format;       /**< owned; made by init */
 } hs_dump_column;
 
+/** What the left side of a condition was for each atom in the latest snapshot. */
+typedef struct hs_dump_last {
+    double *values; /**< field of the atoms; not a number: there was no snapshot yet, and the present value serves */
+    char *name;     /**< owned; of the field: by it checkpoints find it */
+} hs_dump_last;
+
 /** dump_modify thresh: atoms are written only when the comparison holds. */
 typedef struct hs_dump_condition {
     hs_dump_column column;
     hs_comparison how;
     double value;
+    hs_dump_last *last; /**< owned; takes the place of value; NULL: none */
 } hs_dump_condition;
 
 /** How a style lays out its rows: what dump_modify may change. */
@@ -81,6 +88,8 @@ HS_MUST_USE hs_status hs_dump_check_words(const hs_args *args, int i, int n, hs_
 /** NULL when the word may be a column of dump custom, else the nearest attribute or "". */
 const char *hs_dump_check_word(const char *word);
 void hs_dump_table_destroy(hs_dump *dump);
+/** Forget the conditions of dump_modify thresh. */
+void hs_dump_clear_conditions(hs_dump *dump);
 /** Before a run: find the region, make the formats, open a growing file. */
 HS_MUST_USE hs_status hs_dump_table_init(hs_dump *dump, hs_error *err);
 int64_t hs_dump_table_position(const hs_dump *dump);

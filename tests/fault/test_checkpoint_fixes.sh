@@ -90,6 +90,15 @@ fix w all wall/region stone lj93 1.0 1.0 2.5
 dump 1 d custom 10 members.dump id x
 D
 
+check changed <<'D'
+variable fast atom vx*vx>1.0
+fix 1 all nve
+dump 1 all custom 10 faster.dump id vx
+dump_modify 1 thresh vx > LAST
+dump 2 all custom 7 changed.dump id
+dump_modify 2 thresh v_fast != LAST thresh x > 1
+D
+
 check drying <<'D'
 region r block 1.1 3.1 INF INF INF INF
 fix 1 all nve

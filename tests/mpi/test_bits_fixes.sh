@@ -131,6 +131,8 @@ compute t all temp
 compute_modify t dynamic/dof yes
 fix 1 all nve
 fix d all evaporate 4 7 r 4711
+dump l all custom 4 faster.dump id vx
+dump_modify l sort id thresh vx > LAST
 D
     system changing 30 'c_t c_te f_s f_f[1] c_cm[1]' 'vx' <<D
 lattice fcc 0.7

@@ -424,7 +424,7 @@ START_TEST(test_refusals)
         {"format 7 %d", "the columns are 1 to 2"},
         {"thresh foo < 1", "unknown attribute 'foo'"},
         {"thresh x ~ 1", "'~'"},
-        {"thresh x < LAST", "LAST is not supported"},
+        {"thresh element == LAST", "use type instead of element"},
         {"thresh x < nan", "not a finite number"},
         {"element C", "a name for each of the 2 atom types"},
         {"colour x", "unknown keyword"},
