@@ -452,3 +452,12 @@ run 33
 displace_atoms all move 0 0 0
 write_restart checkpoint.33.h5
 D
+
+check swapping <<'D'
+fix 1 all nve
+fix 2 all atom/swap 10 30 4711 1.4 types 1 2
+fix 3 all atom/swap 7 5 4711 1.4 types 1 2 semi-grand yes mu 0.0 0.3
+fix 4 all widom 10 50 2 12 1.5
+fix p all ave/time 1 1 10 f_2[1] f_2[2] f_3[2] f_4[1] f_4[2] f_4[4] f_4[5] file moves.txt
+dump d all custom 10 d.dump id type
+D

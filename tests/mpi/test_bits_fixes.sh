@@ -389,6 +389,29 @@ compute e all erotate/sphere
 fix 1 all nvt/sphere temp 1.5 1.2 0.3 update dipole/dlm
 fix 2 all langevin 1.5 1.2 0.7 4711 omega yes zero yes
 D
+    system swapping 30 'f_w[*] f_s[*] f_m[*] f_r[*]' <<D
+lattice fcc 0.5
+region box prism 0 5 0 4 0 4 0.7 -0.5 0.6
+create_box 3 box
+create_atoms 1 box
+set type 1 type/fraction 2 0.4 77
+mass 1 1.0
+mass 2 1.8
+mass 3 0.7
+velocity all create 1.5 12345
+$liquid
+pair_coeff 1 2 1.3 0.95
+pair_coeff 3 3 1.0 0.9
+pair_modify tail yes
+group heavy type 2
+neigh_modify exclude group heavy heavy
+region r sphere 3 3 3 2
+fix 1 all nve
+fix w all atom/swap 3 300 4711 1.4 types 1 2
+fix s all atom/swap 4 20 4711 1.4 types 1 3 semi-grand yes mu 0.0 0.3 region r ke no
+fix m all widom 5 100 3 12 1.5
+fix r all widom 5 30 1 12 1.5 region r
+D
     system deposited 40 'f_d' <<D
 boundary p p f
 lattice fcc 0.9
