@@ -117,6 +117,25 @@ compute g all global/atom c_kind v_twice
 compute l all slice 9 20 4 v_twice
 fix 1 all nve
 D
+    system polar 20 'c_p c_p[1] f_f[1][2] f_f[2][4]' 'mux' <<D
+atom_style hybrid dipole sphere
+lattice fcc 0.7
+region box block 0 6 0 5 0 5
+create_box 1 box
+create_atoms 1 box
+set group all dipole/random 777 1.0
+set group all diameter 1.0
+velocity all create 1.5 12345
+$liquid
+neigh_modify every 5 delay 0 check no
+compute near all cluster/atom 1.2
+compute flocks all chunk/atom c_near compress yes
+compute p all dipole
+compute f all dipole/chunk flocks
+fix f all ave/time 10 1 10 c_f[*] mode vector ave one file flocks.txt
+fix 1 all brownian/sphere 1.0 777 gamma_t 1.0 gamma_r 1.0
+timestep 0.0001
+D
     system drying 30 'atoms f_d c_t' 'vx' <<D
 lattice fcc 0.7
 region box block 0 6 0 5 0 4
