@@ -73,14 +73,18 @@ hs_status hs_by_id_visit(const hs_sim *sim, const unsigned char *selected, hs_by
     enum { WORDS = 1 << 14, CHUNK = 64 * WORDS };
     const hs_atoms *atoms = &sim->atoms;
     if (sim->parallel.n_ranks <= 1) return visit_here(atoms, selected, visit, context, err);
-    int64_t max_id = hs_atoms_max_id(atoms), *words = NULL;
+    int64_t *words = NULL;
     int32_t *order = NULL;
     HS_UNLESS_FAILED(err, hs_by_id_order(atoms, &order, err));
     HS_UNLESS_FAILED(err, HS_ALLOC(words, WORDS, err));
     hs_status status = hs_parallel_agree(&sim->parallel, err);
-    hs_parallel_max_int64(&sim->parallel, &max_id, 1);
     int next = 0;
-    for (int64_t first = 1; status == HS_OK && first <= max_id; first += CHUNK) {
+    while (status == HS_OK) {
+        /* the lowest id that is left on any rank: ids may be few and far between */
+        int64_t first = next < atoms->n_local ? -atoms->id[order[next]] : INT64_MIN;
+        hs_parallel_max_int64(&sim->parallel, &first, 1);
+        if (first == INT64_MIN) break;
+        first = -first;
         /* every ID is on one rank, so that a sum of words has the bits of all */
         memset(words, 0, WORDS * sizeof *words);
         for (; next < atoms->n_local && atoms->id[order[next]] < first + CHUNK; ++next) {

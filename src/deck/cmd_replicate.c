@@ -1,6 +1,7 @@
 /* The command replicate. */
 
 #include "base/memory.h"
+#include "core/atom_id.h"
 #include "deck/command.h"
 #include "deck/place_atoms.h"
 #include "style/box_shape.h"
@@ -14,7 +15,7 @@ static const hs_keyword replicate_keywords[] = {
 static hs_status check_room(const hs_sim *sim, const int64_t n[3], int64_t max_id, hs_error *err)
 {
     const double n_copies = (double)n[0] * (double)n[1] * (double)n[2];
-    if (n_copies * (double)max_id > 9e18 || n_copies * (double)sim->atoms.n_local > 2e9)
+    if (n_copies * (double)max_id > (double)HS_ATOM_ID_MAX || n_copies * (double)sim->atoms.n_local > 2e9)
         (void)hs_fail(err, HS_ERROR_INPUT, "replicate: %g times %lld atoms are more than can be held", n_copies,
                       (long long)sim->atoms.n_all);
     else

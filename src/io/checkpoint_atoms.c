@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "base/memory.h"
+#include "core/atom_id.h"
 #include "io/checkpoint_internal.h"
 #include "io/h5.h"
 #include "io/rows.h"
@@ -184,7 +185,7 @@ static hs_status take_block(hs_checkpoint *self, hid_t group, hs_atoms *atoms, c
 static hs_status check_atoms(const hs_checkpoint *self, const hs_atoms *atoms, hs_error *err)
 {
     for (int i = 0; i < atoms->n_local; ++i)
-        if (atoms->id[i] < 1 || atoms->type[i] < 1 || atoms->type[i] > atoms->n_types)
+        if (atoms->id[i] < 1 || atoms->id[i] > HS_ATOM_ID_MAX || atoms->type[i] < 1 || atoms->type[i] > atoms->n_types)
             return hs_fail(err, HS_ERROR_INPUT, "the checkpoint '%s' has an atom with id %lld and type %d of %d types",
                            self->path, (long long)atoms->id[i], atoms->type[i], atoms->n_types);
     return HS_OK;

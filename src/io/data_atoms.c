@@ -5,6 +5,7 @@
 
 #include "base/memory.h"
 #include "comm/domain.h"
+#include "core/atom_id.h"
 #include "core/atom_style.h"
 #include "io/data_internal.h"
 
@@ -32,9 +33,9 @@ static hs_status read_doubles(const hs_lines *lines, int first, int n, double *v
 
 hs_status hs_data_read_id(const hs_data_reader *reader, const char *word, int64_t *id, hs_error *err)
 {
-    if (!hs_text_to_int64(word, id) || *id < 1)
-        return hs_fail(err, HS_ERROR_INPUT, "'%s' is not an atom id (a whole number of 1 or more)", word);
-    if (*id > INT64_MAX - reader->id_offset)
+    if (!hs_text_to_int64(word, id) || *id < 1 || *id > HS_ATOM_ID_MAX)
+        return hs_fail(err, HS_ERROR_INPUT, "'%s' is not an atom id (a whole number from 1 to 2^62)", word);
+    if (*id > HS_ATOM_ID_MAX - reader->id_offset)
         return hs_fail(err, HS_ERROR_INPUT, "the id '%s' is too large for the offset of %lld", word,
                        (long long)reader->id_offset);
     *id += reader->id_offset;
@@ -68,7 +69,7 @@ static hs_status read_images(const hs_lines *lines, int first, int32_t image[3],
 /** Bring x into the box, or refuse a place outside of a box that is not periodic there. */
 static hs_status settle(const hs_box *box, double x[3], int32_t image[3], hs_error *err)
 {
-    const double far = 1000.0; /* box lengths; further away is a mistake */
+    enum { FARTHEST = 1000 }; /* box lengths; further away is a mistake */
     for (int axis = 0; axis < 3; ++axis) {
         const double lo = box->lo[axis], hi = box->hi[axis], length = hi - lo, place = hs_box_upright(box, x, axis),
                      away = (place - lo) / length;
@@ -77,13 +78,14 @@ static hs_status settle(const hs_box *box, double x[3], int32_t image[3], hs_err
                            "the atom's %c = %.10g is outside of the box, %.10g to %.10g, which is not periodic there",
                            "xyz"[axis], x[axis], lo, hi);
         if (!box->periodic[axis]) continue;
-        if (!(fabs(away) < far))
-            return hs_fail(err, HS_ERROR_INPUT, "the atom's %c = %.10g is more than %g box lengths outside of the box",
-                           "xyz"[axis], x[axis], far);
+        if (!(fabs(away) < FARTHEST))
+            return hs_fail(err, HS_ERROR_INPUT, "the atom's %c = %.10g is more than %d box lengths outside of the box",
+                           "xyz"[axis], x[axis], FARTHEST);
         if (box->is_tilted) continue;
-        for (; x[axis] < lo; --image[axis]) x[axis] += length;
-        for (; x[axis] >= hi; ++image[axis]) x[axis] -= length;
-        if (x[axis] < lo) x[axis] = lo;
+        /* length by length, as LAMMPS does; far from the origin a length may be less than the places' last digit */
+        for (int n = 0; x[axis] < lo && n <= FARTHEST; ++n, --image[axis]) x[axis] += length;
+        for (int n = 0; x[axis] >= hi && n <= FARTHEST; ++n, ++image[axis]) x[axis] -= length;
+        if (x[axis] < lo || x[axis] >= hi) x[axis] = lo;
     }
     if (box->is_tilted) hs_box_wrap(box, x, image);
     return HS_OK;

@@ -12,8 +12,8 @@ hs_status hs_frames_number(hs_frames *frames, int field, const char *word, int k
     int64_t whole;
     double number;
     if (field == HS_FIELD_ID) {
-        if (!hs_text_to_int64(word, &frames->id[k]) || frames->id[k] < 1)
-            return hs_fail(err, HS_ERROR_INPUT, "'%s' is not an atom id (a whole number of 1 or more)", word);
+        if (!hs_text_to_int64(word, &frames->id[k]) || frames->id[k] < 1 || frames->id[k] > HS_ATOM_ID_MAX)
+            return hs_fail(err, HS_ERROR_INPUT, "'%s' is not an atom id (a whole number from 1 to 2^62)", word);
         return HS_OK;
     }
     if (field == HS_FIELD_TYPE || hs_field_is_image(field)) {

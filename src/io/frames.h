@@ -13,6 +13,7 @@
 #ifndef HS_IO_FRAMES_H
 #define HS_IO_FRAMES_H
 
+#include "core/atom_id.h"
 #include "core/box.h"
 #include "parallel/parallel.h"
 

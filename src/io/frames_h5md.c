@@ -180,11 +180,7 @@ static hs_status read_step(hs_frames *frames, int element, int64_t frame, int64_
     if (is_fine && rank == 1) is_fine = hs_h5_read_block(dataset, H5T_NATIVE_INT64, 1, &start, &one, step);
     if (is_fine && rank == 0) {
         is_fine = H5Dread(dataset, H5T_NATIVE_INT64, H5S_ALL, H5S_ALL, H5P_DEFAULT, step) >= 0;
-        if (H5Aexists(dataset, "offset") > 0) {
-            const hid_t offset = H5Aopen(dataset, "offset", H5P_DEFAULT);
-            is_fine = is_fine && H5Aread(offset, H5T_NATIVE_INT64, &first) >= 0;
-            H5Aclose(offset);
-        }
+        if (H5Aexists(dataset, "offset") > 0) is_fine = is_fine && hs_h5_get_int_attribute(dataset, "offset", &first);
         is_fine = is_fine && !__builtin_mul_overflow(*step, frame, step) && !__builtin_add_overflow(*step, first, step);
     }
     H5Dclose(dataset);
@@ -319,7 +315,10 @@ static hs_status read_here(hs_frames *frames, int *n, hs_error *err)
     const int n_here = left < HS_FRAME_BLOCK ? (int)left : HS_FRAME_BLOCK;
     for (int k = 0; k < n_here; ++k) frames->id[k] = h5->row + k + 1;
     if (h5->value[ID] >= 0) HS_TRY(read_element(frames, ID, n_here, err));
-    for (int k = 0; k < n_here; ++k) there[k] = frames->id[k] >= 1;
+    for (int k = 0; k < n_here; ++k) {
+        there[k] = frames->id[k] >= 1;
+        if (frames->id[k] > HS_ATOM_ID_MAX) return fail(frames, "an id in it is above 2^62", err);
+    }
     for (int element = 0; element < ID; ++element) {
         const int n_columns = elements[element].n_columns;
         if (h5->value[element] < 0) continue;

@@ -49,6 +49,16 @@ bool hs_h5_put_int_attributes(hid_t at, const char *name, const int32_t *values,
     return is_fine;
 }
 
+bool hs_h5_get_int_attribute(hid_t at, const char *name, int64_t *value)
+{
+    const hid_t attribute = H5Aopen(at, name, H5P_DEFAULT), space = attribute >= 0 ? H5Aget_space(attribute) : -1;
+    const bool is_fine =
+        space >= 0 && H5Sget_simple_extent_npoints(space) == 1 && H5Aread(attribute, H5T_NATIVE_INT64, value) >= 0;
+    H5Sclose(space);
+    H5Aclose(attribute);
+    return is_fine;
+}
+
 bool hs_h5_put_text(hid_t at, const char *name, const char *text)
 {
     const hid_t type = text_type(text), space = H5Screate(H5S_SCALAR);

@@ -10,6 +10,8 @@
 /** Fixed-length strings, without a zero at their end when they fill it: what all readers understand. */
 bool hs_h5_put_text_attribute(hid_t at, const char *name, const char *text);
 bool hs_h5_put_int_attributes(hid_t at, const char *name, const int32_t *values, int n);
+/** False when there is no such attribute, or it is not one whole number. */
+bool hs_h5_get_int_attribute(hid_t at, const char *name, int64_t *value);
 /** A dataset of one string. */
 bool hs_h5_put_text(hid_t at, const char *name, const char *text);
 /** A dataset of one value, or a list. @p type is the type in memory; the file's is the same, little-endian. */

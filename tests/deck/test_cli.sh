@@ -96,6 +96,27 @@ fi
 "$HALFSHELL" -in - -log closed.log <good.in >&- 2>/dev/null || true
 [ "$(grep -c '^Halfshell ' closed.log)" = 1 ] || wrong "closed output: the log holds the screen's text, too"
 
+# A place far from the origin, where a length of the box is less than its last digit.
+cat >far.data <<'DATA'
+far
+
+1 atoms
+1 atom types
+9007199254740000 9007199254740001 xlo xhi
+0 1 ylo yhi
+0 1 zlo zhi
+
+Masses
+
+1 1
+
+Atoms
+
+1 1 9007199254740996 0 0
+DATA
+echo "read_data far.data" >far.in
+expect 0 "" timeout 20 "$HALFSHELL" far.in -log none
+
 # The command line.
 expect 1 "unknown option '-bogus'" "$HALFSHELL" good.in -bogus
 expect 1 "-log needs" "$HALFSHELL" good.in -log

@@ -181,6 +181,7 @@ START_TEST(test_bad_sections)
     expect_error_with("1 1.0 1.0 3.0", "1 1.0 x", 17, "'x' is not");
     expect_error_with("1 1.0 1.0 3.0", "1 1.0", 17, "");
     expect_error_with("7 2 1 2 3 1 -2 0", "0 2 1 2 3 1 -2 0", 22, "'0' is not an atom id");
+    expect_error_with("7 2 1 2 3 1 -2 0", "9223372036854775807 2 1 2 3 1 -2 0", 22, "from 1 to 2^62");
     expect_error_with("7 2 1 2 3 1 -2 0", "-7 2 1 2 3 1 -2 0", 22, "'-7' is not an atom id");
     expect_error_with("7 2 1 2 3 1 -2 0", "7.5 2 1 2 3 1 -2 0", 22, "is not a whole number");
     expect_error_with("7 2 1 2 3 1 -2 0", "9999999999999999999 2 1 2 3", 22, "is not a whole number");
