@@ -24,7 +24,7 @@ typedef struct report {
     int n_names;
     hs_deck_facts facts;
     int n_figures, n_parts;
-    bool has_no_plots; /**< gnuplot is missing */
+    hs_error undrawn; /**< why the first plot is missing that could not be drawn */
 } report;
 
 static bool ends_in(const char *name, const char *ending)
@@ -123,7 +123,7 @@ static hs_status put_figure(report *r, const hs_table_file *file, const char *ca
     const hs_plot_choice choice = {0};
     hs_status status;
     if (hs_figure_add_file(&figure, file, NULL, &choice, &r->facts, &cause) == HS_OK) {
-        status = hs_html_figure(&r->page, &figure, ++r->n_figures, caption, &r->has_no_plots, err);
+        status = hs_html_figure(&r->page, &figure, ++r->n_figures, caption, &r->undrawn, err);
     } else {
         status = hs_text_printf(&r->page, err, "<p class=\"note\">");
         if (status == HS_OK) status = hs_html_text(&r->page, cause.text, err);
@@ -324,8 +324,8 @@ static hs_status make(report *r, const char *out, hs_error *err)
             hs_text_printf(&path, err, "%s%s", out != NULL ? out : hs_text_get(&title), out != NULL ? "" : ".html");
     if (status == HS_OK) status = write_page(r, hs_text_get(&path), err);
     if (status == HS_OK) printf("%s: %d figure%s\n", hs_text_get(&path), r->n_figures, r->n_figures == 1 ? "" : "s");
-    if (status == HS_OK && r->has_no_plots)
-        fprintf(stderr, "halfshell: warning: the page has no plots: gnuplot, which draws them, is not on the PATH\n");
+    if (status == HS_OK && r->undrawn.status != HS_OK)
+        fprintf(stderr, "halfshell: warning: the page lacks plots: %s\n", r->undrawn.text);
     hs_text_fini(&path);
     hs_text_fini(&title);
     return status;

@@ -20,9 +20,10 @@ void hs_log_summary_fini(hs_log_summary *summary);
 /** Text with everything quoted that HTML gives a meaning. */
 HS_MUST_USE hs_status hs_html_text(hs_text *page, const char *text, hs_error *err);
 /** A figure as SVG that takes the page's colours and refers to nothing outside of itself; @p number keeps the names in
- *  it apart from those of other figures. Without gnuplot: a note, and *is_missing is set. */
+ *  it apart from those of other figures. One that cannot be drawn is a note with the reason, of which
+ *  @p undrawn keeps the first. */
 HS_MUST_USE hs_status hs_html_figure(hs_text *page, const hs_figure *figure, int number, const char *caption,
-                                     bool *is_missing, hs_error *err);
+                                     hs_error *undrawn, hs_error *err);
 /** A picture file, in the page itself. */
 HS_MUST_USE hs_status hs_html_picture(hs_text *page, const char *path, const char *name, hs_error *err);
 /** Head of the page with its style; and its end. */

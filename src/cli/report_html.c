@@ -142,7 +142,7 @@ static hs_status put_svg(hs_text *page, const char *svg, int number, hs_error *e
     return HS_OK;
 }
 
-hs_status hs_html_figure(hs_text *page, const hs_figure *figure, int number, const char *caption, bool *is_missing,
+hs_status hs_html_figure(hs_text *page, const hs_figure *figure, int number, const char *caption, hs_error *undrawn,
                          hs_error *err)
 {
     hs_text picture = {0};
@@ -154,9 +154,10 @@ hs_status hs_html_figure(hs_text *page, const hs_figure *figure, int number, con
         status = put_svg(page, svg, number, err);
     } else if (status == HS_OK) {
         status = hs_text_printf(page, err, "<p>");
-        if (status == HS_OK) status = hs_html_text(page, drawn != HS_OK ? cause.text : "no picture", err);
+        if (drawn == HS_OK) (void)hs_fail(&cause, HS_ERROR_RUN, "gnuplot has drawn nothing");
+        if (status == HS_OK) status = hs_html_text(page, cause.text, err);
         if (status == HS_OK) status = hs_text_printf(page, err, "</p>");
-        *is_missing = true;
+        (void)hs_fail(undrawn, cause.status, "%s", cause.text);
     }
     if (status == HS_OK) status = hs_text_printf(page, err, "</div><figcaption>");
     if (status == HS_OK) status = hs_html_text(page, caption, err);

@@ -10,7 +10,7 @@
 /* The kinds of named styles are kept in arrays of pointers alike; one set of macros serves their lists. */
 #define DESTROY_STYLE(item)                                                                                            \
     do {                                                                                                               \
-        if ((item)->style->destroy != NULL) (item)->style->destroy(item);                                              \
+        if ((item)->state != NULL && (item)->style->destroy != NULL) (item)->style->destroy(item);                     \
         HS_FREE((item)->state);                                                                                        \
         HS_FREE((item)->id);                                                                                           \
         HS_FREE(item);                                                                                                 \

@@ -53,7 +53,7 @@ void hs_pair_destroy(hs_pair **destroyed)
     if (pair == NULL) return;
     for (int k = 0; k < pair->n_parts; ++k)
         if (pair->part[k] != pair) hs_pair_destroy(&pair->part[k]);
-    if (pair->style->destroy != NULL) pair->style->destroy(pair);
+    if (pair->state != NULL && pair->style->destroy != NULL) pair->style->destroy(pair);
     HS_FREE(pair->part);
     HS_FREE(pair->state);
     HS_FREE(pair->is_set);

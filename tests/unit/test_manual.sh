@@ -24,6 +24,12 @@ offers() {
 [[ " $(offers halfshell check -) " == *" -neigh "* ]]
 [[ " $(offers halfshell check -) " != *" -log "* ]]
 [[ " $(offers halfshell -echo l) " == *" log "* ]]
+[ "$(offers halfshell run -precision '')" = "double mixed" ]
+[ "$(offers halfshell plot -style p)" = points ]
+[[ " $(offers halfshell check -isa '') " == *" portable "* ]]
+(cd "$fresh" && touch 'a deck.in' && [ "$(offers halfshell run 'a d')" = "a deck.in" ])
+[ "$(bash -c 'cd "$2"; source "$1"; COMP_WORDS=(halfshell run a); COMP_CWORD=2; _halfshell; echo "${#COMPREPLY[@]}"' offers \
+    "$fresh/completion/halfshell.bash" "$fresh")" = 1 ]
 [[ " $(offers halfshell help lj) " == *" lj/cut "* ]]
 [[ " $(offers halfshell be) " == *" bench "* ]]
 

@@ -85,9 +85,13 @@ refuses "'run' and 'empty' are two runs" run empty
 # Without gnuplot the page tells so in place of the plots, and on the terminal.
 mkdir bin
 PATH=$work/bin "$HALFSHELL" report run -out plain.html >out 2>err || wrong "no report without gnuplot: $(cat err)"
-has "the page has no plots" err
+has "the page lacks plots: gnuplot, which draws the plots, is not on the PATH" err
 has "apt-get install gnuplot-nox" plain.html
 has '<th scope="row">TotEng</th>' plain.html
+printf '#!/bin/sh\nexit 3\n' >bin/gnuplot
+chmod +x bin/gnuplot
+PATH=$work/bin "$HALFSHELL" report run -out plain.html >out 2>err || wrong "no report with a broken gnuplot: $(cat err)"
+has "the page lacks plots: gnuplot ended with exit code 3" err
 
 # A browser, where there is one, finds the same, and the page makes it ask no other host. What the browser asks its maker for
 # on its own account does not count.
