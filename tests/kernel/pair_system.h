@@ -165,9 +165,10 @@ static forces_t sum_all_images(const system_t *s)
     return out;
 }
 
-typedef enum { NSQ, CELL, VERLET, CLUSTER, N_METHODS } method_t;
+/* GATHERED: method verlet with the machine's own gather instructions, where there are kernels that use them. */
+typedef enum { NSQ, CELL, VERLET, GATHERED, CLUSTER, N_METHODS } method_t;
 static const char *const form_names[HS_N_PRECISIONS] = {"double", "mixed", "fixed point"};
-static const char *const method_names[] = {"nsq", "cell", "verlet", "cluster"};
+static const char *const method_names[] = {"nsq", "cell", "verlet", "verlet, gathered", "cluster"};
 
 /** The grid for forces and energies as large as those of an evaluation. */
 static hs_fixed_grid finest_grid(const system_t *s, const hs_force_result *result)
@@ -195,8 +196,8 @@ static void count_anew(counting_t *counting, const hs_force_job *job, const hs_c
 static forces_t evaluate_counting(system_t *s, method_t method, hs_isa isa, hs_precision precision, bool with_energy,
                                   counting_t *counting)
 {
-    const bool is_nsq = method == NSQ;
-    const double reach = s->cutoff_max + (method == CLUSTER || method == VERLET ? skin : 0.0);
+    const bool is_nsq = method == NSQ, is_verlet = method == VERLET || method == GATHERED;
+    const double reach = s->cutoff_max + (method == CLUSTER || is_verlet ? skin : 0.0);
     hs_cluster_list list = {0};
     hs_verlet_list verlet = {0};
     hs_cells cells = {0};
@@ -239,9 +240,10 @@ static forces_t evaluate_counting(system_t *s, method_t method, hs_isa isa, hs_p
                                   .radius = s->radius,
                                   .listed_by_radius = s->radius != NULL,
                                   .skin = skin,
+                                  .gathers = method == GATHERED,
                                   .table = &s->table}};
     if (method == CLUSTER) ck_assert_hs_ok(hs_cluster_list_build(&list, &space, &job, &err), err);
-    if (method == VERLET) ck_assert_hs_ok(hs_verlet_list_build(&verlet, &space, &job, &err), err);
+    if (is_verlet) ck_assert_hs_ok(hs_verlet_list_build(&verlet, &space, &job, &err), err);
     if (counting != NULL) {
         job.counter = &counting->counter;
         ck_assert(hs_force_can_count(&job, counting->counter.r_max));
@@ -252,7 +254,7 @@ static forces_t evaluate_counting(system_t *s, method_t method, hs_isa isa, hs_p
         if (is_fixed) hs_force_job_set_grid(&job, grid);
         if (method == CLUSTER)
             ck_assert_hs_ok(hs_force_cluster(&space, &list, &job, &result, &err), err);
-        else if (method == VERLET)
+        else if (is_verlet)
             ck_assert_hs_ok(hs_force_verlet(&space, &verlet, &job, &result, &err), err);
         else
             ck_assert_hs_ok((is_nsq ? hs_force_nsq : hs_force_cell)(&space, &job, &result, &err), err);
