@@ -9,42 +9,51 @@ static hs_status create(hs_fix *fix, const hs_args *args, hs_error *err)
                    args->command);
 }
 
-static void flatten(const hs_fix *fix)
+/** 0 for the atoms of the group, shared by the threads; a[n_local] may be NULL. */
+static void flatten(const hs_fix *fix, double *restrict a)
 {
     const hs_atoms *atoms = fix->env->atoms;
     const uint32_t mask = fix->mask, *restrict group = atoms->mask;
-    double *restrict v = atoms->v[2], *restrict f = atoms->f[2];
+    if (a == NULL) return;
     if (fix->group == 0) {
 #pragma omp for simd schedule(static) nowait
-        for (int i = 0; i < atoms->n_local; ++i) v[i] = f[i] = 0.0;
+        for (int i = 0; i < atoms->n_local; ++i) a[i] = 0.0;
         return;
     }
 #pragma omp for schedule(static) nowait
-    for (int i = 0; i < atoms->n_local; ++i) {
-        v[i] = group[i] & mask ? 0.0 : v[i];
-        f[i] = group[i] & mask ? 0.0 : f[i];
-    }
+    for (int i = 0; i < atoms->n_local; ++i) a[i] = group[i] & mask ? 0.0 : a[i];
 }
 
 /** Spheres turn about z alone. */
 static void flatten_rotation(const hs_fix *fix)
 {
-    const hs_atoms *atoms = fix->env->atoms;
-#pragma omp for schedule(static) nowait
-    for (int i = 0; i < atoms->n_local; ++i) {
-        if (!(atoms->mask[i] & fix->mask)) continue;
-        for (int axis = 0; axis < 2; ++axis) {
-            atoms->omega[axis][i] = 0.0;
-            if (fix->env->torque[axis] != NULL) fix->env->torque[axis][i] = 0.0;
-        }
+    const hs_env *env = fix->env;
+    for (int axis = 0; axis < 2; ++axis) {
+        flatten(fix, env->atoms->omega[axis]);
+        flatten(fix, env->torque[axis]);
     }
+}
+
+static void flatten_motion(const hs_fix *fix)
+{
+    const hs_env *env = fix->env;
+    flatten(fix, env->atoms->v[2]);
+    flatten(fix, env->atoms->f[2]);
+    /* without torques angular velocities stay as they were at set-up */
+    if (env->torque[0] != NULL) flatten_rotation(fix);
+}
+
+static hs_status setup(hs_fix *fix, hs_error *err)
+{
+    (void)err;
+    HS_ON_THREADS(flatten_rotation(fix));
+    return HS_OK;
 }
 
 static hs_status post_force(hs_fix *fix, hs_error *err)
 {
     (void)err;
-    HS_ON_THREADS(flatten(fix));
-    if (fix->env->atoms->omega[0] != NULL) HS_ON_THREADS(flatten_rotation(fix));
+    HS_ON_THREADS(flatten_motion(fix));
     return HS_OK;
 }
 
@@ -59,6 +68,7 @@ const hs_fix_style hs_fix_style_enforce2d = {
                   "part in two dimensions, so it is needed only where a deck itself gives atoms one.",
               .example = "fix flat all enforce2d"},
     .create = create,
+    .setup = setup,
     .post_force = post_force,
     .acts_in_minimize = true,
     .allows_dynamic_group = true,
