@@ -178,7 +178,7 @@ static hs_status find_candidates(const hs_fix *fix, int type, int64_t round, can
         uint32_t word[HS_NOISE_NUMBERS];
         if (!takes_part(fix, i, type)) continue;
         hs_noise_words(state->noise, hs_fix_clock(fix), (int)(round % MOVE_DRAW),
-                       atoms->id[i] + (round / MOVE_DRAW << 48), word);
+                       (int64_t)((uint64_t)atoms->id[i] + ((uint64_t)(round / MOVE_DRAW) << 48)), word);
         list[n++] = (candidate){(int64_t)(word[0] >> 1) << 31 | word[1] >> 1, atoms->id[i], i};
     }
     qsort(list, (size_t)n, sizeof *list, by_draw);

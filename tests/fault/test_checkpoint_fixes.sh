@@ -461,3 +461,11 @@ fix 4 all widom 10 50 2 12 1.5
 fix p all ave/time 1 1 10 f_2[1] f_2[2] f_3[2] f_4[1] f_4[2] f_4[4] f_4[5] file moves.txt
 dump d all custom 10 d.dump id type
 D
+
+check exchanging <<'D'
+compute_modify thermo_temp dynamic/dof yes
+fix 1 all nve
+fix 2 all gcmc 5 30 10 1 4711 1.44 -1.0 0.2
+fix p all print 10 "$(atoms) $(f_2[2]) $(f_2[4]) $(f_2[6]) $(temp:%.17g)" file p.txt screen no
+dump d all custom 10 d.dump id x
+D

@@ -431,6 +431,22 @@ fix s all atom/swap 4 20 4711 1.4 types 1 3 semi-grand yes mu 0.0 0.3 region r k
 fix m all widom 5 100 3 12 1.5
 fix r all widom 5 30 1 12 1.5 region r
 D
+    system exchanging 30 'f_g[1] f_g[2] f_g[3] f_g[4] f_g[5] f_g[6] f_h[4] f_h[6]' <<D
+lattice fcc 0.3
+region box block 0 5 0 4 0 4
+create_box 2 box
+create_atoms 1 box
+set type 1 type/fraction 2 0.4 77
+mass 1 1.0
+mass 2 1.8
+velocity all create 1.5 12345
+$liquid
+compute_modify thermo_temp dynamic/dof yes
+group light type 1
+fix 1 all nve
+fix g light gcmc 3 40 10 1 4711 1.5 -2.2 0.4
+fix h all gcmc 5 20 0 2 4711 1.5 -3.0 0.0 max 200
+D
     system deposited 40 'f_d' <<D
 boundary p p f
 lattice fcc 0.9

@@ -189,6 +189,78 @@ START_TEST(test_dilute_gas)
 }
 END_TEST
 
+/** Mean of a column from row @p first on, and its error by 25 blocks. */
+static double mean_of_column(const table *t, int column, int first, double *error)
+{
+    enum { N_BLOCKS = 25 };
+    const int length = (t->n_rows - first) / N_BLOCKS;
+    double sum = 0.0, sum2 = 0.0;
+    for (int b = 0; b < N_BLOCKS; ++b) {
+        double mean = 0.0;
+        for (int k = 0; k < length; ++k) mean += cell(t, first + b * length + k, column) / length;
+        sum += mean;
+        sum2 += mean * mean;
+    }
+    const double mean = sum / N_BLOCKS;
+    *error = sqrt((sum2 / N_BLOCKS - mean * mean) / (N_BLOCKS - 1));
+    return mean;
+}
+
+/** Grand canonical ideal gas: N is Poisson's, of the mean z V; new atoms have Maxwell's velocities; others stay. */
+START_TEST(test_ideal_exchange)
+{
+    const double volume = 6.0 * 5.0 * 4.0, expected = 40.0, mu = temperature * log(expected / volume), mass = 2.5;
+    double error, error2, variance = 0.0;
+    experiment e;
+    open_experiment(&e, 1);
+    deck(&e,
+         "units lj\nregion b prism 0 6 0 5 0 4 1 -0.5 0.7\ncreate_box 2 b\ncreate_atoms 2 random 5 77 NULL\nmass 1 %g\n"
+         "mass 2 1.0\npair_style none\nfix g all gcmc 1 160 40 1 4711 %g %g 2.0\nvariable o atom type==2\n"
+         "compute o all reduce sum v_o\nvariable n equal atoms-c_o\nvariable k equal ke\n"
+         "thermo_style custom step v_n v_k c_o f_g[1] f_g[3] f_g[5]\nthermo_modify norm no format float %%.12g\n"
+         "thermo 1\ncompute_modify thermo_temp extra/dof 0 dynamic/dof yes\nrun 3000\n",
+         mass, temperature, mu);
+    table t = last_table(&e);
+    const double mean = mean_of_column(&t, 1, 20, &error), kinetic = mean_of_column(&t, 2, 20, &error2);
+    for (int row = 20; row < t.n_rows; ++row) variance += pow(cell(&t, row, 1) - mean, 2) / (t.n_rows - 20);
+    printf("ideal gas: N %.2f, error %.2f, exact %.0f; variance %.1f; kinetic energy %.2f, error %.2f\n", mean, error,
+           expected, variance, kinetic, error2);
+    ck_assert_double_lt(error, 0.5);
+    ck_assert_double_eq_tol(mean, expected, 4.0 * error);
+    /* of n independent values the variance is known to sqrt(2/n); some 160 exchanges of 40 atoms lie between steps */
+    ck_assert_double_eq_tol(variance, expected, 4.0 * sqrt(2.0 / 1000.0) * expected);
+    ck_assert_double_eq_tol(kinetic, 1.5 * temperature * mean, 4.0 * error2 + 4.0 * 1.5 * temperature * error);
+    ck_assert_double_eq(cell(&t, t.n_rows - 1, 3), 5.0);
+    ck_assert_double_eq(cell(&t, t.n_rows - 1, 4) + cell(&t, t.n_rows - 1, 5) + cell(&t, t.n_rows - 1, 6),
+                        200.0 * 3000.0);
+    free(t.value);
+    close_experiment(&e);
+}
+END_TEST
+
+/** Grand canonical dilute gas: n = z - 2 B2 z^2 + 3 b3 z^3, the last term, with b3 < 2, below 0.3 % of it. */
+START_TEST(test_dilute_exchange)
+{
+    const double t = 2.0, length = 22.0, z = 0.02, volume = length * length * length;
+    double error;
+    experiment e;
+    open_experiment(&e, 1);
+    deck(&e,
+         "units lj\nregion b block 0 %g 0 %g 0 %g\ncreate_box 1 b\nmass 1 1.0\npair_style lj/cut %g\n"
+         "pair_coeff 1 1 1.0 1.0\nneigh_modify one 4000\nfix g all gcmc 1 250 50 1 4711 %g %.17g 3.0\n"
+         "thermo_style custom step atoms\nthermo 1\nrun 1300\n",
+         length, length, length, cutoff, t, t * log(z));
+    table rows = last_table(&e);
+    const double mean = mean_of_column(&rows, 1, 25, &error), expected = volume * z * (1.0 + mayer_integral(t) * z);
+    printf("dilute gas: N %.2f, error %.2f, second virial coefficient %.2f, ideal %.2f\n", mean, error, expected,
+           volume * z);
+    ck_assert_double_lt(4.0 * error, 0.5 * (expected - volume * z));
+    ck_assert_double_eq_tol(mean, expected, 4.0 * error + 0.003 * expected);
+    free(rows.value);
+    close_experiment(&e);
+}
+END_TEST
+
 /** In a region: of a slab that an atom fills half of, the other half is free. */
 START_TEST(test_region)
 {
@@ -209,4 +281,4 @@ START_TEST(test_region)
 END_TEST
 
 HS_LOOP_TEST_MAIN("Monte Carlo", {test_all_states, 2}, {test_ideal_mixture, 1}, {test_independent_atoms, 2},
-                  {test_dilute_gas, 1}, {test_region, 1})
+                  {test_dilute_gas, 1}, {test_ideal_exchange, 1}, {test_dilute_exchange, 1}, {test_region, 1})
