@@ -7,6 +7,7 @@
 #include "deck/command.h"
 #include "deck/place_atoms.h"
 #include "style/moments.h"
+#include "style/unit_vector.h"
 
 typedef enum { DISPLACE_MOVE, DISPLACE_RAMP, DISPLACE_RANDOM, DISPLACE_ROTATE } displace_style;
 static const char *const displace_styles[] = {"move", "ramp", "random", "rotate", NULL};
@@ -113,18 +114,15 @@ static hs_status rotate(const displacement *d, const hs_args *args, hs_error *er
 {
     const hs_env *env = &d->deck->sim->env;
     const hs_atoms *atoms = d->atoms;
-    double point[3], axis_of[3], theta;
+    double point[3], u[3], theta;
     for (int axis = 0; axis < 3; ++axis) {
         HS_TRY(hs_arg_double(args, 2 + axis, &point[axis], err));
-        HS_TRY(hs_arg_double(args, 5 + axis, &axis_of[axis], err));
         point[axis] *= d->scale[axis];
     }
+    HS_TRY(hs_arg_direction(args, 5, u, err));
     HS_TRY(hs_arg_double(args, 8, &theta, err));
-    const double length = sqrt(axis_of[0] * axis_of[0] + axis_of[1] * axis_of[1] + axis_of[2] * axis_of[2]);
-    if (length == 0.0) return hs_fail(err, HS_ERROR_INPUT, "%s: the axis (0 0 0) has no direction", args->command);
-    if (d->deck->sim->box.dimension == 2 && (axis_of[0] != 0.0 || axis_of[1] != 0.0))
+    if (d->deck->sim->box.dimension == 2 && (u[0] != 0.0 || u[1] != 0.0))
         return hs_fail(err, HS_ERROR_INPUT, "%s: a 2d system can turn about the z axis only", args->command);
-    const double u[3] = {axis_of[0] / length, axis_of[1] / length, axis_of[2] / length};
     const double cosine = cos(theta * M_PI / 180.0), sine = sin(theta * M_PI / 180.0);
     for (int i = 0; i < atoms->n_local; ++i) {
         double r[3];

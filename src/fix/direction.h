@@ -3,9 +3,8 @@
 #ifndef HS_FIX_DIRECTION_H
 #define HS_FIX_DIRECTION_H
 
-#include <math.h>
-
 #include "style/fix.h"
+#include "style/unit_vector.h"
 
 typedef struct direction_state {
     double direction[3]; /**< of length 1 */
@@ -14,16 +13,8 @@ typedef struct direction_state {
 static inline hs_status direction_create(hs_fix *fix, const hs_args *args, hs_error *err)
 {
     direction_state *state = fix->state;
-    double length2 = 0.0;
     HS_TRY(hs_syntax_check(&fix->style->about.syntax, args, false, err));
-    for (int axis = 0; axis < 3; ++axis) {
-        HS_TRY(hs_arg_double(args, axis, &state->direction[axis], err));
-        length2 += state->direction[axis] * state->direction[axis];
-    }
-    if (!(length2 > 0.0))
-        return hs_fail(err, HS_ERROR_INPUT, "%s: a vector of length 0 has no direction", args->command);
-    for (int axis = 0; axis < 3; ++axis) state->direction[axis] /= sqrt(length2);
-    return HS_OK;
+    return hs_arg_direction(args, 0, state->direction, err);
 }
 
 /** f = along (f.d) d + across (f - (f.d) d) for this thread's share of the group. */

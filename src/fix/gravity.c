@@ -4,6 +4,7 @@
 #include "core/atom_style.h"
 #include "style/atom_sum.h"
 #include "style/places.h"
+#include "style/unit_vector.h"
 #include "style/varying.h"
 
 typedef struct gravity_state {
@@ -26,10 +27,7 @@ static hs_status read_direction(hs_fix *fix, const hs_args *args, hs_error *err)
         return hs_arg_refuse(args, 2 + n_numbers[style], "the end of the command", NULL, err);
     for (int k = 0; k < n_numbers[style]; ++k) HS_TRY(hs_arg_double(args, 2 + k, &number[k], err));
     if (style == 2) {
-        const double length = sqrt(number[0] * number[0] + number[1] * number[1] + number[2] * number[2]);
-        if (!(length > 0.0))
-            return hs_fail(err, HS_ERROR_INPUT, "%s: the vector 0 0 0 has no direction", args->command);
-        for (int axis = 0; axis < 3; ++axis) state->direction[axis] = number[axis] / length;
+        HS_TRY(hs_arg_direction(args, 2, state->direction, err));
     } else {
         /* a chute tilted by an angle is the direction phi = 0, theta = 180 - angle; in the plane theta alone counts */
         const double phi = style == 1 ? number[0] * degree : 0.0;

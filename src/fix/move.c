@@ -11,6 +11,7 @@
 #include "style/applied_force.h"
 #include "style/atom_vector.h"
 #include "style/moments.h"
+#include "style/unit_vector.h"
 
 typedef enum { LINEAR, WIGGLE, ROTATE, VARIABLE } path;
 
@@ -49,18 +50,6 @@ static hs_status read_rate(move_state *state, const hs_args *args, int i, hs_err
     double period;
     HS_TRY(hs_arg_positive(args, i, &period, err));
     state->rate = 2.0 * M_PI / period;
-    return HS_OK;
-}
-
-static hs_status read_axis(move_state *state, const hs_args *args, hs_error *err)
-{
-    double length2 = 0.0;
-    for (int axis = 0; axis < 3; ++axis) {
-        HS_TRY(hs_arg_double(args, 4 + axis, &state->axis[axis], err));
-        length2 += state->axis[axis] * state->axis[axis];
-    }
-    if (!(length2 > 0.0)) return hs_fail(err, HS_ERROR_INPUT, "%s: the axis 0 0 0 has no direction", args->command);
-    for (int axis = 0; axis < 3; ++axis) state->axis[axis] /= sqrt(length2);
     return HS_OK;
 }
 
@@ -107,7 +96,7 @@ static hs_status read_path(hs_fix *fix, const hs_args *args, int n, hs_error *er
         return read_rate(state, args, 4, err);
     case ROTATE:
         HS_TRY(read_vector(state, args, false, err));
-        HS_TRY(read_axis(state, args, err));
+        HS_TRY(hs_arg_direction(args, 4, state->axis, err));
         return read_rate(state, args, 7, err);
     default:
         return read_variables(state, args, err);

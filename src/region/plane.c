@@ -1,6 +1,5 @@
-#include <math.h>
-
 #include "style/region.h"
+#include "style/unit_vector.h"
 
 typedef struct plane {
     double point[3];  /**< distance */
@@ -10,19 +9,14 @@ typedef struct plane {
 static hs_status create(hs_region *region, const hs_args *args, hs_error *err)
 {
     plane *p = region->state;
-    double length2 = 0.0;
     for (int axis = 0; axis < 3; ++axis) {
         HS_TRY(hs_region_length(region, args, axis, axis, &p->point[axis], err));
         /* the normal is scaled too, as in LAMMPS: with unequal spacings it is a direction in lattice units */
         HS_TRY(hs_region_length(region, args, 3 + axis, axis, &p->normal[axis], err));
-        length2 += p->normal[axis] * p->normal[axis];
     }
-    if (!(length2 > 0.0) || !isfinite(length2))
-        return hs_fail(err, HS_ERROR_INPUT, "%s: the normal %s %s %s has no direction", args->command, args->word[3],
-                       args->word[4], args->word[5]);
-    const double length = sqrt(length2);
-    for (int axis = 0; axis < 3; ++axis) p->normal[axis] /= length;
-    return HS_OK;
+    if (hs_make_unit(p->normal)) return HS_OK;
+    return hs_fail(err, HS_ERROR_INPUT, "%s: the normal %s %s %s has no direction", args->command, args->word[3],
+                   args->word[4], args->word[5]);
 }
 
 static bool inside(const hs_region *region, const double x[3])

@@ -6,6 +6,7 @@
 
 #include "base/memory.h"
 #include "style/region.h"
+#include "style/unit_vector.h"
 
 /** Where x was before the region moved: in the region's own coordinates. */
 static void own_place(const hs_region_motion *motion, const double x[3], double own[3])
@@ -135,16 +136,8 @@ hs_status hs_region_read_motion(hs_region *region, const hs_args *args, int i, h
         return HS_OK;
     }
     HS_TRY(read_variable(&motion->angle, args, i + 1, err));
-    double length2 = 0.0;
-    for (int a = 0; a < 3; ++a) {
-        HS_TRY(hs_region_length(region, args, i + 2 + a, a, &motion->point[a], err));
-        HS_TRY(hs_arg_double(args, i + 5 + a, &motion->axis[a], err));
-        length2 += motion->axis[a] * motion->axis[a];
-    }
-    if (!(length2 > 0.0))
-        return hs_fail(err, HS_ERROR_INPUT, "%s: rotate: an axis of length 0 has no direction", args->command);
-    for (int a = 0; a < 3; ++a) motion->axis[a] /= sqrt(length2);
-    return HS_OK;
+    for (int a = 0; a < 3; ++a) HS_TRY(hs_region_length(region, args, i + 2 + a, a, &motion->point[a], err));
+    return hs_arg_direction(args, i + 5, motion->axis, err);
 }
 
 void hs_region_fini_motion(hs_region *region)

@@ -72,3 +72,29 @@ D
 "$HALFSHELL" -in in.columns -log none >out 2>&1
 [ $? = 1 ] || fail "chunks without numbers: $(tail -1 out)"
 grep -q "compute 'p' (property/chunk): the chunks of 'c' have no id any more" out || fail "$(tail -1 out)"
+
+# A vector means the same direction whatever its length.
+for length in 1 4.149515568880993e+180 2.409919865102884e-181; do # powers of two: the same bits
+    cat >in.vector <<D
+lattice fcc 0.8442
+region box block 0 3 0 3 0 3
+create_box 1 box
+create_atoms 1 box
+mass 1 1.0
+variable turn equal 0.3
+region half plane 2 2 2 $length $length 0 units box
+region turned block 0 3 0 3 0 3 rotate v_turn 0 0 0 $length $length 0 units box
+displace_atoms all rotate 2 2 2 $length 0 $length 30 units box
+pair_style zero 1.0
+pair_coeff * *
+fix g all gravity 1.0 vector $length 0 $length
+fix p all planeforce $length 0 $length
+fix m all move rotate 2 2 2 $length $length 0 5.0 units box
+thermo_modify lost ignore
+run 2
+print "in \$(count(all,half)) \$(count(all,turned)) \$(xcm(all,x)) \$(bound(all,zmax)) \$(f_g)"
+D
+    "$HALFSHELL" -in in.vector -log none >out 2>&1 || fail "vectors of length $length: $(tail -1 out)"
+    grep "^in " out >"vector.$length"
+    cmp -s vector.1 "vector.$length" || fail "vectors of length $length: $(cat "vector.$length"), not $(cat vector.1)"
+done
