@@ -58,7 +58,7 @@ typedef struct hs_simulation hs_simulation;
  *  settings. */
 typedef struct hs_simulation_options {
     size_t size;
-    int n_threads;               /**< OpenMP threads; 0: OMP_NUM_THREADS, else 1 */
+    int n_threads;               /**< OpenMP threads, up to 4096; 0: OMP_NUM_THREADS, else 1 */
     const char *neighbor_method; /**< wins over the deck; NULL: the deck's or the default */
     const char *instruction_set; /**< of the kernels; NULL or "auto": the widest of this machine */
     FILE *screen; /**< where a run writes for people; borrowed for the simulation's life; NULL: nowhere */

@@ -6,9 +6,10 @@
 #include "base/timer.h"
 #include "cli/bench_liquid.h"
 #include "cli/cli.h"
+#include "parallel/limits.h"
 #include "sim/methods.h"
 
-enum { THREADS_MAX = 4096, CASES_MAX = 32, ATOMS_A_CELL = 4, WARM_UP_STEPS = 20, NSQ_ATOMS_MAX = 4000 };
+enum { CASES_MAX = 32, ATOMS_A_CELL = 4, WARM_UP_STEPS = 20, NSQ_ATOMS_MAX = 4000 };
 
 typedef struct bench {
     int64_t size, steps, repeat;
@@ -40,7 +41,7 @@ static hs_status parse_list(bench *plan, const char *option, const char *list,
 static hs_status add_threads(bench *plan, const char *word, hs_error *err)
 {
     int64_t n;
-    HS_TRY(parse_count("-threads", word, THREADS_MAX, &n, err));
+    HS_TRY(parse_count("-threads", word, HS_THREADS_MAX, &n, err));
     if (plan->n_threads == CASES_MAX) return hs_fail(err, HS_ERROR_INPUT, "-threads: more than %d counts", CASES_MAX);
     plan->threads[plan->n_threads++] = (int)n;
     return HS_OK;

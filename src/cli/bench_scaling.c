@@ -170,7 +170,8 @@ static hs_status draw(const hs_scaling_request *r, const hs_scaling_point *all, 
 }
 
 /** All points, row by row of the table; those that need more cores than there are are left out. */
-static hs_status measure_all(const hs_scaling_request *r, hs_scaling_point *all, int *n, hs_error *err)
+static hs_status measure_all(const hs_cli *cli, const hs_scaling_request *r, hs_scaling_point *all, int *n,
+                             hs_error *err)
 {
     const int n_cores = hs_threads_available();
     for (int series = 0; series < 4; ++series)
@@ -180,6 +181,7 @@ static hs_status measure_all(const hs_scaling_request *r, hs_scaling_point *all,
                 *p = (hs_scaling_point){
                     .is_weak = series % 2, .is_droplet = series / 2, .ranks = r->ranks[k], .threads = r->threads[t]};
                 if ((int64_t)p->ranks * p->threads > n_cores || (p->ranks > 1 && !r->has_mpirun)) continue;
+                if (*cli->stop_requested) return hs_fail(err, HS_INTERRUPTED, "bench scaling: stopped by a signal");
                 HS_TRY(hs_scaling_measure(r, p, err));
                 judge(all, ++*n);
                 printf("%-7s %-8s %6d %8d %12.0f %10.4f %12.2f %10.3f %7.1f%% %10.3f %14.6g %14.6g\n",
@@ -206,7 +208,7 @@ hs_status hs_cli_bench_scaling(const hs_cli *cli, hs_error *err)
            "M a-steps/s", "efficiency", "comm", "imbalance", "bytes forward", "bytes back");
     fflush(stdout);
     HS_TRY(HS_ALLOC(all, POINTS_MAX, err));
-    hs_status status = measure_all(&r, all, &n, err);
+    hs_status status = measure_all(cli, &r, all, &n, err);
     if (status == HS_OK) status = write_csv(&r, all, n, err);
     for (int is_weak = 0; is_weak < 2 && status == HS_OK && n > 0; ++is_weak) status = draw(&r, all, n, is_weak, err);
     HS_FREE(all);

@@ -2,6 +2,7 @@
 #include <string.h>
 
 #include "cli/cli.h"
+#include "parallel/limits.h"
 
 enum {
     RUN = HS_CLI_RUN,
@@ -173,8 +174,8 @@ hs_status hs_cli_parse_isa(const char *word, hs_options *options, hs_error *err)
 static hs_status parse_threads(const char *word, hs_cli_settings *settings, hs_error *err)
 {
     int64_t n;
-    if (!hs_text_to_int64(word, &n) || n < 1 || n > 4096)
-        return hs_fail(err, HS_ERROR_INPUT, "-threads: '%s' is not a whole number from 1 to 4096", word);
+    if (!hs_text_to_int64(word, &n) || n < 1 || n > HS_THREADS_MAX)
+        return hs_fail(err, HS_ERROR_INPUT, "-threads: '%s' is not a whole number from 1 to %d", word, HS_THREADS_MAX);
     settings->options.n_threads = (int)n;
     return HS_OK;
 }

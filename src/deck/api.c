@@ -4,6 +4,7 @@
 
 #include "base/memory.h"
 #include "deck/api_internal.h"
+#include "parallel/limits.h"
 #include "sim/thermo.h"
 
 const char *hs_version(void) { return HALFSHELL_VERSION; }
@@ -61,8 +62,9 @@ static hs_status create(hs_simulation *simulation, const hs_simulation_options *
         memcpy(&settings, given, given->size);
     }
     hs_options options = {.n_threads = settings.n_threads};
-    if (settings.n_threads < 0)
-        return hs_fail(err, HS_ERROR_INPUT, "hs_simulation_options: n_threads is %d", settings.n_threads);
+    if (settings.n_threads < 0 || settings.n_threads > HS_THREADS_MAX)
+        return hs_fail(err, HS_ERROR_INPUT, "hs_simulation_options: n_threads is %d; it must be from 0 to %d",
+                       settings.n_threads, HS_THREADS_MAX);
     const char *method = settings.neighbor_method != NULL ? settings.neighbor_method : "";
     const char *isa = settings.instruction_set != NULL ? settings.instruction_set : "";
     if (strlen(method) >= sizeof options.neighbor_method || strlen(isa) >= sizeof options.isa)

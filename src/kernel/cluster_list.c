@@ -40,8 +40,9 @@ static hs_status begin_chunk(hs_list_chunk *chunk, hs_error *err)
 {
     const int64_t n = chunk->end - chunk->begin + 1;
     if (n > chunk->capacity_start) {
-        chunk->capacity_start = n + n / 8 + 4;
-        HS_TRY(HS_GROW(chunk->start, 0, (size_t)chunk->capacity_start, err));
+        const int64_t capacity = n + n / 8 + 4;
+        HS_TRY(HS_GROW(chunk->start, 0, (size_t)capacity, err));
+        chunk->capacity_start = capacity;
     }
     chunk->entries.n = 0;
     chunk->n_outer = 0;

@@ -42,19 +42,21 @@ hs_status hs_force_space_reserve(hs_force_space *space, const hs_atoms *atoms, h
     const int n_threads = hs_threads_get();
     const int64_t n_atoms = (int64_t)atoms->n_local + atoms->n_halo + HS_ATOMS_PAD;
     if (n_threads != space->n_threads || n_atoms > space->capacity_atoms) {
+        const int64_t capacity = n_atoms + n_atoms / 32;
         fini_buffers(space);
+        space->capacity_atoms = 0; /* until all buffers are there */
         memset(space->weight, 0, sizeof space->weight);
         HS_TRY(HS_ALLOC(space->buffer, (size_t)n_threads, err));
         HS_TRY(HS_ALLOC(space->share, HS_N_STAGES * (size_t)n_threads, err));
         space->n_threads = n_threads;
-        space->capacity_atoms = n_atoms + n_atoms / 32;
-        const size_t room = (size_t)n_blocks(space->capacity_atoms) * HS_FORCE_BLOCK + HS_ATOMS_PAD;
+        const size_t room = (size_t)n_blocks(capacity) * HS_FORCE_BLOCK + HS_ATOMS_PAD;
         for (int t = 0; t < n_threads; ++t) {
             for (int axis = 0; axis < 3 && t > 0; ++axis) HS_TRY(HS_ALLOC(space->buffer[t].f[axis], room, err));
             /* packed clusters may have less than four atoms each */
-            const int64_t n_packed = space->capacity_atoms * HS_PACKED >> HS_PACKED_BLOCK_BITS;
+            const int64_t n_packed = capacity * HS_PACKED >> HS_PACKED_BLOCK_BITS;
             HS_TRY(HS_ALLOC(space->buffer[t].touched, (size_t)n_packed + 2, err));
         }
+        space->capacity_atoms = capacity;
     }
     for (int axis = 0; axis < 3; ++axis) space->buffer[0].f[axis] = atoms->f[axis];
     return HS_OK;

@@ -81,8 +81,9 @@ hs_status hs_block_list_set(hs_block_list *list, const unsigned char *touched, i
     list->n = 0;
     for (int64_t b = 0; b < n_blocks; ++b) n += touched[b];
     if (n > list->capacity) {
-        list->capacity = n + n / 8 + 8;
-        HS_TRY(HS_GROW(list->block, 0, (size_t)list->capacity, err));
+        const int64_t capacity = n + n / 8 + 8;
+        HS_TRY(HS_GROW(list->block, 0, (size_t)capacity, err));
+        list->capacity = capacity;
     }
     for (int64_t b = 0; b < n_blocks; ++b)
         if (touched[b]) list->block[list->n++] = (int32_t)b;

@@ -47,12 +47,14 @@ hs_status hs_packed_begin(hs_packed *packed, const hs_clusters *clusters, const 
     if (n > INT32_MAX / HS_PACKED - HS_PACKED)
         return hs_fail(err, HS_ERROR_RUN, "too many atoms on one rank for mixed precision: use more ranks");
     if (n > packed->capacity) {
-        packed->capacity = n + n / 32 + 16;
-        HS_TRY(HS_GROW(packed->site, 0, (size_t)packed->capacity * HS_PACKED, err));
+        const int64_t capacity = n + n / 32 + 16;
+        HS_TRY(HS_GROW(packed->site, 0, (size_t)capacity * HS_PACKED, err));
+        packed->capacity = capacity;
     }
     if (n_atoms > packed->capacity_atoms) {
-        packed->capacity_atoms = n_atoms + n_atoms / 32 + 16;
-        HS_TRY(HS_GROW(packed->place_of, 0, (size_t)packed->capacity_atoms, err));
+        const int64_t capacity = n_atoms + n_atoms / 32 + 16;
+        HS_TRY(HS_GROW(packed->place_of, 0, (size_t)capacity, err));
+        packed->capacity_atoms = capacity;
     }
     packed->n = (int)n;
     choose_unit(packed, clusters, atoms, reach);
@@ -108,12 +110,12 @@ static void pack_radii(const hs_packed *packed, const hs_clusters *clusters, int
 hs_status hs_packed_use(hs_packed *packed, hs_kernel_input *in, hs_error *err)
 {
     if (in->listed_only && packed->capacity > packed->capacity_listed) {
-        packed->capacity_listed = packed->capacity;
         HS_TRY(HS_GROW(packed->site_listed, 0, (size_t)packed->capacity * HS_PACKED, err));
+        packed->capacity_listed = packed->capacity;
     }
     if (in->radius != NULL && packed->capacity > packed->capacity_radius) {
-        packed->capacity_radius = packed->capacity;
         HS_TRY(HS_GROW(packed->radius, 0, (size_t)packed->capacity * HS_PACKED, err));
+        packed->capacity_radius = packed->capacity;
     }
     packed->type = in->type;
     packed->source_radius = in->radius;

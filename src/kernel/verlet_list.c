@@ -75,8 +75,9 @@ static hs_status begin_chunk(hs_verlet_chunk *chunk, hs_error *err)
     chunk->blocks.n = 0;
     HS_TRY(reserve_neighbors(chunk, 1, err)); /* what is read beyond the last is there, even if there is none */
     if (chunk->n_atoms + 1 > chunk->capacity_start) {
-        chunk->capacity_start = chunk->n_atoms + chunk->n_atoms / 8 + 4;
-        HS_TRY(HS_GROW(chunk->start, 0, (size_t)chunk->capacity_start, err));
+        const int64_t capacity = chunk->n_atoms + chunk->n_atoms / 8 + 4;
+        HS_TRY(HS_GROW(chunk->start, 0, (size_t)capacity, err));
+        chunk->capacity_start = capacity;
     }
     return HS_OK;
 }

@@ -7,6 +7,7 @@
 
 #include "base/memory.h"
 #include "neighbor/counting_sort.h"
+#include "parallel/limits.h"
 
 /* Cells of the grid for each particle beyond which only the occupied ones are kept. */
 enum { CELLS_PER_PARTICLE_MAX = 8, CELLS_ALWAYS = 4096 };
@@ -63,8 +64,9 @@ static hs_status read_options(hs_cell_list *list, const hs_cell_list_options *gi
     if (options.cell != 0.0 && !(options.cell >= 0.05 && options.cell <= 20.0))
         return hs_fail(err, HS_ERROR_INPUT,
                        "options.cell is %g; it must be a fraction of the reach from 0.05 to 20, or 0", options.cell);
-    if (options.n_threads < 0)
-        return hs_fail(err, HS_ERROR_INPUT, "options.n_threads is %d; it must be 0 or more", options.n_threads);
+    if (options.n_threads < 0 || options.n_threads > HS_THREADS_MAX)
+        return hs_fail(err, HS_ERROR_INPUT, "options.n_threads is %d; it must be from 0 to %d", options.n_threads,
+                       HS_THREADS_MAX);
     list->cell = options.cell != 0.0 ? options.cell : 1.0;
     list->n_threads = options.n_threads;
     return HS_OK;

@@ -41,9 +41,9 @@ static int compare_codes(const void *a, const void *b)
 static hs_status rank_columns(hs_cells *cells, hs_error *err)
 {
     ranked_column *ranked;
-    cells->ranked_curve = cells->curve;
     if (cells->curve != HS_CELL_ORDER_MORTON) {
         for (int column = 0; column < cells->n_columns; ++column) cells->column_rank[column] = column;
+        cells->ranked_curve = cells->curve;
         return HS_OK;
     }
     HS_TRY(HS_ALLOC(ranked, (size_t)cells->n_columns, err));
@@ -55,6 +55,7 @@ static hs_status rank_columns(hs_cells *cells, hs_error *err)
     qsort(ranked, (size_t)cells->n_columns, sizeof *ranked, compare_codes);
     for (int rank = 0; rank < cells->n_columns; ++rank) cells->column_rank[ranked[rank].column] = rank;
     HS_FREE(ranked);
+    cells->ranked_curve = cells->curve;
     return HS_OK;
 }
 
@@ -108,15 +109,18 @@ hs_status hs_cells_set_grid(hs_cells *cells, const double brick_lo[3], const dou
         cells->n[a] = n[a];
     }
     cells->n_columns = (int)n_columns;
+    if (!has_same_columns) cells->ranked_curve = HS_CELL_ORDER_NONE; /* until they are ranked */
     if (n_cells > cells->capacity_cells) {
-        cells->capacity_cells = n_cells + n_cells / 8;
-        HS_TRY(HS_GROW(cells->start_local, 0, (size_t)cells->capacity_cells + 1, err));
-        HS_TRY(HS_GROW(cells->start_halo, 0, (size_t)cells->capacity_cells + 1, err));
+        const int64_t capacity = n_cells + n_cells / 8;
+        HS_TRY(HS_GROW(cells->start_local, 0, (size_t)capacity + 1, err));
+        HS_TRY(HS_GROW(cells->start_halo, 0, (size_t)capacity + 1, err));
+        cells->capacity_cells = capacity;
     }
     if (has_same_columns) return HS_OK;
     if (n_columns > cells->capacity_columns) {
-        cells->capacity_columns = n_columns + n_columns / 8;
-        HS_TRY(HS_GROW(cells->column_rank, 0, (size_t)cells->capacity_columns, err));
+        const int64_t capacity = n_columns + n_columns / 8;
+        HS_TRY(HS_GROW(cells->column_rank, 0, (size_t)capacity, err));
+        cells->capacity_columns = capacity;
     }
     return rank_columns(cells, err);
 }
@@ -137,13 +141,15 @@ typedef struct sort_input {
 static hs_status reserve_scratch(hs_cells *cells, int n, int64_t n_histogram, hs_error *err)
 {
     if (n > cells->capacity_atoms) {
-        cells->capacity_atoms = n + n / 8 + 64;
-        HS_TRY(HS_GROW(cells->order, 0, (size_t)cells->capacity_atoms, err));
-        HS_TRY(HS_GROW(cells->key, 0, (size_t)cells->capacity_atoms, err));
+        const int capacity = n + n / 8 + 64;
+        HS_TRY(HS_GROW(cells->order, 0, (size_t)capacity, err));
+        HS_TRY(HS_GROW(cells->key, 0, (size_t)capacity, err));
+        cells->capacity_atoms = capacity;
     }
     if (n_histogram > cells->capacity_histogram) {
-        cells->capacity_histogram = n_histogram + n_histogram / 8;
-        HS_TRY(HS_GROW(cells->histogram, 0, (size_t)cells->capacity_histogram, err));
+        const int64_t capacity = n_histogram + n_histogram / 8;
+        HS_TRY(HS_GROW(cells->histogram, 0, (size_t)capacity, err));
+        cells->capacity_histogram = capacity;
     }
     return HS_OK;
 }

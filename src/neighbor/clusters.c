@@ -21,15 +21,17 @@ double hs_clusters_width(int dimension, double density, double reach)
 static hs_status reserve(hs_cluster_part *part, int64_t n_clusters, int n_columns, hs_error *err)
 {
     if (n_columns > part->capacity_columns) {
-        part->capacity_columns = n_columns + n_columns / 8;
-        HS_TRY(HS_GROW(part->column_begin, 0, (size_t)part->capacity_columns + 1, err));
+        const int capacity = n_columns + n_columns / 8;
+        HS_TRY(HS_GROW(part->column_begin, 0, (size_t)capacity + 1, err));
+        part->capacity_columns = capacity;
     }
     if (n_clusters > part->capacity) {
-        part->capacity = n_clusters + n_clusters / 32 + 16;
-        HS_TRY(HS_GROW(part->entry, 0, (size_t)part->capacity + BOX_PAD, err));
-        HS_TRY(HS_GROW(part->size, 0, (size_t)part->capacity, err));
-        for (int side = 0; side < 6; ++side) HS_TRY(HS_GROW(part->box[side], 0, (size_t)part->capacity + BOX_PAD, err));
-        HS_TRY(HS_GROW(part->moved, 0, (size_t)part->capacity + BOX_PAD, err));
+        const int64_t capacity = n_clusters + n_clusters / 32 + 16;
+        HS_TRY(HS_GROW(part->entry, 0, (size_t)capacity + BOX_PAD, err));
+        HS_TRY(HS_GROW(part->size, 0, (size_t)capacity, err));
+        for (int side = 0; side < 6; ++side) HS_TRY(HS_GROW(part->box[side], 0, (size_t)capacity + BOX_PAD, err));
+        HS_TRY(HS_GROW(part->moved, 0, (size_t)capacity + BOX_PAD, err));
+        part->capacity = capacity;
     }
     return HS_OK;
 }
@@ -86,8 +88,9 @@ static hs_status build_part(hs_cluster_part *part, const hs_cells *cells, const 
 hs_status hs_clusters_build(hs_clusters *clusters, const hs_cells *cells, const hs_atoms *atoms, hs_error *err)
 {
     if (cells->n_columns > clusters->capacity_columns) {
-        clusters->capacity_columns = cells->n_columns + cells->n_columns / 8;
-        HS_TRY(HS_GROW(clusters->column_at, 0, (size_t)clusters->capacity_columns, err));
+        const int capacity = cells->n_columns + cells->n_columns / 8;
+        HS_TRY(HS_GROW(clusters->column_at, 0, (size_t)capacity, err));
+        clusters->capacity_columns = capacity;
     }
     for (int column = 0; column < cells->n_columns; ++column) clusters->column_at[cells->column_rank[column]] = column;
     HS_TRY(build_part(&clusters->local, cells, atoms, cells->start_local, 0, err));

@@ -17,10 +17,11 @@ static hs_status set_rows(hs_compute *compute, int64_t n, hs_error *err)
     hs_per_chunk *state = compute->state;
     const size_t n_columns = compute->has_array ? (size_t)compute->n_columns : 1;
     if ((size_t)n > state->capacity || state->sum == NULL) {
-        state->capacity = (size_t)n + 1;
-        HS_TRY(HS_GROW(state->sum, 0, state->capacity, err));
-        if (compute->has_array) HS_TRY(HS_GROW(compute->array, 0, state->capacity * n_columns, err));
-        if (!compute->has_array) HS_TRY(HS_GROW(compute->vector, 0, state->capacity, err));
+        const size_t capacity = (size_t)n + 1;
+        HS_TRY(HS_GROW(state->sum, 0, capacity, err));
+        if (compute->has_array) HS_TRY(HS_GROW(compute->array, 0, capacity * n_columns, err));
+        if (!compute->has_array) HS_TRY(HS_GROW(compute->vector, 0, capacity, err));
+        state->capacity = capacity;
     }
     state->n = n;
     if (compute->has_array) compute->n_rows = (int)n;

@@ -85,6 +85,12 @@ START_TEST(test_options)
     hs_simulation_destroy(&simulation);
 
     options = (hs_simulation_options)HS_SIMULATION_OPTIONS_INIT;
+    options.n_threads = 200000;
+    ck_assert_int_eq(hs_simulation_create(&simulation, &options), HS_CODE_INPUT);
+    expect(simulation, HS_CODE_INPUT, HS_CODE_INPUT, "n_threads is 200000; it must be from 0 to 4096");
+    hs_simulation_destroy(&simulation);
+
+    options = (hs_simulation_options)HS_SIMULATION_OPTIONS_INIT;
     options.size += 8; /* a program built against a later version with a setting unknown here */
     ck_assert_int_eq(hs_simulation_create(&simulation, &options), HS_CODE_INPUT);
     expect(simulation, HS_CODE_INPUT, HS_CODE_INPUT, "size");

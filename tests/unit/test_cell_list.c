@@ -234,7 +234,9 @@ START_TEST(bad_input)
     assert_refused(&flat, 1.0, NULL, "the box has no extent in z: lo is 0, hi is 0");
     assert_refused(&good, 1.0, &fine,
                    "options.cell is 0.001; it must be a fraction of the reach from 0.05 to 20, or 0");
-    assert_refused(&good, 1.0, &negative, "options.n_threads is -1; it must be 0 or more");
+    assert_refused(&good, 1.0, &negative, "options.n_threads is -1; it must be from 0 to 4096");
+    negative.n_threads = 200000;
+    assert_refused(&good, 1.0, &negative, "options.n_threads is 200000; it must be from 0 to 4096");
     double x[3][3] = {{1.0, 1.0, 1.0}, {2.0, NAN, 1.0}, {3.0, 1.0, INFINITY}};
     hs_cell_list *list;
     ck_assert_list(hs_cell_list_create(&list, &good, 1.0, NULL), list);
