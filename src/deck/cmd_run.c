@@ -109,7 +109,14 @@ static hs_status plan_run(const hs_sim *sim, const run_words *run, hs_run_plan *
 static hs_status pretend(hs_deck *deck, const hs_run_plan *plan, hs_error *err)
 {
     hs_sim *sim = deck->sim;
-    HS_TRY(hs_sim_setup(sim, err));
+    sim->env.first_step = sim->env.step;
+    sim->env.last_step = sim->env.step + plan->n_steps;
+    sim->env.ramp_start = plan->start;
+    sim->env.ramp_stop = plan->stop;
+    deck->is_running = true; /* set-up may ask for functions of time */
+    const hs_status status = hs_sim_setup(sim, err);
+    deck->is_running = false;
+    HS_TRY(status);
     hs_report_setup(sim);
     hs_say(deck->out, "Run of %lld steps from step %lld, of %.15g time units each, with %lld atoms\n",
            (long long)plan->n_steps, (long long)sim->env.step, sim->env.dt, (long long)sim->atoms.n_all);

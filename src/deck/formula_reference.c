@@ -116,16 +116,17 @@ hs_status hs_formula_eval_atom_value(const hs_evaluation *e, const hs_node *node
 }
 
 /** Elements of a vector-style variable. */
-static hs_status eval_vector_variable(const char *name, hs_deck *deck, hs_formula_result *out, hs_error *err)
+static hs_status eval_vector_variable(const char *name, hs_deck *deck, hs_formula_result *out, bool *varies,
+                                      hs_error *err)
 {
     int length;
-    bool varies;
-    HS_TRY(hs_variables_length(deck, name, true, &length, &varies, err));
+    HS_TRY(hs_variables_length(deck, name, true, &length, varies, err));
     HS_TRY(hs_formula_make_array(out, length, err));
     return hs_variables_vector(deck, name, length, out->array, err);
 }
 
-/** v_name[i]: an element of a vector, or the value of one atom by its ID. */
+/** v_name[i]: an element of a vector, or the value of one atom by its ID. Elements beyond the end of a vector whose length
+ *  varies are 0, as those of computes and fixes are; those of a vector that grows have not come yet in halfshell check. */
 static hs_status eval_element(const hs_node *node, hs_deck *deck, double index, double *value, hs_error *err)
 {
     const hs_variable *variable = hs_variables_find(deck->variables, node->text);
@@ -133,11 +134,12 @@ static hs_status eval_element(const hs_node *node, hs_deck *deck, double index, 
     if (variable == NULL) return hs_variables_rounded(deck, node->text, value, err); /* which names the nearest */
     hs_status status;
     if (variable->style == HS_VARIABLE_VECTOR) {
-        status = eval_vector_variable(node->text, deck, &whole, err);
-        if (status == HS_OK && !(index >= 1.0 && index <= whole.n))
+        bool varies;
+        status = eval_vector_variable(node->text, deck, &whole, &varies, err);
+        if (status == HS_OK && !(index >= 1.0 && (index <= whole.n || varies || deck->sim->env.dry_run)))
             status = hs_fail(err, HS_ERROR_INPUT, "v_%s[%.15g]: the vector has %d elements, which count from 1",
                              node->text, index, whole.n);
-        if (status == HS_OK) *value = whole.array[(int)index - 1];
+        if (status == HS_OK) *value = index <= whole.n ? whole.array[(int)index - 1] : 0.0;
     } else if (hs_variable_is_per_atom(variable)) {
         HS_TRY(hs_formula_make_array(&whole, deck->sim->atoms.n_local, err));
         status = hs_variables_atoms(deck, node->text, whole.array, err);
@@ -158,8 +160,9 @@ hs_status hs_formula_eval_variable(const hs_evaluation *e, const hs_node *node, 
     const hs_variable *variable = hs_variables_find(deck->variables, node->text);
     if (node->n_args > 0) return eval_element(node, deck, e->results[node->arg[0]].number, &out->number, err);
     if (variable == NULL) return hs_variables_rounded(deck, node->text, &out->number, err);
+    bool varies;
     if (variable->style == HS_VARIABLE_VECTOR && e->shape == HS_VALUE_VECTOR)
-        return eval_vector_variable(node->text, deck, out, err);
+        return eval_vector_variable(node->text, deck, out, &varies, err);
     if (variable->style == HS_VARIABLE_VECTOR)
         return hs_fail(err, HS_ERROR_INPUT,
                        "v_%s is a vector-style variable: only vector-style formulas may use all of it; v_%s[i] is an "

@@ -67,3 +67,25 @@ kill -INT "$run"
 code=0
 wait "$run" || code=$?
 [ "$code" -eq 3 ] || { echo "after SIGINT the exit code is $code" >&2; exit 1; }
+
+# What set-ups ask for: functions of time, samples of steps that were passed over.
+cat >times.in <<'END'
+lattice sc 1
+region b block 0 4 0 4 0 4
+create_box 1 b
+create_atoms 1 box
+mass 1 1
+pair_style none
+variable d equal swiggle(0,1,0.3)+ramp(0,1)
+region r sphere 2 2 2 1.5 move v_d NULL NULL
+group g dynamic all region r every 2
+compute t all temp/region r
+fix 1 all nve
+fix q all ave/histo 2 2 10 -5 5 5 x mode vector
+thermo_style custom step c_t
+run 2
+run 18
+run 0
+END
+"$HALFSHELL" check times.in >out 2>err || { cat out err >&2; exit 1; }
+grep -q "no errors found" out
