@@ -64,7 +64,8 @@ static void add_force_terms(const hs_atoms *atoms, const void *context, int begi
     }
 }
 
-/** The error of a step of velocity Verlet with heat, of third order in the timestep, taken off the places. */
+/** The error of a step of velocity Verlet with heat, of third order in the timestep, taken off the places. All heat of N
+ *  steps comes in one. */
 static void correct_places(hs_fix *fix, const unsigned char *is_in, double mass, double ke, double heat_rate)
 {
     const ehex_state *state = fix->state;
@@ -72,7 +73,7 @@ static void correct_places(hs_fix *fix, const unsigned char *is_in, double mass,
     const hs_atoms *atoms = env->atoms;
     double sums[N_FORCE_SUMS];
     hs_atom_sum(atoms, env->parallel, add_force_terms, fix, N_FORCE_SUMS, sums);
-    const double ftm2v = env->units->ftm2v, dt = env->dt * (double)state->thermal.every, dt3 = dt * dt * dt;
+    const double ftm2v = env->units->ftm2v, dt3 = env->dt * env->dt * env->dt;
     const double power = sums[POWER] * ftm2v;
     const double along_v = heat_rate / (2.0 * ke * ke) * (heat_rate / 48.0 + power / 6.0);
     const double along_f = heat_rate / (12.0 * ke);
@@ -124,7 +125,8 @@ static hs_status end_of_step(hs_fix *fix, hs_error *err)
     memcpy(state->v, motion.v, sizeof state->v);
     state->thermal.scale = motion.scale;
     const hs_status status = mark_atoms(fix, &is_in, err);
-    if (status == HS_OK && !state->is_plain) correct_places(fix, is_in, motion.mass, motion.ke, rate);
+    if (status == HS_OK && !state->is_plain)
+        correct_places(fix, is_in, motion.mass, motion.ke, rate * (double)state->thermal.every);
     if (status == HS_OK) scale_velocities(fix, is_in);
     HS_FREE(is_in);
     hs_env_changed(env);
