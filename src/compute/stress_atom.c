@@ -1,15 +1,18 @@
-/* Stress of each atom times its volume:  S_ab = -(m v_a v_b + sum over pairs (r_a F_b) / 2).
+/* Stress of each atom times its volume:  S_ab = -(m v_a v_b + sum over pairs (r_a F_b) / 2 + W_ab),
+ * W the virial of fixes.
  * Source: A. P. Thompson, S. J. Plimpton, W. Mattson, J. Chem. Phys. 131, 154107 (2009), doi:10.1063/1.3245303. */
 #include <string.h>
 
 #include "base/memory.h"
 #include "core/atom_style.h"
 #include "style/compute.h"
+#include "style/fix.h"
 #include "style/pair_scan.h"
 
 typedef struct stress_state {
     char *temperature_id; /**< owned; NULL: velocities count as they are */
-    bool has_ke, has_pair;
+    bool has_ke, has_pair, has_fix;
+    bool is_virial_user; /**< of env->virial_of_fixes */
 } stress_state;
 
 static const hs_keyword keywords[] = {
@@ -21,7 +24,7 @@ static const hs_keyword keywords[] = {
     {"dihedral", 0, "", "the virial of dihedrals: 0"},
     {"improper", 0, "", "the virial of impropers: 0"},
     {"kspace", 0, "", "the virial of long-range Coulomb forces: 0"},
-    {"fix", 0, "", "the virial per atom of fixes: 0"},
+    {"fix", 0, "", "the virial of the fixes that `fix_modify virial yes` was said for"},
     {NULL, 0, NULL, NULL},
 };
 
@@ -44,16 +47,27 @@ static hs_status create(hs_compute *compute, const hs_args *args, hs_error *err)
     hs_compute *temperature;
     compute->may_need_energy = true;
     compute->n_atom_columns = 6;
-    state->has_ke = state->has_pair = args->n == 1;
+    state->has_ke = state->has_pair = state->has_fix = args->n == 1;
     for (int i = 1; i < args->n; ++i) {
+        const bool is_virial = strcmp(args->word[i], "virial") == 0;
         state->has_ke |= strcmp(args->word[i], "ke") == 0;
-        state->has_pair |= strcmp(args->word[i], "pair") == 0 || strcmp(args->word[i], "virial") == 0;
+        state->has_pair |= is_virial || strcmp(args->word[i], "pair") == 0;
+        state->has_fix |= is_virial || strcmp(args->word[i], "fix") == 0;
+    }
+    if (state->has_fix) {
+        HS_TRY(hs_virial_of_fixes_want(compute->env, err));
+        state->is_virial_user = true;
     }
     if (strcmp(args->word[0], "NULL") != 0) HS_TRY(hs_memory_strdup(&state->temperature_id, args->word[0], err));
     return find_temperature(compute, &temperature, err);
 }
 
-static void destroy(hs_compute *compute) { HS_FREE(((stress_state *)compute->state)->temperature_id); }
+static void destroy(hs_compute *compute)
+{
+    stress_state *state = compute->state;
+    HS_FREE(state->temperature_id);
+    if (state->is_virial_user) hs_virial_of_fixes_release(compute->env);
+}
 
 static hs_status init(hs_compute *compute, hs_error *err)
 {
@@ -115,6 +129,8 @@ static hs_status per_atom(hs_compute *compute, hs_error *err)
         hs_pair_scan_end(&scan);
         HS_TRY(status);
     }
+    for (size_t k = 0; k < 6 && state->has_fix; ++k)
+        for (size_t i = 0; i < n; ++i) compute->atoms[k * n + i] += env->virial_of_fixes[k][i];
     if (state->has_ke) HS_TRY(add_kinetic(compute, err));
     for (size_t i = 0; i < n; ++i) {
         const bool is_member = (env->atoms->mask[i] & compute->mask) != 0;
@@ -133,7 +149,8 @@ const hs_compute_style hs_compute_style_stress_atom = {
                     .keywords = keywords},
          .summary = "stress of each atom times its volume",
          .details =
-             "The values per atom `c_ID[1]` ... `c_ID[6]` are -(m v_a v_b + sum over pairs (r_a F_b)/2) in the order "
+             "The values per atom `c_ID[1]` ... `c_ID[6]` are -(m v_a v_b + sum over pairs (r_a F_b)/2 + W_ab), W the "
+             "virial of fixes with `fix_modify virial yes`, in the order "
              "xx, yy, zz, xy, xz, yz (pressure times volume; the volume of an atom is not known); atoms outside the "
              "group have 0. Minus their sum over all atoms divided by the volume is the pressure tensor. The first "
              "word names a temperature compute, whose bias (as the motion of the center of mass in temp/com) is taken "

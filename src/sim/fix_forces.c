@@ -36,6 +36,7 @@ static hs_status add_up(hs_sim *sim, hs_error *err)
 hs_status hs_sim_post_force(hs_sim *sim, hs_error *err)
 {
     hs_env_changed(&sim->env);
+    if (sim->env.with_energy) hs_virial_of_fixes_clear(&sim->env);
     for (int k = 0; k < sim->n_fixes; ++k)
         if (sim->fix[k]->style->post_force != NULL && acts(sim, sim->fix[k]))
             HS_TRY(sim->fix[k]->style->post_force(sim->fix[k], err));

@@ -48,6 +48,9 @@ typedef struct hs_env {
      *  exerts any. See style/spheres.h. */
     double *torque[3];
     int n_torque_users;
+    /** Of each local atom, [n_local], what fix_virial is the sum of, energy; NULL unless a compute wants it. See style/fix.h. */
+    double *virial_of_fixes[6];
+    int n_virial_users;
 
     hs_isa isa; /**< instruction set of kernels */
 

@@ -62,6 +62,8 @@ static void add_virials(const hs_atoms *atoms, const void *context, int begin, i
         if (!(atoms->mask[i] & c->fix->mask)) continue;
         c->virial(c->fix, i, w);
         for (int k = 0; k < 6; ++k) hs_exact_add(&sums[k], w[k]);
+        double *const *of_atom = c->fix->env->virial_of_fixes; /* each atom is met once, so threads may add */
+        for (int k = 0; k < 6 && of_atom[0] != NULL; ++k) of_atom[k][i] += w[k];
     }
 }
 
@@ -69,4 +71,27 @@ void hs_fix_sum_virial(hs_fix *fix, hs_fix_virial virial)
 {
     const virial_context context = {.fix = fix, .virial = virial};
     hs_atom_sum(fix->env->atoms, fix->env->parallel, add_virials, &context, 6, fix->virial);
+}
+
+hs_status hs_virial_of_fixes_want(hs_env *env, hs_error *err)
+{
+    static const char *const name[6] = {"fixvxx", "fixvyy", "fixvzz", "fixvxy", "fixvxz", "fixvyz"};
+    for (int k = 0; k < 6; ++k)
+        if (env->virial_of_fixes[k] == NULL)
+            HS_TRY(
+                hs_atoms_add_field(env->atoms, name[k], (void **)&env->virial_of_fixes[k], sizeof(double), false, err));
+    ++env->n_virial_users;
+    return HS_OK;
+}
+
+void hs_virial_of_fixes_release(hs_env *env)
+{
+    if (--env->n_virial_users > 0) return;
+    for (int k = 0; k < 6; ++k) hs_atoms_remove_field(env->atoms, (void **)&env->virial_of_fixes[k]);
+}
+
+void hs_virial_of_fixes_clear(const hs_env *env)
+{
+    for (int k = 0; k < 6 && env->virial_of_fixes[k] != NULL; ++k)
+        memset(env->virial_of_fixes[k], 0, (size_t)env->atoms->n_local * sizeof(double));
 }

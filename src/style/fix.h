@@ -138,8 +138,15 @@ static inline int64_t hs_fix_clock(const hs_fix *fix) { return fix->env->step + 
 typedef void (*hs_fix_virial)(const hs_fix *fix, int i, double w[6]);
 /** w += r_a f_b. */
 void hs_fix_add_virial(const double r[3], const double f[3], double w[6]);
-/** fix->virial from the atoms' parts (collective). */
+/** fix->virial from the atoms' parts (collective), which env->virial_of_fixes keeps where it is wanted. */
 void hs_fix_sum_virial(hs_fix *fix, hs_fix_virial virial);
+
+/** A compute wants the virial that fixes give each atom: env->virial_of_fixes is there until as many have given it up, and is filled
+ *  from the next forces with energy on. */
+HS_MUST_USE hs_status hs_virial_of_fixes_want(hs_env *env, hs_error *err);
+void hs_virial_of_fixes_release(hs_env *env);
+/** Set it to 0, before the fixes of a step add to it. */
+void hs_virial_of_fixes_clear(const hs_env *env);
 
 /** All fix styles, ended by NULL; made by the build from the files in src/fix/. */
 extern const hs_fix_style *const hs_fix_styles[];
