@@ -90,17 +90,23 @@ static hs_status init(hs_fix *fix, hs_error *err)
     return hs_average_file_open(&state->file, env, head, err);
 }
 
+/** Whether the step is one of a line; a run without set-up (`pre no`) begins behind one. */
+static bool is_due(const print_state *state, int64_t step)
+{
+    return state->every_variable != NULL ? step == state->next : step % state->every == 0;
+}
+
 static bool needs_energy(const hs_fix *fix, int64_t step)
 {
     const print_state *state = fix->state;
-    return step == state->next && strchr(state->words, '$') != NULL;
+    return is_due(state, step) && strchr(state->words, '$') != NULL;
 }
 
 static hs_status end_of_step(hs_fix *fix, hs_error *err)
 {
     print_state *state = fix->state;
     const hs_env *env = fix->env;
-    if (env->step != state->next) return HS_OK;
+    if (!is_due(state, env->step)) return HS_OK;
     hs_text line = {0};
     hs_status status = hs_text_append(&line, state->words, strlen(state->words), err);
     if (status == HS_OK) status = env->substitute(env->deck, &line, err);

@@ -98,3 +98,16 @@ D
     grep "^in " out >"vector.$length"
     cmp -s vector.1 "vector.$length" || fail "vectors of length $length: $(cat "vector.$length"), not $(cat vector.1)"
 done
+
+# Lines of fix print in runs that are not set up.
+cat >in.lines <<'D'
+include in.base
+fix p all print 5 "line $(step)" title ""
+run 5
+run 10 pre no
+run 10 pre no
+run 5
+D
+"$HALFSHELL" -in in.lines -log none >out 2>&1 || fail "$(tail -1 out)"
+[ "$(grep '^line ' out | tr -d '\n')" = "line 0line 5line 10line 15line 20line 25line 25line 30" ] ||
+    fail "lines of runs without set-up: $(grep '^line ' out | tr '\n' ' ')"
