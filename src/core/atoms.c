@@ -112,6 +112,8 @@ hs_status hs_atoms_add(hs_atoms *atoms, int64_t id, int type, const double x[3],
     for (int k = 0; k < atoms->n_fields; ++k)
         memset((char *)*atoms->field[k].array + (size_t)i * atoms->field[k].size, 0, atoms->field[k].size);
     for (int axis = 0; axis < 3; ++axis) atoms->x[axis][i] = x[axis];
+    for (int k = 0; k < atoms->n_fields; ++k)
+        if (atoms->field[k].place_along > 0) ((double *)*atoms->field[k].array)[i] = x[atoms->field[k].place_along - 1];
     atoms->id[i] = id;
     atoms->type[i] = type;
     atoms->mask[i] = 1;
@@ -241,6 +243,12 @@ void hs_atoms_keep_from_halo(hs_atoms *atoms, void **array)
 {
     for (int k = 0; k < atoms->n_fields; ++k)
         if (atoms->field[k].array == array) atoms->field[k].goes_to_halo = false;
+}
+
+void hs_atoms_mark_place(hs_atoms *atoms, void **array, int axis)
+{
+    for (int k = 0; k < atoms->n_fields; ++k)
+        if (atoms->field[k].array == array) atoms->field[k].place_along = 1 + axis;
 }
 
 size_t hs_atoms_record_size(const hs_atoms *atoms)

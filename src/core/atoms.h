@@ -22,6 +22,7 @@ typedef struct hs_atom_field {
     bool has_halo;     /**< also has room for halo atoms */
     bool is_force;     /**< recomputed every step: not carried along by the sort */
     bool goes_to_halo; /**< copied to halo atoms whenever the halo is made */
+    int place_along;   /**< 1, 2, 3: coordinate x, y, z of a place that is remembered; 0: something else */
 } hs_atom_field;
 
 /** What atoms of a style have beside type, place and velocity. */
@@ -99,6 +100,8 @@ HS_MUST_USE hs_status hs_atoms_add_field(hs_atoms *atoms, const char *name, void
 /** Fields with room for halo atoms are copied to them whenever the halo is made, unless this says no: positions, which
  *  are shifted, and fields that their owner brings to the halo himself. */
 void hs_atoms_keep_from_halo(hs_atoms *atoms, void **array);
+/** The field of doubles remembers places of atoms, along an axis: that of a new atom begins where the atom is made. */
+void hs_atoms_mark_place(hs_atoms *atoms, void **array, int axis);
 void hs_atoms_remove_field(hs_atoms *atoms, void **array);
 /** Largest id on this rank, 0 without atoms. */
 int64_t hs_atoms_max_id(const hs_atoms *atoms);

@@ -1,4 +1,5 @@
 /* The command replicate. */
+#include <string.h>
 
 #include "base/memory.h"
 #include "core/atom_id.h"
@@ -21,6 +22,20 @@ static hs_status check_room(const hs_sim *sim, const int64_t n[3], int64_t max_i
     else
         HS_UNLESS_FAILED(err, hs_atoms_check_room(&sim->atoms, (int64_t)n_copies * sim->atoms.n_local, 0, err));
     return hs_parallel_agree(&sim->parallel, err);
+}
+
+/** Copies have not been where their originals were when places were remembered. */
+static hs_status refuse_places(const hs_sim *sim, hs_error *err)
+{
+    for (int k = 0; k < sim->atoms.n_fields; ++k) {
+        const hs_atom_field *field = &sim->atoms.field[k]; /* "fix ID what" or "compute ID what" */
+        const char *id = strchr(field->name, ' ');
+        if (field->place_along == 0 || id == NULL) continue;
+        return hs_fail(err, HS_ERROR_INPUT,
+                       "replicate: %.*s '%.*s' remembers where atoms were, which copies were not: define it after",
+                       (int)(id - field->name), field->name, (int)strcspn(id + 1, " "), id + 1);
+    }
+    return HS_OK;
 }
 
 /** Positions without images: LAMMPS copies the unwrapped system. */
@@ -72,6 +87,7 @@ static hs_status replicate_run(hs_deck *deck, const hs_args *args, hs_error *err
     int64_t n[3], max_id;
     double length[3];
     HS_TRY(hs_sim_need_box(sim, args->command, err));
+    HS_TRY(refuse_places(sim, err));
     for (int axis = 0; axis < 3; ++axis) {
         HS_TRY(hs_arg_int(args, axis, 1, 1000000, &n[axis], err));
         length[axis] = hs_box_length(box, axis);
@@ -110,7 +126,8 @@ const hs_command hs_commands_replicate[] = {
                     "The box becomes nx, ny and nz times as long and is filled with copies of its atoms, which have "
                     "the velocities, groups and all else of their originals. Ids of copy k (x fastest, then y, then z) "
                     "are those of the originals plus k times the highest. Atoms that had crossed periodic faces count "
-                    "where they are without images, as in LAMMPS; images start at 0.\n",
+                    "where they are without images, as in LAMMPS; images start at 0. Computes and fixes that remember "
+                    "places of atoms (msd, displace/atom, spring/self, move, ave/self) come after it.\n",
                 .example = "replicate 2 2 1",
             },
         .run = replicate_run,

@@ -290,7 +290,8 @@ const hs_fix_style hs_fix_style_move = {
              "a direction is free where both are NULL; without the velocity alone, the velocity stays as it is; "
              "without "
              "the displacement alone, places follow from the velocity. In two dimensions atoms stay in the plane.\n\n"
-             "`f_ID[1]` to `f_ID[3]` of an atom are r0. An atom that is created later has r0 = 0; define the fix after "
+             "`f_ID[1]` to `f_ID[3]` of an atom are r0. Of an atom that is created later it is where that was; define "
+             "the fix after "
              "all atoms are there. Forces on the atoms are computed as ever, and can be measured; to compute "
              "temperatures "
              "without them, use a group of the others.",

@@ -79,16 +79,17 @@ static hs_status scalar(hs_fix *fix, double *value, hs_error *err)
 }
 
 const hs_fix_style hs_fix_style_spring_self = {
-    .about = {.name = "spring/self",
-              .syntax = {.usage = "<K> [x|y|z|xy|xz|yz|xyz]", .n_min = 1, .n_max = 2},
-              .summary = "a spring that ties each atom to its starting place",
-              .details =
-                  "Each atom of the group is pulled by -K (r - r0), K in energy/distance^2, to the place where it was "
-                  "when the fix was defined (unwrapped: it does not matter how often the atom crosses periodic faces). "
-                  "The second word limits the spring to some directions. An atom that is created later is tied to the "
-                  "origin; define the fix after all atoms are there.\n\nThe scalar `f_ID` is the energy K/2 (r - r0)^2 "
-                  "of all springs; `fix_modify energy yes` adds it to the potential energy.",
-              .example = "fix trap all spring/self 10.0\nfix tether walls spring/self 100.0 xy"},
+    .about =
+        {.name = "spring/self",
+         .syntax = {.usage = "<K> [x|y|z|xy|xz|yz|xyz]", .n_min = 1, .n_max = 2},
+         .summary = "a spring that ties each atom to its starting place",
+         .details =
+             "Each atom of the group is pulled by -K (r - r0), K in energy/distance^2, to the place where it was "
+             "when the fix was defined (unwrapped: it does not matter how often the atom crosses periodic faces). "
+             "The second word limits the spring to some directions. An atom that is created later is tied to where "
+             "that was; define the fix after all atoms are there.\n\nThe scalar `f_ID` is the energy K/2 (r - r0)^2 "
+             "of all springs; `fix_modify energy yes` adds it to the potential energy.",
+         .example = "fix trap all spring/self 10.0\nfix tether walls spring/self 100.0 xy"},
     .state_size = sizeof(spring_state),
     .create = create,
     .destroy = destroy,

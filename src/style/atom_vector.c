@@ -16,9 +16,10 @@ hs_status hs_atom_vector_add(hs_atoms *atoms, hs_atom_vector *vector, const char
     return HS_OK;
 }
 
-void hs_atom_vector_set_places(const hs_atom_vector *vector, const hs_env *env, const double origin[3])
+void hs_atom_vector_set_places(hs_atom_vector *vector, const hs_env *env, const double origin[3])
 {
     for (int axis = 0; axis < 3; ++axis) {
+        hs_atoms_mark_place(env->atoms, (void **)&vector->of[axis], axis);
 #pragma omp parallel for schedule(static)
         for (int i = 0; i < env->atoms->n_local; ++i) vector->of[axis][i] = hs_unwrapped(env, axis, i) - origin[axis];
     }
