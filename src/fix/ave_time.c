@@ -10,13 +10,14 @@ typedef struct ave_state {
     hs_schedule schedule;
     hs_value *values; /**< owned [n_values] */
     int n_values;
-    bool is_vector;    /**< mode vector: each value is a vector of n_rows elements */
-    int n_rows;        /**< 1 in mode scalar */
-    bool *is_off;      /**< owned [n_values]: keyword off: the last sample counts, not the mean */
-    double *sum;       /**< owned [n_rows][n_values]: of the present window */
-    double *sample;    /**< owned [n_rows] */
-    double *all;       /**< owned [n_rows][n_values]: the present sample, for errors */
-    hs_series_set run; /**< of the numbers of mode scalar with error yes: all samples since the fix began */
+    bool is_vector;     /**< mode vector: each value is a vector of n_rows elements */
+    int n_rows;         /**< 1 in mode scalar */
+    bool *is_off;       /**< owned [n_values]: keyword off: the last sample counts, not the mean */
+    bool *is_extensive; /**< owned [3 n_values]: of means, errors, inefficiencies: grows with the number of atoms */
+    double *sum;        /**< owned [n_rows][n_values]: of the present window */
+    double *sample;     /**< owned [n_rows] */
+    double *all;        /**< owned [n_rows][n_values]: the present sample, for errors */
+    hs_series_set run;  /**< of the numbers of mode scalar with error yes: all samples since the fix began */
     hs_fold fold;
     hs_average_file file;
     char *head; /**< owned; the names of the columns */
@@ -106,13 +107,19 @@ static hs_status make_head(ave_state *state, hs_error *err)
     return status;
 }
 
-/** Whether the means grow with the number of atoms, as the first value does. */
-static bool is_extensive(const hs_fix *fix)
+/** Which means and errors grow with the number of atoms (inefficiencies do not); of an array all do if the first value does. */
+static hs_status find_extensive(hs_fix *fix, hs_error *err)
 {
-    const ave_state *state = fix->state;
-    hs_value element = state->values[0];
-    if (state->is_vector) element.index[element.n_indices++] = 1; /* any element of the vector */
-    return hs_value_is_extensive(fix->env, &element);
+    ave_state *state = fix->state;
+    HS_TRY(HS_ALLOC(state->is_extensive, 3 * (size_t)state->n_values, err));
+    for (int k = 0; k < state->n_values; ++k) {
+        hs_value element = state->values[k];
+        if (state->is_vector) element.index[element.n_indices++] = 1; /* any element of the vector */
+        state->is_extensive[k] = state->is_extensive[state->n_values + k] = hs_value_is_extensive(fix->env, &element);
+    }
+    fix->is_extensive = fix->is_vector_extensive = fix->is_array_extensive = state->is_extensive[0];
+    if (!state->is_vector) fix->is_element_extensive = state->is_extensive;
+    return HS_OK;
 }
 
 static hs_status create(hs_fix *fix, const hs_args *args, hs_error *err)
@@ -128,7 +135,7 @@ static hs_status create(hs_fix *fix, const hs_args *args, hs_error *err)
     HS_TRY(read_keywords(state, args, first, err));
     HS_TRY(hs_fold_check_errors(&state->fold, &state->schedule, args->command, err));
     HS_TRY(find_length(fix, args->command, err));
-    fix->is_extensive = fix->is_vector_extensive = fix->is_array_extensive = is_extensive(fix);
+    HS_TRY(find_extensive(fix, err));
     hs_schedule_begin(&state->schedule, fix->env->step);
     return make_head(state, err);
 }
@@ -138,6 +145,7 @@ static void destroy(hs_fix *fix)
     ave_state *state = fix->state;
     hs_values_destroy(&state->values, state->n_values);
     HS_FREE(state->is_off);
+    HS_FREE(state->is_extensive);
     HS_FREE(state->sum);
     HS_FREE(state->sample);
     HS_FREE(state->all);

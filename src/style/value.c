@@ -358,6 +358,9 @@ bool hs_value_is_extensive(hs_env *env, const hs_value *value)
     if (compute != NULL)
         return value->n_indices == 0 ? compute->is_extensive : value->n_indices == 1 && compute->is_vector_extensive;
     if (fix == NULL) return false;
+    if (value->n_indices == 1 && fix->is_element_extensive != NULL)
+        return value->index[0] >= 1 && value->index[0] <= fix->n_vector &&
+               fix->is_element_extensive[value->index[0] - 1];
     return value->n_indices == 0   ? fix->is_extensive
            : value->n_indices == 1 ? fix->is_vector_extensive
                                    : fix->is_array_extensive;
