@@ -2,6 +2,7 @@
 #include <string.h>
 
 #include "sim/sim.h"
+#include "style/shared_fields.h"
 
 /** Whether the forces of a fix are to be heard now. */
 static bool acts(const hs_sim *sim, const hs_fix *fix) { return !sim->is_minimizing || fix->style->acts_in_minimize; }
@@ -36,7 +37,7 @@ static hs_status add_up(hs_sim *sim, hs_error *err)
 hs_status hs_sim_post_force(hs_sim *sim, hs_error *err)
 {
     hs_env_changed(&sim->env);
-    if (sim->env.with_energy) hs_virial_of_fixes_clear(&sim->env);
+    if (sim->env.with_energy) hs_shared_fields_clear(&sim->atoms, sim->env.virial_of_fixes, 6);
     for (int k = 0; k < sim->n_fixes; ++k)
         if (sim->fix[k]->style->post_force != NULL && acts(sim, sim->fix[k]))
             HS_TRY(sim->fix[k]->style->post_force(sim->fix[k], err));

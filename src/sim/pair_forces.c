@@ -5,6 +5,7 @@
 #include "core/exact_sum.h"
 #include "kernel/pair_histogram.h"
 #include "sim/methods.h"
+#include "style/shared_fields.h"
 
 /** Index of the first part of the pair style that exerts forces; there is one. Its table has the distances of the
  *  lists. */
@@ -66,13 +67,6 @@ static void clear_forces(hs_atoms *atoms)
 {
     for (int axis = 0; axis < 3; ++axis)
         memset(atoms->f[axis], 0, (size_t)(atoms->n_local + atoms->n_halo) * sizeof(double));
-}
-
-/** Fixes add torques after the forces. */
-static void clear_torques(const hs_env *env)
-{
-    for (int axis = 0; axis < 3 && env->torque[axis] != NULL; ++axis)
-        memset(env->torque[axis], 0, (size_t)env->atoms->n_local * sizeof(double));
 }
 
 void hs_sim_await_halo(hs_sim *sim)
@@ -187,7 +181,7 @@ hs_status hs_sim_pair_forces(hs_sim *sim, bool with_energy, hs_error *err)
     hs_env *env = &sim->env;
     hs_force_result result = {0};
     hs_timer_mark(&sim->timer);
-    clear_torques(env);
+    hs_shared_fields_clear(&sim->atoms, env->torque, 3); /* to which fixes add after the forces */
     if (!hs_pair_has_forces(sim->pair) || sim->pair->cutoff_max <= 0.0) {
         hs_sim_await_halo(sim);
         clear_forces(&sim->atoms);

@@ -3,6 +3,7 @@
 #include "style/atom_sum.h"
 #include "style/compute.h"
 #include "style/moments.h"
+#include "style/shared_fields.h"
 
 hs_who hs_fix_who(const hs_fix *fix)
 {
@@ -76,22 +77,10 @@ void hs_fix_sum_virial(hs_fix *fix, hs_fix_virial virial)
 hs_status hs_virial_of_fixes_want(hs_env *env, hs_error *err)
 {
     static const char *const name[6] = {"fixvxx", "fixvyy", "fixvzz", "fixvxy", "fixvxz", "fixvyz"};
-    for (int k = 0; k < 6; ++k)
-        if (env->virial_of_fixes[k] == NULL)
-            HS_TRY(
-                hs_atoms_add_field(env->atoms, name[k], (void **)&env->virial_of_fixes[k], sizeof(double), false, err));
-    ++env->n_virial_users;
-    return HS_OK;
+    return hs_shared_fields_want(env->atoms, env->virial_of_fixes, name, 6, &env->n_virial_users, err);
 }
 
 void hs_virial_of_fixes_release(hs_env *env)
 {
-    if (--env->n_virial_users > 0) return;
-    for (int k = 0; k < 6; ++k) hs_atoms_remove_field(env->atoms, (void **)&env->virial_of_fixes[k]);
-}
-
-void hs_virial_of_fixes_clear(const hs_env *env)
-{
-    for (int k = 0; k < 6 && env->virial_of_fixes[k] != NULL; ++k)
-        memset(env->virial_of_fixes[k], 0, (size_t)env->atoms->n_local * sizeof(double));
+    hs_shared_fields_release(env->atoms, env->virial_of_fixes, 6, &env->n_virial_users);
 }

@@ -147,8 +147,6 @@ void hs_fix_sum_virial(hs_fix *fix, hs_fix_virial virial);
  *  from the next forces with energy on. */
 HS_MUST_USE hs_status hs_virial_of_fixes_want(hs_env *env, hs_error *err);
 void hs_virial_of_fixes_release(hs_env *env);
-/** Set it to 0, before the fixes of a step add to it. */
-void hs_virial_of_fixes_clear(const hs_env *env);
 
 /** All fix styles, ended by NULL; made by the build from the files in src/fix/. */
 extern const hs_fix_style *const hs_fix_styles[];

@@ -3,23 +3,17 @@
 #include <math.h>
 #include <string.h>
 
+#include "style/shared_fields.h"
+
 static const double disc_inertia = 0.5;
 
 hs_status hs_torques_want(hs_env *env, hs_error *err)
 {
     static const char *const name[3] = {"tqx", "tqy", "tqz"};
-    for (int axis = 0; axis < 3; ++axis)
-        if (env->torque[axis] == NULL)
-            HS_TRY(hs_atoms_add_field(env->atoms, name[axis], (void **)&env->torque[axis], sizeof(double), false, err));
-    ++env->n_torque_users;
-    return HS_OK;
+    return hs_shared_fields_want(env->atoms, env->torque, name, 3, &env->n_torque_users, err);
 }
 
-void hs_torques_release(hs_env *env)
-{
-    if (--env->n_torque_users > 0) return;
-    for (int axis = 0; axis < 3; ++axis) hs_atoms_remove_field(env->atoms, (void **)&env->torque[axis]);
-}
+void hs_torques_release(hs_env *env) { hs_shared_fields_release(env->atoms, env->torque, 3, &env->n_torque_users); }
 
 double hs_sphere_inertia(const hs_atoms *atoms, int i)
 {
