@@ -105,17 +105,6 @@ static hs_status add_messages(hs_messages *messages, const int partner[2], char 
     return HS_OK;
 }
 
-/** Agree that all ranks could describe their messages, then let them go (collective). */
-static hs_status transfer(hs_messages *messages, const hs_parallel *parallel, hs_error *err)
-{
-    if (hs_parallel_agree(parallel, err) == HS_OK) {
-        hs_messages_start(messages);
-        hs_messages_wait(messages);
-    }
-    hs_messages_clear(messages);
-    return err->status;
-}
-
 static hs_status make_room(traffic *t, hs_atoms *atoms, hs_error *err)
 {
     const int64_t n = (int64_t)atoms->n_local - t->n_leavers + t->n_in[0] + t->n_in[1];
@@ -138,11 +127,11 @@ static hs_status shift_along(hs_atoms *atoms, const hs_domain *domain, const hs_
     HS_UNLESS_FAILED(err, list_leavers(&t, atoms, domain, box, axis, partner, err));
     HS_UNLESS_FAILED(err, pack(&t, atoms, err));
     HS_UNLESS_FAILED(err, add_messages(&messages, partner, out, one, in, one, sizeof t.n_out[0], err));
-    hs_status status = transfer(&messages, parallel, err);
+    hs_status status = hs_messages_transfer(&messages, parallel, err);
     if (status == HS_OK) {
         HS_UNLESS_FAILED(err, make_room(&t, atoms, err));
         HS_UNLESS_FAILED(err, add_messages(&messages, partner, t.out, t.n_out, t.in, t.n_in, t.record, err));
-        status = transfer(&messages, parallel, err);
+        status = hs_messages_transfer(&messages, parallel, err);
     }
     if (status == HS_OK) {
         if (t.n_leavers > 0) hs_atoms_take_out(atoms, t.leaver, t.n_leavers);

@@ -13,6 +13,20 @@ const char *hs_dump_check_word(const char *word)
     return nearest != NULL ? nearest : "";
 }
 
+/** Its name, and what it refers to if it does. */
+static hs_status name_column(hs_dump_column *column, const char *word, hs_error *err)
+{
+    if (column->attribute == HS_ATTR_VARIABLE && strchr(word, '*') == NULL) {
+        const hs_args args = {.command = "dump", .n = 1, .word = &word};
+        hs_value *reference;
+        int n;
+        HS_TRY(hs_values_read(&reference, &n, NULL, &args, 0, 1, HS_VALUE_ATOMS, err));
+        column->reference = *reference;
+        HS_FREE(reference);
+    }
+    return hs_memory_strdup(&column->name, word, err);
+}
+
 hs_status hs_dump_parse_column(const char *word, hs_dump_column *column, hs_error *err)
 {
     memset(column, 0, sizeof *column);
@@ -28,28 +42,42 @@ hs_status hs_dump_parse_column(const char *word, hs_dump_column *column, hs_erro
                        nearest != NULL ? "; did you mean '" : "", nearest != NULL ? nearest : "",
                        nearest != NULL ? "'?" : "");
     }
-    if (column->attribute == HS_ATTR_VARIABLE && strchr(word, '*') == NULL) {
-        const hs_args args = {.command = "dump", .n = 1, .word = &word};
-        hs_value *reference;
-        int n;
-        HS_TRY(hs_values_read(&reference, &n, NULL, &args, 0, 1, HS_VALUE_ATOMS, err));
-        column->reference = *reference;
-        HS_FREE(reference);
-    }
-    return hs_memory_strdup(&column->name, word, err);
+    return name_column(column, word, err);
 }
 
-hs_status hs_dump_check_words(const hs_args *args, int i, int n, hs_error *err)
+hs_status hs_dump_parse_local_column(const char *word, hs_dump_column *column, hs_error *err)
+{
+    memset(column, 0, sizeof *column);
+    column->attribute = strcmp(word, "index") == 0 ? HS_ATTR_ID : HS_ATTR_VARIABLE;
+    if (column->attribute == HS_ATTR_VARIABLE && (!hs_value_is_reference(word) || strchr("cf", word[0]) == NULL))
+        return hs_fail(err, HS_ERROR_INPUT,
+                       "'%s' is not a local value: index, or c_ID or c_ID[i] of a compute that has some", word);
+    return name_column(column, word, err);
+}
+
+/** Fail unless words i to i + n - 1 are what @p parse takes for columns. */
+static hs_status check_words(const hs_args *args, int i, int n,
+                             hs_status (*parse)(const char *word, hs_dump_column *column, hs_error *err), hs_error *err)
 {
     for (int k = i; k < i + n && k < args->n; ++k) {
         hs_dump_column column;
         hs_error cause = {0};
         if (strchr(args->word[k], '$') != NULL) continue;
-        const hs_status status = hs_dump_parse_column(args->word[k], &column, &cause);
+        const hs_status status = parse(args->word[k], &column, &cause);
         if (status != HS_OK) return hs_fail(err, status, "%s: %s", args->command, cause.text);
         hs_dump_fini_column(&column);
     }
     return HS_OK;
+}
+
+hs_status hs_dump_check_words(const hs_args *args, int i, int n, hs_error *err)
+{
+    return check_words(args, i, n, hs_dump_parse_column, err);
+}
+
+hs_status hs_dump_check_local_words(const hs_args *args, hs_error *err)
+{
+    return check_words(args, 0, args->n, hs_dump_parse_local_column, err);
 }
 
 void hs_dump_fini_column(hs_dump_column *column)
@@ -87,6 +115,8 @@ hs_status hs_dump_write_name(const hs_dump_column *column, hs_writer *writer, hs
 
 double hs_dump_value(const hs_dump *dump, const hs_dump_column *column, int i)
 {
+    const hs_dump_table *table = dump->state;
     if (column->attribute == HS_ATTR_VARIABLE) return column->values[i];
+    if (table->is_local) return (double)(table->first_row + i + 1);
     return hs_attribute_value(dump->env, column->attribute, dump->wrap, i);
 }

@@ -28,6 +28,7 @@ const hs_keyword hs_dump_modify_keywords[] = {
     {"format", -1, "<line 'formats' | int format | float format | N format | none>", "printf formats of the columns"},
     {"header", 1, "yes|no", "write the lines above the rows (default yes)"},
     {"image", 1, "yes|no", "style atom: columns ix iy iz (default no)"},
+    {"label", 1, "<word>", "style local: what the rows are called above them (default ENTRIES)"},
     {"maxfiles", 1, "<N>", "keep only the last N files of a name with *; -1: all (default)"},
     {"pad", 1, "<digits>", "leading zeros of the step in file names"},
     {"pbc", 1, "yes|no", "write the atoms' images in the box: places, image numbers, velocities (default no)"},

@@ -1,6 +1,7 @@
-/* Which atoms a snapshot holds, and in which order. */
+/* Which atoms, or rows of local values, a snapshot holds, and in which order. */
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "base/memory.h"
 #include "io/dump_table.h"
@@ -53,8 +54,9 @@ hs_row_key hs_dump_key(const void *context, int64_t k)
     const hs_dump *dump = context;
     const hs_dump_table *table = dump->state;
     const int32_t i = table->order[k];
+    const int64_t id = table->is_local ? table->first_row + i : dump->env->atoms->id[i];
     const double value = table->sort_column > 0 ? hs_dump_value(dump, &table->column[table->sort_column - 1], i) : 0.0;
-    return (hs_row_key){.value = value, .id = dump->env->atoms->id[i]};
+    return (hs_row_key){.value = value, .id = id};
 }
 
 /** Sort table->order by id or by a column. Without dump_modify sort the rows go by id too: the order in memory
@@ -62,11 +64,10 @@ hs_row_key hs_dump_key(const void *context, int64_t k)
 static hs_status sort_rows(hs_dump *dump, hs_error *err)
 {
     hs_dump_table *table = dump->state;
-    const hs_atoms *atoms = dump->env->atoms;
     const int n = table->n_rows;
     sort_key *key;
     bool is_sorted = table->sort_column == 0 && !table->is_descending;
-    for (int k = 1; k < n && is_sorted; ++k) is_sorted = atoms->id[table->order[k - 1]] < atoms->id[table->order[k]];
+    for (int k = 1; k < n && is_sorted; ++k) is_sorted = hs_dump_key(dump, k - 1).id < hs_dump_key(dump, k).id;
     if (is_sorted || table->is_unsorted) return HS_OK;
     HS_TRY(HS_ALLOC(key, (size_t)n, err));
     for (int k = 0; k < n; ++k) key[k] = (sort_key){.key = hs_dump_key(dump, k), .index = table->order[k]};
@@ -85,7 +86,7 @@ static hs_status fill_variable(hs_dump *dump, hs_dump_column *column, hs_error *
     return hs_value_atoms(env, &column->reference, column->values, err);
 }
 
-static hs_status select_local(hs_dump *dump, hs_error *err)
+static hs_status select_atoms(hs_dump *dump, hs_error *err)
 {
     hs_dump_table *table = dump->state;
     const hs_atoms *atoms = dump->env->atoms;
@@ -101,10 +102,53 @@ static hs_status select_local(hs_dump *dump, hs_error *err)
     return sort_rows(dump, err);
 }
 
+/** The rows that all columns must have. */
+static hs_status find_rows(hs_dump *dump, const hs_local_rows **rows, hs_error *err)
+{
+    const hs_dump_table *table = dump->state;
+    const hs_value *first = NULL;
+    const double *unused;
+    char command[128];
+    snprintf(command, sizeof command, "dump '%.80s'", dump->id);
+    for (int k = 0; k < table->n_columns; ++k) {
+        const hs_dump_column *column = &table->column[k];
+        if (column->attribute != HS_ATTR_VARIABLE) continue;
+        if (first == NULL) first = &column->reference;
+        HS_TRY(hs_values_check_rows(dump->env, first, &column->reference, command, err));
+    }
+    return hs_value_local(dump->env, first, rows, &unused, err);
+}
+
+static hs_status copy_column(hs_dump *dump, hs_dump_column *column, hs_error *err)
+{
+    const hs_local_rows *rows;
+    const double *values;
+    if (column->attribute != HS_ATTR_VARIABLE) return HS_OK;
+    HS_TRY(hs_value_local(dump->env, &column->reference, &rows, &values, err));
+    HS_FREE(column->values);
+    HS_TRY(HS_ALLOC(column->values, (size_t)rows->n, err));
+    if (rows->n > 0) memcpy(column->values, values, (size_t)rows->n * sizeof *values);
+    return HS_OK;
+}
+
+/** All rows of local values. First all are found, on all ranks: after that no rank waits for others. */
+static hs_status select_rows(hs_dump *dump, hs_error *err)
+{
+    hs_dump_table *table = dump->state;
+    const hs_local_rows *rows = NULL;
+    HS_TRY(find_rows(dump, &rows, err));
+    for (int k = 0; k < table->n_columns; ++k) HS_TRY(copy_column(dump, &table->column[k], err));
+    HS_TRY(HS_RESERVE(table->order, table->capacity_order, (size_t)rows->n, err));
+    table->first_row = rows->first;
+    table->n_rows = rows->n;
+    for (int i = 0; i < rows->n; ++i) table->order[i] = i;
+    return sort_rows(dump, err);
+}
+
 hs_status hs_dump_select(hs_dump *dump, hs_error *err)
 {
     hs_dump_table *table = dump->state;
-    const hs_status status = select_local(dump, err);
+    const hs_status status = table->is_local ? select_rows(dump, err) : select_atoms(dump, err);
     table->n_rows_all = table->n_rows;
     hs_parallel_sum_int64(dump->env->parallel, &table->n_rows_all, 1);
     return status;

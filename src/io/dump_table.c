@@ -21,7 +21,8 @@ static hs_status add_column(hs_dump *dump, const hs_args *args, const char *word
     hs_dump_table *table = dump->state;
     HS_TRY(HS_GROW(table->column, (size_t)table->n_columns, (size_t)table->n_columns + 1, err));
     hs_dump_column *added = &table->column[table->n_columns];
-    hs_status status = hs_dump_parse_column(word, added, err);
+    hs_status status =
+        table->is_local ? hs_dump_parse_local_column(word, added, err) : hs_dump_parse_column(word, added, err);
     if (status == HS_OK) status = hs_attribute_check(added->attribute, dump->env->atoms, err);
     if (status != HS_OK) {
         hs_dump_fini_column(added);
@@ -31,7 +32,7 @@ static hs_status add_column(hs_dump *dump, const hs_args *args, const char *word
     }
     const hs_dump_column *column = &table->column[table->n_columns++];
     if (column->attribute == HS_ATTR_VARIABLE)
-        HS_TRY(hs_value_check(dump->env, &column->reference, HS_VALUE_ATOMS, args->command, err));
+        HS_TRY(hs_value_check(dump->env, &column->reference, hs_dump_shape(table), args->command, err));
     return hs_text_printf(&table->header, err, " %s", word);
 }
 
@@ -47,7 +48,7 @@ hs_status hs_dump_set_columns(hs_dump *dump, const hs_args *args, hs_error *err)
         /* c_ID[*]: a column for each */
         hs_value *values;
         int n;
-        HS_TRY(hs_values_read(&values, &n, dump->env, args, i, 1, HS_VALUE_ATOMS, err));
+        HS_TRY(hs_values_read(&values, &n, dump->env, args, i, 1, hs_dump_shape(table), err));
         hs_status status = HS_OK;
         for (int k = 0; k < n && status == HS_OK; ++k) status = add_column(dump, args, values[k].word, err);
         hs_values_destroy(&values, n);
@@ -67,6 +68,7 @@ void hs_dump_table_destroy(hs_dump *dump)
     HS_FREE(table->format_line);
     HS_FREE(table->format_int);
     HS_FREE(table->format_float);
+    HS_FREE(table->label);
     hs_where_fini(&table->where);
     hs_dump_clear_conditions(dump);
     HS_FREE(table->condition);
@@ -132,13 +134,13 @@ static hs_status make_formats(hs_dump *dump, hs_error *err)
 
 static bool is_file_per_step(const hs_dump *dump) { return strchr(dump->file, '*') != NULL || dump->is_single; }
 
-/** The compute, fix or variable must be there and have values per atom. */
+/** The compute, fix or variable must be there and have values per atom, or local ones. */
 static hs_status check_reference(hs_dump *dump, const hs_dump_column *column, hs_error *err)
 {
     char command[128];
     if (column->attribute != HS_ATTR_VARIABLE) return HS_OK;
     snprintf(command, sizeof command, "dump '%.80s'", dump->id);
-    return hs_value_check(dump->env, &column->reference, HS_VALUE_ATOMS, command, err);
+    return hs_value_check(dump->env, &column->reference, hs_dump_shape(dump->state), command, err);
 }
 
 /** The file that all snapshots go to; one of a resumed run is cut to where it was then. */
@@ -184,14 +186,15 @@ static hs_status write_item_header(hs_dump *dump, hs_writer *writer, hs_error *e
     hs_dump_table *table = dump->state;
     const hs_env *env = dump->env;
     const hs_box *box = env->box;
+    const char *rows = !table->is_local ? "ATOMS" : table->label != NULL ? table->label : "ENTRIES";
     if (table->has_units && !table->units_written)
         HS_TRY(hs_writer_printf(writer, err, "ITEM: UNITS\n%s\n", env->units->name));
     table->units_written = !is_file_per_step(dump);
     if (table->has_time)
         HS_TRY(hs_writer_printf(writer, err, "ITEM: TIME\n%.16g\n",
                                 env->time_origin + (double)(env->step - env->time_origin_step) * env->dt));
-    HS_TRY(hs_writer_printf(writer, err, "ITEM: TIMESTEP\n%lld\nITEM: NUMBER OF ATOMS\n%lld\nITEM: BOX BOUNDS",
-                            (long long)env->step, (long long)table->n_rows_all));
+    HS_TRY(hs_writer_printf(writer, err, "ITEM: TIMESTEP\n%lld\nITEM: NUMBER OF %s\n%lld\nITEM: BOX BOUNDS",
+                            (long long)env->step, rows, (long long)table->n_rows_all));
     if (box->is_tilted) HS_TRY(hs_writer_printf(writer, err, " xy xz yz"));
     for (int axis = 0; axis < 3; ++axis)
         HS_TRY(hs_writer_printf(writer, err, " %c%c", box->boundary[axis][0], box->boundary[axis][1]));
@@ -201,7 +204,7 @@ static hs_status write_item_header(hs_dump *dump, hs_writer *writer, hs_error *e
         HS_TRY(hs_writer_printf(writer, err, "\n%-1.16e %-1.16e", lo[axis], hi[axis]));
         if (box->is_tilted) HS_TRY(hs_writer_printf(writer, err, " %-1.16e", box->tilt[axis]));
     }
-    return hs_writer_printf(writer, err, "\nITEM: ATOMS%s\n", hs_text_get(&table->header));
+    return hs_writer_printf(writer, err, "\nITEM: %s%s\n", rows, hs_text_get(&table->header));
 }
 
 /** The name of an atom's type: dump_modify element; else its number in xyz files, "C" in others, as LAMMPS has it. */

@@ -12,14 +12,14 @@
 #include "style/region.h"
 #include "style/value.h"
 
-/** One value of an atom: a column of a row, or the left side of a condition. */
+/** One value of an atom, or of a row of local values: a column of a row, or the left side of a condition. */
 typedef struct hs_dump_column {
-    hs_attribute attribute;
-    char *name;         /**< owned; as in the deck */
-    hs_value reference; /**< of HS_ATTR_VARIABLE */
-    double *values;     /**< owned [n_local]; of a reference, at the present step */
-    char *user_format;  /**< owned; dump_modify format N, or NULL */
-    char *format;       /**< owned; made by init */
+    hs_attribute attribute; /**< HS_ATTR_ID of local values: the number of the row */
+    char *name;             /**< owned; as in the deck */
+    hs_value reference;     /**< of HS_ATTR_VARIABLE */
+    double *values;         /**< owned [n_local, or rows]; of a reference, at the present step */
+    char *user_format;      /**< owned; dump_modify format N, or NULL */
+    char *format;           /**< owned; made by init */
 } hs_dump_column;
 
 /** What the left side of a condition was for each atom in the latest snapshot. */
@@ -53,6 +53,7 @@ typedef struct hs_dump_layout {
 
 typedef struct hs_dump_table {
     const hs_dump_layout *layout;
+    bool is_local;          /**< rows are those of local values (style/local_rows.h), not atoms; set by the style */
     hs_dump_column *column; /**< owned [n_columns] */
     int n_columns;
     hs_text header; /**< names above the columns */
@@ -72,19 +73,23 @@ typedef struct hs_dump_table {
     bool is_unsorted, is_descending, has_time, has_units, units_written, no_header;
     int sort_column;           /**< 1 .. n_columns; 0: by id */
     bool is_scaled, has_image; /**< of style atom */
+    char *label;               /**< owned; what rows of local values are called; NULL: ENTRIES */
 
     hs_writer *writer; /**< owned; of a growing file, open from init on; on the first rank only */
     bool is_open;      /**< the first rank has it open; the same on all ranks */
-    int32_t *order;    /**< owned; atoms of the snapshot being written */
+    int32_t *order;    /**< owned; atoms, or rows of local values, of the snapshot being written */
     size_t capacity_order;
     int n_rows;         /**< of this rank */
+    int64_t first_row;  /**< of local values: those of the ranks before this one */
     int64_t n_rows_all; /**< of all ranks */
 } hs_dump_table;
 
-/** Columns named by words (attributes or v_name); the former ones are forgotten. */
+/** Columns named by words (attributes or references); the former ones are forgotten. */
 HS_MUST_USE hs_status hs_dump_set_columns(hs_dump *dump, const hs_args *args, hs_error *err);
 /** Fail unless words i to i + n - 1 may be columns, as far as that can be told before anything runs. */
 HS_MUST_USE hs_status hs_dump_check_words(const hs_args *args, int i, int n, hs_error *err);
+/** The same for rows of local values. */
+HS_MUST_USE hs_status hs_dump_check_local_words(const hs_args *args, hs_error *err);
 /** NULL when the word may be a column of dump custom, else the nearest attribute or "". */
 const char *hs_dump_check_word(const char *word);
 void hs_dump_table_destroy(hs_dump *dump);
@@ -110,15 +115,22 @@ extern const hs_keyword hs_dump_modify_keywords[];
 
 /* Shared by the files io/dump_*.c */
 HS_MUST_USE hs_status hs_dump_parse_column(const char *word, hs_dump_column *column, hs_error *err);
+/** The same for rows of local values: `index` and references to computes and fixes. */
+HS_MUST_USE hs_status hs_dump_parse_local_column(const char *word, hs_dump_column *column, hs_error *err);
+/** Shape of columns that are references. */
+static inline hs_value_shape hs_dump_shape(const hs_dump_table *table)
+{
+    return table->is_local ? HS_VALUE_LOCAL : HS_VALUE_ATOMS;
+}
 void hs_dump_fini_column(hs_dump_column *column);
 bool hs_dump_is_int(const hs_dump_column *column);
 /** Its name without brackets, c_s_1 for c_s[1], for headers in which they mean something else. */
 HS_MUST_USE hs_status hs_dump_write_name(const hs_dump_column *column, hs_writer *writer, hs_error *err);
-/** Value of an attribute of atom i; positions and images wrapped into the box when dump_modify pbc asks for it. */
+/** Value of an attribute of atom i, or of row i of local values; positions and images wrapped into the box when dump_modify pbc asks for it. */
 double hs_dump_value(const hs_dump *dump, const hs_dump_column *column, int i);
 /** What row k of a snapshot is sorted by; context is the dump. */
 hs_row_key hs_dump_key(const void *context, int64_t k);
-/** Fill table->order with the local atoms to write, in the order asked for, and n_rows. Collective. */
+/** Fill table->order with the local atoms, or rows of local values, to write, in the order asked for, and n_rows. Collective. */
 HS_MUST_USE hs_status hs_dump_select(hs_dump *dump, hs_error *err);
 
 #endif

@@ -77,18 +77,55 @@ static void count_weights(const hs_histogram *histogram, const hs_fix *fix, int6
     }
 }
 
+/** Whether each rank has values of its own: all others are the same on all ranks. */
+static bool is_spread(const hs_histogram *histogram)
+{
+    return histogram->shape == HS_VALUE_ATOMS || histogram->shape == HS_VALUE_LOCAL;
+}
+
+/** Room for n values of an input, or for their weights. */
+static hs_status make_room(hs_histogram *histogram, bool is_weight, int64_t n, double **out, hs_error *err)
+{
+    HS_TRY(is_weight ? HS_RESERVE(histogram->weight, histogram->capacity_weight, (size_t)n, err)
+                     : HS_RESERVE(histogram->value, histogram->capacity_value, (size_t)n, err));
+    *out = is_weight ? histogram->weight : histogram->value;
+    return HS_OK;
+}
+
+static hs_status read_local(hs_fix *fix, const hs_atom_source *input, bool is_weight, int64_t *n, hs_error *err)
+{
+    hs_histogram *histogram = fix->state;
+    const hs_local_rows *rows;
+    const double *column;
+    double *out;
+    HS_TRY(hs_value_local(fix->env, &input->value, &rows, &column, err));
+    *n = rows->n;
+    HS_TRY(make_room(histogram, is_weight, *n, &out, err));
+    if (*n > 0) memcpy(out, column, (size_t)*n * sizeof *out);
+    return HS_OK;
+}
+
+/** Fail unless values and weights are of the same rows. */
+static hs_status check_weights(hs_fix *fix, hs_error *err)
+{
+    const hs_histogram *histogram = fix->state;
+    const hs_value *value = &histogram->inputs[0].value, *weight = &histogram->inputs[1].value;
+    return histogram->shape == HS_VALUE_LOCAL ? hs_values_check_rows(fix->env, value, weight, hs_fix_who(fix).text, err)
+                                              : HS_OK;
+}
+
 /** values[0 .. *n) of one input on this rank. */
 static hs_status read_input(hs_fix *fix, const hs_atom_source *input, bool is_weight, int64_t *n, hs_error *err)
 {
     hs_histogram *histogram = fix->state;
     hs_env *env = fix->env;
+    double *out;
+    if (histogram->shape == HS_VALUE_LOCAL) return read_local(fix, input, is_weight, n, err);
     if (histogram->shape == HS_VALUE_VECTOR) HS_TRY(hs_value_refresh(env, &input->value, err));
     *n = histogram->shape == HS_VALUE_NUMBER   ? 1
          : histogram->shape == HS_VALUE_VECTOR ? hs_value_length(env, &input->value)
                                                : env->atoms->n_local;
-    HS_TRY(is_weight ? HS_RESERVE(histogram->weight, histogram->capacity_weight, (size_t)*n, err)
-                     : HS_RESERVE(histogram->value, histogram->capacity_value, (size_t)*n, err));
-    double *out = is_weight ? histogram->weight : histogram->value;
+    HS_TRY(make_room(histogram, is_weight, *n, &out, err));
     switch (histogram->shape) {
     case HS_VALUE_NUMBER:
         return hs_value_number(env, &input->value, out, err);
@@ -122,12 +159,12 @@ static hs_status add_to_errors(hs_histogram *histogram, const double *count, hs_
     return status;
 }
 
-/** Sums over ranks of values per atom; all other inputs are the same on all ranks already. */
+/** Sums over ranks of what is spread over them. */
 static hs_status add_up(const hs_fix *fix, double *count, double extreme[2], hs_error *err)
 {
     hs_histogram *histogram = fix->state;
     const int n = HS_HISTO_BINS + histogram->n_bins;
-    if (histogram->shape == HS_VALUE_ATOMS) {
+    if (is_spread(histogram)) {
         hs_parallel_min_double(fix->env->parallel, &extreme[0], 1);
         hs_parallel_max_double(fix->env->parallel, &extreme[1], 1);
     }
@@ -144,6 +181,7 @@ static hs_status sample_weighted(hs_fix *fix, hs_error *err)
     double extreme[2] = {hs_histogram_nothing[0], hs_histogram_nothing[1]}, *count = NULL;
     int64_t n = 0;
     hs_exact_sum *sums = NULL;
+    HS_TRY(check_weights(fix, err));
     HS_TRY(read_input(fix, &histogram->inputs[0], false, &n, err));
     HS_TRY(read_input(fix, &histogram->inputs[1], true, &n, err));
     hs_status status = HS_ALLOC(sums, (size_t)n_counts, err);
@@ -151,7 +189,7 @@ static hs_status sample_weighted(hs_fix *fix, hs_error *err)
     if (hs_parallel_agree(fix->env->parallel, err) == HS_OK) {
         count_weights(histogram, fix, n, sums);
         find_extremes(histogram, fix, n, extreme);
-        if (histogram->shape == HS_VALUE_ATOMS)
+        if (is_spread(histogram))
             hs_exact_total(sums, n_counts, fix->env->parallel, count);
         else
             for (int k = 0; k < n_counts; ++k) count[k] = hs_exact_value(&sums[k]);
@@ -177,7 +215,7 @@ static hs_status sample_plain(hs_fix *fix, hs_error *err)
         find_extremes(histogram, fix, n, extreme);
     }
     if (status == HS_OK) {
-        if (histogram->shape == HS_VALUE_ATOMS) hs_parallel_sum_double(fix->env->parallel, count, n_counts);
+        if (is_spread(histogram)) hs_parallel_sum_double(fix->env->parallel, count, n_counts);
         status = add_up(fix, count, extreme, err);
     }
     HS_FREE(count);

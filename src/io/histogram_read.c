@@ -6,21 +6,22 @@
 
 const hs_keyword hs_histogram_keywords[] = {
     HS_AVERAGE_KEYWORDS,
-    {"mode", 1, "scalar|vector", "inputs are numbers, or vectors and values per atom (default: scalar)"},
-    {"kind", 1, "global|peratom", "which of them is meant where a compute or fix has both"},
+    {"mode", 1, "scalar|vector", "inputs are numbers, or vectors, values per atom and local values (default: scalar)"},
+    {"kind", 1, "global|peratom|local", "which of them is meant where a compute or fix has more than one"},
     {"beyond", 1, "ignore|end|extra", "values beyond lo and hi: not counted, in the end bins, or in two more bins"},
     {NULL, 0, NULL, NULL},
 };
 
 /* Words */
 
-/** Mode, kind and beyond decide how the inputs and bins are read. @p kind: HS_VALUE_VECTOR, HS_VALUE_ATOMS, or
+/** Mode, kind and beyond decide how the inputs and bins are read. @p kind: HS_VALUE_VECTOR, HS_VALUE_ATOMS, HS_VALUE_LOCAL, or
  *  HS_VALUE_NUMBER when nothing was said. */
 static hs_status read_own_keywords(hs_histogram *histogram, const hs_args *args, int first, hs_value_shape *kind,
                                    hs_error *err)
 {
     static const char *const modes[] = {"scalar", "vector", NULL};
-    static const char *const kinds[] = {"global", "peratom", NULL};
+    static const char *const kinds[] = {"global", "peratom", "local", NULL};
+    static const hs_value_shape shapes[] = {HS_VALUE_VECTOR, HS_VALUE_ATOMS, HS_VALUE_LOCAL};
     static const char *const beyonds[] = {"ignore", "end", "extra", NULL};
     *kind = HS_VALUE_NUMBER;
     for (int i = first, n_used; i < args->n; i += n_used) {
@@ -33,7 +34,7 @@ static hs_status read_own_keywords(hs_histogram *histogram, const hs_args *args,
             histogram->is_vector = choice == 1;
         } else if (strcmp(args->word[i], "kind") == 0) {
             HS_TRY(hs_arg_choice(args, i + 1, kinds, &choice, err));
-            *kind = choice == 0 ? HS_VALUE_VECTOR : HS_VALUE_ATOMS;
+            *kind = shapes[choice];
         } else {
             HS_TRY(hs_arg_choice(args, i + 1, beyonds, &choice, err));
             histogram->beyond = (hs_beyond)choice;
@@ -42,14 +43,21 @@ static hs_status read_own_keywords(hs_histogram *histogram, const hs_args *args,
     return HS_OK;
 }
 
-/** References of one word: a range counts columns of an array, or else of the values per atom. */
+/** What mode vector may be of, the first that there is being meant unless `kind` says which. */
+static const hs_value_shape vectors[] = {HS_VALUE_VECTOR, HS_VALUE_LOCAL, HS_VALUE_ATOMS};
+enum { N_VECTORS = 3 };
+
+/** References of one word: a range counts columns of an array, or else of local values, or of values per atom. */
 static hs_status read_references(hs_fix *fix, const hs_args *args, int i, hs_value **values, int *n, hs_error *err)
 {
     const hs_histogram *histogram = fix->state;
     if (!histogram->is_vector) return hs_values_read(values, n, fix->env, args, i, 1, HS_VALUE_NUMBER, err);
-    if (hs_values_read(values, n, fix->env, args, i, 1, HS_VALUE_VECTOR, err) == HS_OK) return HS_OK;
-    hs_error_clear(err);
-    return hs_values_read(values, n, fix->env, args, i, 1, HS_VALUE_ATOMS, err);
+    hs_status status = HS_ERROR_INPUT;
+    for (int k = 0; k < N_VECTORS && status != HS_OK; ++k) {
+        hs_error_clear(err);
+        status = hs_values_read(values, n, fix->env, args, i, 1, vectors[k], err);
+    }
+    return status;
 }
 
 static hs_status add_inputs(hs_fix *fix, const hs_args *args, int i, hs_error *err)
@@ -65,7 +73,7 @@ static hs_status add_inputs(hs_fix *fix, const hs_args *args, int i, hs_error *e
         return hs_arg_refuse(args, i, "x, y, z, vx, vy, vz, fx, fy, fz, c_ID, c_ID[i], f_ID, f_ID[i] or v_name",
                              hs_atom_source_motion, err);
     }
-    return hs_atom_sources_add(&histogram->inputs, &histogram->n_inputs, attribute, &values, n, err);
+    return hs_atom_sources_add(&histogram->inputs, &histogram->n_inputs, attribute, &values, n, HS_VALUE_ATOMS, err);
 }
 
 /** Shape of the inputs: what the first one is, unless the words say it. */
@@ -73,13 +81,14 @@ static hs_status find_shape(const hs_fix *fix, const hs_args *args, hs_value_sha
 {
     hs_histogram *histogram = fix->state;
     const hs_atom_source *first = &histogram->inputs[0];
-    if (histogram->is_vector) {
-        const bool is_vector = first->attribute < 0 && hs_value_has(fix->env, &first->value, HS_VALUE_VECTOR);
-        histogram->shape = kind != HS_VALUE_NUMBER ? kind : is_vector ? HS_VALUE_VECTOR : HS_VALUE_ATOMS;
-    } else if (kind == HS_VALUE_ATOMS) {
-        return hs_fail(err, HS_ERROR_INPUT, "%s: values per atom are many: 'kind peratom' needs 'mode vector'",
-                       args->command);
-    }
+    if (!histogram->is_vector && kind != HS_VALUE_NUMBER && kind != HS_VALUE_VECTOR)
+        return hs_fail(err, HS_ERROR_INPUT, "%s: %s are many: 'kind %s' needs 'mode vector'", args->command,
+                       kind == HS_VALUE_ATOMS ? "values per atom" : "local values",
+                       kind == HS_VALUE_ATOMS ? "peratom" : "local");
+    if (!histogram->is_vector) return HS_OK;
+    histogram->shape = kind != HS_VALUE_NUMBER ? kind : HS_VALUE_ATOMS;
+    for (int k = N_VECTORS - 1; k >= 0 && kind == HS_VALUE_NUMBER && first->attribute < 0; --k)
+        if (hs_value_has(fix->env, &first->value, vectors[k])) histogram->shape = vectors[k];
     return HS_OK;
 }
 
@@ -108,7 +117,7 @@ hs_status hs_histogram_check(const hs_fix *fix, const char *command, hs_error *e
         else if (histogram->shape != HS_VALUE_ATOMS)
             return hs_fail(err, HS_ERROR_INPUT, "%s: '%s' is a value of each atom, which needs 'mode vector'%s",
                            command, hs_attributes[input->attribute],
-                           histogram->is_vector ? ", and no global vectors beside it" : "");
+                           histogram->is_vector ? ", and no global vectors or local values beside it" : "");
     }
     return check_weight(fix, command, err);
 }

@@ -25,5 +25,8 @@ HS_MUST_USE hs_status hs_messages_receive(hs_messages *messages, int from, void 
 /** Start all messages; their memory belongs to them until hs_messages_wait returns. */
 void hs_messages_start(const hs_messages *messages);
 void hs_messages_wait(const hs_messages *messages);
+/** Send and receive all messages once and forget them (collective, errors agreed): none starts if a rank could not describe its own,
+ *  and holds the error in @p err. */
+HS_MUST_USE hs_status hs_messages_transfer(hs_messages *messages, const hs_parallel *parallel, hs_error *err);
 
 #endif

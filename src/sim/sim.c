@@ -145,11 +145,11 @@ hs_compute *hs_sim_temperature(hs_sim *sim, int k)
 hs_region *hs_sim_find_region(hs_sim *sim, const char *id) { FIND(sim->region, sim->n_regions, id); }
 hs_dump *hs_sim_find_dump(hs_sim *sim, const char *id) { FIND(sim->dump, sim->n_dumps, id); }
 
-/** Where the lists decide which pairs count. */
+/** Which pairs are listed. */
 static void view_listed(const hs_sim *sim, hs_pair_view *view)
 {
     const hs_neighbor *neighbor = &sim->neighbor;
-    if (!neighbor->is_late || neighbor->settings.exact) return;
+    view->listed_only = neighbor->is_late && !neighbor->settings.exact;
     view->box_listed = sim->box;
     for (int axis = 0; axis < 3; ++axis) {
         view->x_listed[axis] = neighbor->x_listed[axis];
@@ -169,10 +169,11 @@ static void view_pairs(hs_env *env, hs_pair_view *view)
                            .n_kernel_types = sim->n_kernel_types};
     if (sim->pair == NULL || sim->n_pair_tables < sim->pair->n_parts) return;
     view->cutoff_max = sim->pair->cutoff_max;
-    if (!(view->cutoff_max > 0.0) || !hs_pair_has_forces(sim->pair)) return;
+    if (!(view->cutoff_max > 0.0)) return;
+    view_listed(sim, view);
+    if (!hs_pair_has_forces(sim->pair)) return;
     view->pair = sim->pair;
     view->table = sim->pair_table;
-    view_listed(sim, view);
     int k = 0;
     while (sim->pair->part[k]->style->evaluator == NULL) ++k;
     view->is_uniform = sim->pair_table[k].is_uniform && !hs_pair_has_radii(sim->pair, true);

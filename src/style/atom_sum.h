@@ -24,6 +24,10 @@ typedef void (*hs_atom_terms)(const hs_atoms *atoms, const void *context, int be
 void hs_atom_sum(const hs_atoms *atoms, const hs_parallel *parallel, hs_atom_terms terms, const void *context, int n,
                  double *sums);
 
+/** The same over the items 0 ... n_items - 1 of each rank that are no atoms: terms gets none (collective). */
+void hs_item_sum(int n_items, const hs_parallel *parallel, hs_atom_terms terms, const void *context, int n,
+                 double *sums);
+
 /** Sums that are made at every step and seldom read. What depends on the step is done at it, by each rank for itself;
  *  ranks put their parts together, and sums are rounded, when one is read. Zero-initialised all are 0. */
 typedef struct hs_late_sums {

@@ -45,7 +45,8 @@ hs_status hs_compute_create(hs_compute **compute, hs_env *env, const hs_compute_
                             .has_scalar = style->scalar != NULL,
                             .has_vector = style->vector != NULL,
                             .has_array = style->array != NULL,
-                            .has_atoms = style->per_atom != NULL};
+                            .has_atoms = style->per_atom != NULL,
+                            .has_local = style->local != NULL};
     hs_compute_invalidate(new_one);
     hs_status status = hs_memory_strdup(&new_one->id, id, err);
     if (status == HS_OK) status = hs_memory_alloc(&new_one->state, 1, style->state_size + 1, err);
@@ -63,6 +64,7 @@ void hs_compute_destroy(hs_compute **compute)
     if (old == NULL) return;
     if (old->state != NULL && old->style->destroy != NULL) old->style->destroy(old);
     HS_FREE(old->atoms);
+    hs_local_rows_fini(&old->local);
     HS_FREE(old->state);
     HS_FREE(old->id);
     HS_FREE(*compute);
@@ -134,6 +136,19 @@ hs_status hs_compute_eval_atoms(hs_compute *compute, hs_error *err)
     return HS_OK;
 }
 
+hs_status hs_compute_eval_local(hs_compute *compute, hs_error *err)
+{
+    if (!compute->has_local)
+        return hs_fail(err, HS_ERROR_INPUT, "compute '%s' (%s) has no local values", compute->id,
+                       compute->style->about.name);
+    HS_TRY(check_energy(compute, err));
+    if (is_current(compute, compute->local_at)) return HS_OK;
+    HS_UNLESS_FAILED(err, compute->style->local(compute, err));
+    HS_TRY(hs_local_rows_number(&compute->local, compute->env->parallel, err));
+    compute->local_at = compute->env->revision;
+    return HS_OK;
+}
+
 hs_status hs_compute_vector(hs_compute *compute, int i, double *value, hs_error *err)
 {
     if (!compute->has_vector)
@@ -149,5 +164,5 @@ hs_status hs_compute_vector(hs_compute *compute, int i, double *value, hs_error 
 
 void hs_compute_invalidate(hs_compute *compute)
 {
-    compute->scalar_at = compute->vector_at = compute->array_at = compute->atoms_at = 0;
+    compute->scalar_at = compute->vector_at = compute->array_at = compute->atoms_at = compute->local_at = 0;
 }

@@ -4,6 +4,7 @@
 
 #include "style/args.h"
 #include "style/env.h"
+#include "style/local_rows.h"
 #include "style/state.h"
 
 struct hs_compute;
@@ -26,6 +27,9 @@ typedef struct hs_compute_style {
     /** Fill compute->atoms for the local atoms: column k of atom i is atoms[k * n_local + i]; room for n_atom_columns
      *  (at least one) columns is made before the call. Atoms outside the group get 0. NULL: has no values per atom. */
     HS_MUST_USE hs_status (*per_atom)(struct hs_compute *compute, hs_error *err);
+    /** Fill compute->local (hs_local_rows_reserve) with this rank's rows of n_local_columns columns (at least one), in the order
+     *  that local_rows.h asks for; they are numbered after the call. NULL: has no local values. */
+    HS_MUST_USE hs_status (*local)(struct hs_compute *compute, hs_error *err);
     /** Before the forces of a step at whose end it will be asked for (hs_value_announce): leave word in the env for
      *  what can be measured on the way. Nothing may depend on it: whatever was not done is done when asked for. NULL:
      *  nothing can. */
@@ -67,10 +71,12 @@ typedef struct hs_compute {
     double *atoms;      /**< values per atom, by columns; owned by the interface, made and freed for the style */
     int n_atom_columns; /**< 0: one value per atom, c_ID; n: c_ID[1] ... c_ID[n]; set by create */
     size_t capacity_atoms;
-    uint64_t scalar_at, vector_at, array_at, atoms_at; /**< revision of the results; 0: not evaluated yet */
+    hs_local_rows local; /**< local values; owned by the interface */
+    int n_local_columns; /**< 0: one value a row, c_ID; n: c_ID[1] ... c_ID[n]; set by create */
+    uint64_t scalar_at, vector_at, array_at, atoms_at, local_at; /**< revision of the results; 0: not evaluated yet */
     bool is_extensive, is_vector_extensive;
     /** What there is: at first what the style has functions for; create may clear some. */
-    bool has_scalar, has_vector, has_array, has_atoms;
+    bool has_scalar, has_vector, has_array, has_atoms, has_local;
     /** Vector or rows of the array: as many as the latest evaluation found; elements beyond are 0. Set by create. */
     bool has_variable_length;
     /** Set by create: made from other values that may need the pair energy or virial, or measured at the places of the
@@ -102,10 +108,12 @@ HS_MUST_USE hs_status hs_compute_get(hs_env *env, const char *id, hs_measure wha
 HS_MUST_USE hs_status hs_compute_scalar(hs_compute *compute, double *value, hs_error *err);
 /** Element i (from 0) of the vector. */
 HS_MUST_USE hs_status hs_compute_vector(hs_compute *compute, int i, double *value, hs_error *err);
-/** Bring the whole vector, array, or values per atom up to date: then compute->vector, ->array, ->atoms hold them. */
+/** Bring the whole vector, array, values per atom, or local values up to date: then compute->vector, ->array, ->atoms, ->local hold
+ *  them. */
 HS_MUST_USE hs_status hs_compute_eval_vector(hs_compute *compute, hs_error *err);
 HS_MUST_USE hs_status hs_compute_eval_array(hs_compute *compute, hs_error *err);
 HS_MUST_USE hs_status hs_compute_eval_atoms(hs_compute *compute, hs_error *err);
+HS_MUST_USE hs_status hs_compute_eval_local(hs_compute *compute, hs_error *err);
 /** Forget remembered results (positions or velocities were changed between steps). */
 void hs_compute_invalidate(hs_compute *compute);
 

@@ -41,7 +41,7 @@ static hs_status take_listed(hs_pair_scan *scan, hs_env *env, hs_error *err)
     hs_pair_view view;
     hs_status status = HS_OK;
     env->view_pairs(env, &view);
-    if (view.x_listed[0] == NULL) return HS_OK;
+    if (!view.listed_only) return HS_OK;
     for (int axis = 0; axis < 3 && status == HS_OK; ++axis)
         status = hs_atoms_add_field(atoms, "scan_listed", (void **)&scan->x_listed[axis], sizeof(double), true, err);
     if (hs_parallel_agree(env->parallel, err) != HS_OK) return status != HS_OK ? status : err->status;
@@ -173,6 +173,14 @@ hs_status hs_pair_scan_begin_at_forces(hs_pair_scan *scan, hs_env *env, double r
 {
     HS_TRY(begin(scan, env, hs_places_of_forces(env), range, err));
     return take_listed(scan, env, err);
+}
+
+hs_status hs_pair_scan_begin_at_lists(hs_pair_scan *scan, hs_env *env, double range, hs_error *err)
+{
+    hs_pair_view view;
+    env->view_pairs(env, &view);
+    const hs_places places = {.x = {view.x_listed[0], view.x_listed[1], view.x_listed[2]}, .box = &view.box_listed};
+    return begin(scan, env, places, range, err);
 }
 
 /** A batch that is being filled on one thread. */

@@ -21,10 +21,10 @@ typedef struct hs_pair_view {
     const bool *excluded; /**< [n_kernel_types^2]: whether `neigh_modify exclude` leaves such pairs out; NULL: none */
     int n_kernel_types;
     double cutoff_max; /**< distance; 0 before the first run, or without a pair style */
-    /** Where atoms were when the lists were made, where these come late and only pairs that were listed then count; NULL:
-     *  all pairs within their cutoff count. */
-    const double *x_listed[3];
-    hs_box box_listed;     /**< the box at that time */
+    /* What follows is set where there are cutoffs. */
+    const double *x_listed[3]; /**< [n_local]: where atoms were when the lists were made */
+    hs_box box_listed;         /**< the box at that time */
+    bool listed_only;      /**< lists come late: of the pairs within their cutoff only those that were listed count */
     bool listed_by_radius; /**< listed pairs are within the sum of their radii and the skin, too */
     double skin;           /**< distance */
     const hs_clusters *clusters;
@@ -67,18 +67,27 @@ HS_MUST_USE hs_status hs_pair_scan_begin(hs_pair_scan *scan, hs_env *env, double
 /** The same at the places of the latest forces, for what is part of their energy or virial: hs_pair_scan_eval leaves out
  *  pairs that forces leave out, where lists come late. */
 HS_MUST_USE hs_status hs_pair_scan_begin_at_forces(hs_pair_scan *scan, hs_env *env, double range, hs_error *err);
-/** Whether a pair of the scan's atoms was near enough when the lists were made. */
-static inline bool hs_pair_scan_is_listed(const hs_pair_scan *scan, const hs_pair_view *view,
-                                          const hs_pair_table *table, double sum_of_radii, int i, int j)
+/** The same at the places of the latest scheduled lists, where there are cutoffs (hs_pair_view). */
+HS_MUST_USE hs_status hs_pair_scan_begin_at_lists(hs_pair_scan *scan, hs_env *env, double range, hs_error *err);
+/** Squared distance of a pair of the scan's atoms when the lists were made, where scan->x_listed is there. */
+static inline double hs_pair_scan_listed_r2(const hs_pair_scan *scan, int i, int j)
 {
     double r2 = 0.0;
-    if (scan->x_listed[0] == NULL) return true;
-    const int type_i = scan->atoms.type[i], type_j = scan->atoms.type[j];
-    const double *row = table->values + (size_t)(type_i * table->n_types + type_j) * (size_t)table->stride;
     for (int axis = 0; axis < 3; ++axis) {
         const double d = scan->x_listed[axis][j] - scan->x_listed[axis][i];
         r2 += d * d;
     }
+    return r2;
+}
+
+/** Whether a pair of the scan's atoms was near enough when the lists were made. */
+static inline bool hs_pair_scan_is_listed(const hs_pair_scan *scan, const hs_pair_view *view,
+                                          const hs_pair_table *table, double sum_of_radii, int i, int j)
+{
+    if (scan->x_listed[0] == NULL) return true;
+    const int type_i = scan->atoms.type[i], type_j = scan->atoms.type[j];
+    const double *row = table->values + (size_t)(type_i * table->n_types + type_j) * (size_t)table->stride;
+    const double r2 = hs_pair_scan_listed_r2(scan, i, j);
     const double reach = sum_of_radii + view->skin;
     return r2 < row[HS_TABLE_LISTED_R2] && (!view->listed_by_radius || r2 < reach * reach);
 }

@@ -1,9 +1,16 @@
-/** One number from the values of all atoms: sum, mean, extreme. What compute reduce and compute reduce/region are. */
+/** One number from the values of all atoms, or from all local values: sum, mean, extreme. What compute reduce and compute reduce/region
+ *  are. */
 #ifndef HS_STYLE_REDUCTION_H
 #define HS_STYLE_REDUCTION_H
 
 #include "style/atom_source.h"
 #include "style/region.h"
+
+/** What is reduced: the values of one input on this rank. */
+typedef struct hs_reduced {
+    const double *value;       /**< borrowed */
+    const hs_local_rows *rows; /**< borrowed; NULL: the values are of the local atoms */
+} hs_reduced;
 
 /** State of a compute that reduces. */
 typedef struct hs_reduction {
@@ -14,6 +21,7 @@ typedef struct hs_reduction {
     hs_where where;
     double *values; /**< owned [capacity] scratch: of each local atom */
     size_t capacity;
+    hs_reduced present; /**< input that is being reduced */
 } hs_reduction;
 
 extern const hs_keyword hs_reduction_keywords[];

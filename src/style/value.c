@@ -38,6 +38,7 @@ int hs_value_limit(hs_env *env, const hs_value *value, hs_value_shape shape, int
     const hs_compute *compute = compute_of(env, value);
     const hs_fix *fix = fix_of(env, value);
     if (compute == NULL && fix == NULL) return 0;
+    if (shape == HS_VALUE_LOCAL) return compute != NULL && compute->has_local ? compute->n_local_columns : 0;
     const bool has_array = compute != NULL ? compute->has_array : fix->has_array;
     const bool has_vector = compute != NULL ? compute->has_vector : fix->has_vector;
     const bool has_atoms = compute != NULL ? compute->has_atoms : fix->has_atoms;
@@ -73,6 +74,7 @@ bool hs_value_has(hs_env *env, const hs_value *value, hs_value_shape shape)
         if (value->n_indices > 0) return shape == HS_VALUE_NUMBER && kind == HS_VECTOR_VARIABLE;
         return shape == HS_VALUE_VECTOR   ? kind == HS_VECTOR_VARIABLE
                : shape == HS_VALUE_NUMBER ? kind == HS_NUMBER_VARIABLE
+               : shape == HS_VALUE_LOCAL  ? false
                                           : kind == HS_NUMBER_VARIABLE || kind == HS_ATOM_VARIABLE;
     }
     if (custom_of(env, value) != NULL) return shape == HS_VALUE_ATOMS && value->n_indices == 0;
@@ -88,6 +90,8 @@ bool hs_value_has(hs_env *env, const hs_value *value, hs_value_shape shape)
         return compute != NULL ? compute->has_scalar : fix->has_scalar;
     case HS_VALUE_VECTOR:
         return compute != NULL ? compute->has_vector : fix->has_vector;
+    case HS_VALUE_LOCAL:
+        return compute != NULL && compute->has_local && compute->n_local_columns == 0;
     default:
         return compute != NULL ? compute->has_atoms && compute->n_atom_columns == 0
                                : fix->has_atoms && fix->n_atom_columns == 0;
@@ -100,7 +104,7 @@ static void describe(hs_env *env, const hs_value *value, char *text, size_t size
     const hs_compute *compute = compute_of(env, value);
     const hs_fix *fix = fix_of(env, value);
     const char *id = value->id;
-    char part[3][160] = {"", "", ""}, scalar[160] = "";
+    char part[4][160] = {"", "", "", ""}, scalar[160] = "";
     const char k = value->kind;
     const bool has_scalar = compute != NULL ? compute->has_scalar : fix->has_scalar;
     hs_value number = *value;
@@ -111,7 +115,10 @@ static void describe(hs_env *env, const hs_value *value, char *text, size_t size
               n_columns = hs_value_limit(env, &number, HS_VALUE_NUMBER, 1);
     const bool has_array = compute != NULL ? compute->has_array : fix->has_array;
     const bool has_atoms = compute != NULL ? compute->has_atoms : fix->has_atoms;
-    const int n_atoms = hs_value_limit(env, value, HS_VALUE_ATOMS, 0);
+    const int n_atoms = hs_value_limit(env, value, HS_VALUE_ATOMS, 0),
+              n_local = hs_value_limit(env, value, HS_VALUE_LOCAL, 0);
+    const bool has_local = compute != NULL && compute->has_local;
+    static const char readers[] = ", for dump local, compute reduce and fix ave/histo";
     if (has_scalar) snprintf(scalar, sizeof scalar, "; the value %c_%.60s", k, id);
     if (n_vector > 0) snprintf(part[0], sizeof part[0], "; the vector %c_%.60s of %d elements", k, id, n_vector);
     if (has_array)
@@ -119,12 +126,15 @@ static void describe(hs_env *env, const hs_value *value, char *text, size_t size
     if (has_atoms && n_atoms == 0) snprintf(part[2], sizeof part[2], "; values per atom %c_%.60s", k, id);
     if (has_atoms && n_atoms > 0)
         snprintf(part[2], sizeof part[2], "; %d values per atom, %c_%.60s[1] and so on", n_atoms, k, id);
-    snprintf(text, size, "%s%s%s%s", scalar, part[0], part[1], part[2]);
+    if (has_local && n_local == 0) snprintf(part[3], sizeof part[3], "; local values %c_%.60s%s", k, id, readers);
+    if (has_local && n_local > 0)
+        snprintf(part[3], sizeof part[3], "; %d local values a row, %c_%.60s[1] and so on%s", n_local, k, id, readers);
+    snprintf(text, size, "%s%s%s%s%s", scalar, part[0], part[1], part[2], part[3]);
 }
 
 hs_status hs_value_check(hs_env *env, const hs_value *value, hs_value_shape shape, const char *command, hs_error *err)
 {
-    static const char *const wanted[] = {"a number", "a vector", "a value for each atom"};
+    static const char *const wanted[] = {"a number", "a vector", "a value for each atom", "a local value"};
     if (hs_value_has(env, value, shape)) return HS_OK;
     const char *kind = value->kind == 'c' ? "compute" : value->kind == 'f' ? "fix" : "variable";
     if (value->kind == 'v') {
@@ -147,7 +157,7 @@ hs_status hs_value_check(hs_env *env, const hs_value *value, hs_value_shape shap
     if (!hs_value_exists(env, value))
         return hs_fail(err, HS_ERROR_INPUT, "%s: there is no %s '%s' for %s: the command '%s' makes one", command, kind,
                        value->id, value->word, kind);
-    char has[640]; /* four parts of less than 160 characters */
+    char has[800]; /* five parts of less than 160 characters */
     describe(env, value, has, sizeof has);
     const char *style =
         value->kind == 'c' ? compute_of(env, value)->style->about.name : fix_of(env, value)->style->about.name;
@@ -288,6 +298,29 @@ hs_status hs_value_atoms(hs_env *env, const hs_value *value, double *out, hs_err
     const size_t n = (size_t)env->atoms->n_local;
     if (n > 0) memcpy(out, compute->atoms + (size_t)column * n, n * sizeof *out);
     return HS_OK;
+}
+
+hs_status hs_value_local(hs_env *env, const hs_value *value, const hs_local_rows **rows, const double **column,
+                         hs_error *err)
+{
+    HS_TRY(hs_value_check(env, value, HS_VALUE_LOCAL, value->word, err));
+    hs_compute *compute = compute_of(env, value);
+    HS_TRY(hs_compute_eval_local(compute, err));
+    *rows = &compute->local;
+    *column = compute->local.values + (value->n_indices > 0 ? value->index[0] - 1 : 0) * compute->local.n;
+    return HS_OK;
+}
+
+hs_status hs_values_check_rows(hs_env *env, const hs_value *a, const hs_value *b, const char *command, hs_error *err)
+{
+    const hs_local_rows *of_a, *of_b;
+    const double *unused;
+    HS_TRY(hs_value_local(env, a, &of_a, &unused, err));
+    HS_TRY(hs_value_local(env, b, &of_b, &unused, err));
+    if (of_a->n != of_b->n)
+        (void)!hs_fail(err, HS_ERROR_INPUT, "%s: %s has %lld rows and %s %lld: they are not of the same pairs", command,
+                       a->word, (long long)of_a->n_all, b->word, (long long)of_b->n_all);
+    return hs_parallel_agree(env->parallel, err);
 }
 
 hs_status hs_value_find_extents(hs_env *env, const hs_value *value, const char *command, hs_value_extents *extents,

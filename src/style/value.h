@@ -5,14 +5,15 @@
  *    number   c_ID the scalar, c_ID[i] an element of the vector, c_ID[i][j] one of the array (row i, column j)
  *    vector   c_ID the vector, c_ID[j] column j of the array
  *    (v_name the vector of a vector-style variable, v_name[i] an element of it)
- *    atoms    c_ID the value of each atom, c_ID[j] column j of the values of each atom */
+ *    atoms    c_ID the value of each atom, c_ID[j] column j of the values of each atom
+ *    local    c_ID the value of each row (style/local_rows.h), c_ID[j] column j of the rows; of computes only */
 #ifndef HS_STYLE_VALUE_H
 #define HS_STYLE_VALUE_H
 
 #include "style/compute.h"
 #include "style/fix.h"
 
-typedef enum { HS_VALUE_NUMBER, HS_VALUE_VECTOR, HS_VALUE_ATOMS } hs_value_shape;
+typedef enum { HS_VALUE_NUMBER, HS_VALUE_VECTOR, HS_VALUE_ATOMS, HS_VALUE_LOCAL } hs_value_shape;
 
 typedef struct hs_value {
     char kind;  /**< 'c', 'f', 'v', 'i', 'd' */
@@ -69,6 +70,15 @@ HS_MUST_USE hs_status hs_value_number(hs_env *env, const hs_value *value, double
 HS_MUST_USE hs_status hs_value_vector(hs_env *env, const hs_value *value, double *out, hs_error *err);
 /** out[n_local]: the value of each local atom (collective). */
 HS_MUST_USE hs_status hs_value_atoms(hs_env *env, const hs_value *value, double *out, hs_error *err);
+
+/** Local values now (collective): *rows, of which *column[i] is the value of row i, both borrowed for one revision. */
+HS_MUST_USE hs_status hs_value_local(hs_env *env, const hs_value *value, const hs_local_rows **rows,
+                                     const double **column, hs_error *err);
+
+/** Fail, naming @p command, unless two local values have the same rows, as many on every rank that is (collective, errors
+ *  agreed). */
+HS_MUST_USE hs_status hs_values_check_rows(hs_env *env, const hs_value *a, const hs_value *b, const char *command,
+                                           hs_error *err);
 
 /** All that a reference stands for, of the first shape that is there: a number, an array (c_ID), a vector (c_ID;
  *  c_ID[j]: column j of an array). */

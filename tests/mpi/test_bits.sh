@@ -192,6 +192,33 @@ pair_coeff 1 1 1.0 1.0
 fix 1 all nve
 fix 2 all langevin 1.0 1.7 0.5 48279 tally yes zero yes
 D
+    system pairs 20 'c_s[1] c_s[2] c_o[1] c_o[2] f_h[1] f_h[3] f_h[4][2] f_w[5][2]' <<D
+lattice fcc 0.8
+region box block 0 3 0 4 0 3
+create_box 2 box
+create_atoms 1 box
+set type 1 type/ratio 2 0.3 4711
+mass * 1.0
+velocity all create 2.0 4
+pair_style lj/cut 3.0
+pair_coeff * * 1.0 1.0
+pair_coeff 1 2 0.5 1.1 1.8
+neighbor 0.3 bin
+neigh_modify every 6 delay 0 check no
+fix 1 all nve
+compute p all pair/local dist eng dx dy dz fx fy fz
+compute q all property/local patom1 patom2 ptype1 ptype2
+compute l all property/local natom1 natom2
+compute s all reduce sum c_p[2] c_l[1]
+compute o all reduce max c_p[2] c_q[1] replace 2 1
+dump pairs all local 5 pairs.rows index c_q[*] c_p[*]
+dump listed all local 10 listed.rows index c_l[*]
+dump_modify pairs format float %.17g
+dump far all local 20 far.rows index c_p[1] c_q[1]
+dump_modify far sort -2
+fix h all ave/histo 2 5 10 0.8 2.5 10 c_p[1] mode vector
+fix w all ave/histo/weight 5 2 10 0.8 2.5 10 c_p[1] c_p[2] mode vector
+D
     system momentum 20 'c_c[1] c_v' <<D
 lattice fcc 0.6
 region box block 0 5 0 4 0 5
@@ -286,7 +313,7 @@ D
 
 bits bits 0 1
 bits more 0 1
-[ "$(cat bits/thermo more/thermo | wc -l)" -eq 59 ] || fail "$(cat bits/thermo more/thermo | wc -l) rows"
+[ "$(cat bits/thermo more/thermo | wc -l)" -eq 62 ] || fail "$(cat bits/thermo more/thermo | wc -l) rows"
 bits minimize 0 1
 [ "$(wc -l <minimize/thermo)" -eq 14 ] || fail "$(wc -l <minimize/thermo) rows of minimize"
 for threads in 1 2; do
