@@ -51,6 +51,16 @@ fix_modify 1 temp bath
 fix 2 all deform 1 xy delta 0.3 remap v
 D
 
+check rows <<'D'
+fix 1 all nve
+compute p all pair/local dist eng
+compute i all property/local patom1 patom2
+dump p all local 40 pairs.dump index c_i[*] c_p[*]
+dump_modify p format float %.17g
+fix h all ave/histo 4 10 40 0.8 2.5 10 c_p[1] mode vector ave running file distances.txt
+fix w all ave/histo/weight 10 2 20 0.8 2.5 10 c_p[1] c_p[2] mode vector kind local file energies.txt
+D
+
 check read <<'D'
 print 2 file set.txt
 print "250 3" append set.txt
