@@ -35,7 +35,7 @@ hs_force_job hs_sim_make_job(hs_sim *sim, bool with_energy)
     job.input = (hs_kernel_input){.x = {atoms->x[0], atoms->x[1], atoms->x[2]},
                                   .x_listed = {neighbor->x_listed[0], neighbor->x_listed[1], neighbor->x_listed[2]},
                                   .is_flat = neighbor->is_flat,
-                                  .listed_only = neighbor->is_late && !neighbor->settings.exact,
+                                  .listed_only = hs_sim_misses_pairs(sim),
                                   .radius = hs_pair_has_radii(sim->pair, false) ? atoms->radius : NULL,
                                   .listed_by_radius = hs_pair_has_radii(sim->pair, true),
                                   .skin = neighbor->settings.skin,
@@ -103,10 +103,10 @@ static int last_part(const hs_pair *pair)
     return k;
 }
 
-/** Whether the distances of the job's pairs are wanted and can be counted with its forces. */
+/** Whether the distances of the job's pairs are wanted and can be counted with its forces, which must be all that are there. */
 static bool counts_distances(const hs_sim *sim, const hs_force_job *job)
 {
-    return sim->env.pair_counter != NULL && hs_sim_method_in_use(sim) == HS_METHOD_CLUSTER &&
+    return sim->env.pair_counter != NULL && !job->input.listed_only && hs_sim_method_in_use(sim) == HS_METHOD_CLUSTER &&
            hs_force_can_count(job, sim->env.pair_counter->r_max);
 }
 
@@ -181,6 +181,7 @@ hs_status hs_sim_pair_forces(hs_sim *sim, bool with_energy, hs_error *err)
     hs_env *env = &sim->env;
     hs_force_result result = {0};
     hs_timer_mark(&sim->timer);
+    sim->has_moved = false;
     hs_shared_fields_clear(&sim->atoms, env->torque, 3); /* to which fixes add after the forces */
     if (!hs_pair_has_forces(sim->pair) || sim->pair->cutoff_max <= 0.0) {
         hs_sim_await_halo(sim);

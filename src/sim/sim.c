@@ -149,7 +149,7 @@ hs_dump *hs_sim_find_dump(hs_sim *sim, const char *id) { FIND(sim->dump, sim->n_
 static void view_listed(const hs_sim *sim, hs_pair_view *view)
 {
     const hs_neighbor *neighbor = &sim->neighbor;
-    view->listed_only = neighbor->is_late && !neighbor->settings.exact;
+    view->listed_only = hs_sim_misses_pairs(sim);
     view->box_listed = sim->box;
     for (int axis = 0; axis < 3; ++axis) {
         view->x_listed[axis] = neighbor->x_listed[axis];
@@ -178,7 +178,8 @@ static void view_pairs(hs_env *env, hs_pair_view *view)
     while (sim->pair->part[k]->style->evaluator == NULL) ++k;
     view->is_uniform = sim->pair_table[k].is_uniform && !hs_pair_has_radii(sim->pair, true);
     view->clusters = &sim->neighbor.clusters;
-    if (hs_sim_method_in_use(sim) == HS_METHOD_CLUSTER && sim->list.generation == sim->atoms.generation)
+    if (hs_sim_method_in_use(sim) == HS_METHOD_CLUSTER && sim->list.generation == sim->atoms.generation &&
+        !sim->has_moved && !hs_sim_misses_pairs(sim))
         view->list = &sim->list;
 }
 
@@ -265,6 +266,7 @@ void hs_sim_set_clock(hs_sim *sim, int64_t step, double dt)
 void hs_sim_atoms_moved(hs_sim *sim)
 {
     if (sim->is_initialized) hs_sim_round_positions(sim);
+    sim->has_moved = true;
     hs_sim_forget_force_places(sim);
     hs_env_changed(&sim->env);
 }

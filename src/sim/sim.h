@@ -80,6 +80,7 @@ typedef struct hs_sim {
     hs_verlet_list verlet; /**< method verlet: the same */
     hs_tuner tuner;        /**< method auto */
     hs_force_places force_places;
+    bool has_moved; /**< since the latest forces, of whose places the halo still is */
     hs_isa isa;
     int n_threads;          /**< as asked for, by the options or the environment */
     hs_precision precision; /**< as asked for: double or mixed */
@@ -230,6 +231,11 @@ void hs_sim_forget_force_places(hs_sim *sim);
 /** After a checkpoint was read: let styles see those it had. */
 void hs_sim_show_force_places(hs_sim *sim);
 
+/** Whether lists come so late that pairs within the cutoff may be missing from them; these have no forces then, as in LAMMPS. */
+static inline bool hs_sim_misses_pairs(const hs_sim *sim)
+{
+    return sim->neighbor.is_late && !sim->neighbor.settings.exact;
+}
 /** Take the positions of halo atoms that are under way, if they are.  sim/pair_forces.c */
 void hs_sim_await_halo(hs_sim *sim);
 /** Energy and pressure of the long-range corrections in the present box (pair_modify tail).  sim/pair_forces.c */

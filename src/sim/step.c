@@ -69,7 +69,9 @@ static hs_status end_step(hs_sim *sim, hs_error *err)
     for (int k = 0; k < sim->n_fixes; ++k) {
         hs_fix *fix = sim->fix[k];
         if (fix->style->end_of_step == NULL) continue;
+        const uint64_t before = sim->env.revision;
         HS_TRY(fix->style->end_of_step(fix, err));
+        sim->has_moved |= fix->style->moves_at_end && sim->env.revision != before;
         if (fix->style->changes_box) hs_sim_find_tail(sim);
     }
     return HS_OK;

@@ -28,7 +28,9 @@ typedef struct hs_pair_view {
     bool listed_by_radius; /**< listed pairs are within the sum of their radii and the skin, too */
     double skin;           /**< distance */
     const hs_clusters *clusters;
-    const struct hs_cluster_list *list; /**< pairs whose forces count, of the last scheduled build; NULL: not kept */
+    /** All pairs up to the cutoff, where atoms and halo are now; NULL: none is kept, or atoms have moved since its forces, or
+     *  so far since it was made that pairs may be missing. */
+    const struct hs_cluster_list *list;
 } hs_pair_view;
 
 /** Some pairs: atom i is local, j local or of the scan's halo (j >= n_local). */

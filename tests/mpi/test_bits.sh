@@ -7,7 +7,7 @@ set -eu
 . "$PROJECT_ROOT/tests/mpi/bits.sh"
 
 {
-    system melt 30 'f_v[1] c_m c_l c_q[4][2] f_F[2][4] f_S[3][3] f_S[3][4]' <<D
+    system melt 30 'f_v[1] c_m c_l c_q[4][2] f_F[2][4] f_S[3][3] f_S[3][4] c_r[20][2] f_R[20][2]' <<D
 lattice fcc 0.8442
 region box block 0 5 0 6 0 7
 create_box 1 box
@@ -15,6 +15,7 @@ create_atoms 1 box
 mass 1 1.0
 velocity all create 3.0 87287
 $liquid
+neighbor 0.1 bin
 neigh_modify every 12 delay 0 check no
 fix 1 all nve
 compute k all ke/atom
@@ -24,6 +25,8 @@ fix v all ave/time 1 5 5 c_m c_thermo_temp
 compute q all sq 2.5 5
 fix F all ave/isf 10 2 10 2.5 5
 fix S all ave/self 5 3 10 msd isf 5.0
+compute r all rdf 20
+fix R all ave/time 9 1 9 c_r[*] mode vector
 D
     system mixture 20 'c_g c_g[1] c_s c_o[1][3] c_i[2][4] c_t[2][1] c_d[2][4]' <<D
 lattice fcc 0.8

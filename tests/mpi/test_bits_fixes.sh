@@ -326,7 +326,7 @@ compute m half momentum
 fix 1 all nve
 fix g half flow/gauss 1 1 0 energy yes
 D
-    system stretched 30 'c_e c_s[*] c_g f_t' 'c_p c_v[4] f_n[1]' <<D
+    system stretched 30 'c_e c_s[*] c_g f_t c_r[8][2] f_r[8][2]' 'c_p c_v[4] f_n[1]' <<D
 lattice fcc 0.7
 region box block 0 5 0 4 0 4
 create_box 1 box
@@ -344,6 +344,8 @@ compute v half stress/atom NULL
 compute e all reduce sum c_p
 compute s all reduce sum c_v[1] c_v[4]
 compute g half group/group all
+compute r all rdf 8
+fix r all ave/time 7 1 7 c_r[*] mode vector
 fix n half numdiff 5 1e-4
 D
     system sheared 30 'xy xz yz c_1_temp f_1' <<D
