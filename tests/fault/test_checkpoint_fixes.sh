@@ -474,8 +474,9 @@ D
 
 check exchanging <<'D'
 compute_modify thermo_temp dynamic/dof yes
+pair_modify tail yes
 fix 1 all nve
-fix 2 all gcmc 5 30 10 1 4711 1.44 -1.0 0.2
-fix p all print 10 "$(atoms) $(f_2[2]) $(f_2[4]) $(f_2[6]) $(temp:%.17g)" file p.txt screen no
+fix 2 all gcmc 5 30 10 1 4711 5.0 -15.0 0.2
+fix p all print 10 "$(atoms) $(etail:%.17g) $(f_2[2]) $(f_2[4]) $(f_2[6]) $(temp:%.17g)" file p.txt screen no
 dump d all custom 10 d.dump id x
 D
