@@ -1,13 +1,13 @@
 /** The energy of an atom at a place, with all other atoms: what Monte Carlo moves and test particles ask for.
  *
- *  Every rank sums over its own atoms near any periodic image of the place, found through cells, and the parts are put together
- *  exactly, so the bits depend on no order. No list, halo or neighbor method is used: atoms may be anywhere, before they are
+ *  Every rank sums over its own atoms near any periodic image of the place, and the parts are put together exactly, so the bits depend on no order. No list, halo or neighbor method is used: atoms may be anywhere, before they are
  *  wrapped and sent to other ranks, too; only the types may change meanwhile. Pairs within their cutoff count at their present
  *  distance, whatever the lists say. */
 #ifndef HS_STYLE_LOCAL_ENERGY_H
 #define HS_STYLE_LOCAL_ENERGY_H
 
 #include "core/exact_sum.h"
+#include "neighbor/cell_list.h"
 #include "style/fix.h"
 #include "style/pair_scan.h"
 
@@ -17,11 +17,8 @@ typedef struct hs_local_energy {
     const hs_env *env;
     hs_pair_view view;
     double too_high;     /**< a pair of more energy is an overlap */
-    int n_cells[3];      /**< cells over this rank's atoms; 0 without any */
-    double lo[3], hi[3]; /**< of these atoms, distance */
-    double inv_edge[3];  /**< 1/distance */
-    int32_t *start;      /**< owned [cells + 1] */
-    int32_t *index;      /**< owned [n_local]: atoms in the order of cells */
+    double lo[3], hi[3]; /**< of this rank's atoms, distance */
+    hs_cell_list *cells; /**< owned: these atoms, without images; NULL: none, or nothing interacts */
     int64_t *n_of_type;  /**< owned [n_types + 1] atoms of all ranks; whoever changes types keeps it up to date */
     bool has_tail;       /**< pair_modify tail: long-range corrections */
 } hs_local_energy;
