@@ -270,13 +270,18 @@ const hs_command hs_commands_box[] = {
                 .syntax = {"<ID> <style> <words> ... [side in|out] [units lattice|box], or <ID> delete", 2, -1, NULL},
                 .summary = "A part of space, for making boxes, atoms and groups",
                 .details =
-                    "The styles are `block`, `cylinder`, `plane`, `prism`, `sphere`, `union` and `intersect`; each has "
-                    "a page of its own.\n"
+                    "The styles are `block`, `cone`, `cylinder`, `plane`, `prism`, `sphere`, `union` and `intersect`; "
+                    "each has a page of its own.\n"
                     "`side out` takes the complement. Lengths are in lattice spacings at the time of the command "
                     "(`units lattice`, the\n"
                     "default) or in distance units (`units box`). Periodic images do not count: a region holds what "
                     "lies in it by\n"
-                    "coordinates. `delete` removes a region. LAMMPS's `move`, `rotate` and `open` are refused.\n",
+                    "coordinates. `delete` removes a region.\n\n"
+                    "`move v_dx v_dy v_dz` displaces the region by equal-style variables (distance; NULL: not at all), "
+                    "`rotate v_angle Px Py Pz Rx Ry Rz` turns it by one (radians) about the axis through P along R, by "
+                    "the right-hand rule, before it is displaced. Radii and centers of spheres and cylinders may be "
+                    "variables, too. Whoever asks for such a region finds it as it is at that step. LAMMPS's `open` "
+                    "is refused.\n",
                 .example =
                     "region box block 0 10 0 10 0 10\nregion gap cylinder z 5 5 2 INF INF side out\nregion gap delete",
             },

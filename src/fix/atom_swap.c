@@ -348,6 +348,7 @@ static hs_status pre_exchange(hs_fix *fix, hs_error *err)
     hs_local_energy local = {0};
     if (fix->env->step != state->next) return HS_OK;
     state->next += state->every;
+    HS_TRY(hs_where_update(&state->where, err));
     hs_status status = hs_local_energy_begin(&local, fix, 1e12 * fix->env->units->boltz * state->temperature, err);
     int64_t left = state->n_moves;
     for (int64_t round = 0; left > 0 && status == HS_OK; ++round) {

@@ -7,7 +7,7 @@
 #include "style/local_energy.h"
 #include "style/region.h"
 
-enum { BLOCK = 64, N_TRIES = HS_NOISE_DRAWS };
+enum { BLOCK = 64, N_TRIES = 1 << 16 };
 
 typedef struct widom_state {
     int64_t every, n_tests; /**< steps; test particles at each such step */
@@ -17,9 +17,10 @@ typedef struct widom_state {
     hs_noise noise;
     hs_where where;
     int64_t first, next;
-    double factor, volume;    /**< of the latest step: mean of exp(-u / kT), volume of box or region */
-    int64_t n_places, n_hits; /**< random places so far, and those in the region */
-    hs_series_set series;     /**< owned; V exp(-u / kT), with the weights V */
+    double factor, volume; /**< of the latest step: mean of exp(-u / kT), volume of box or region */
+    int64_t n_places,
+        n_hits; /**< random places so far, and those in the region; of the latest step, if the region changes */
+    hs_series_set series; /**< owned; V exp(-u / kT), with the weights V */
 } widom_state;
 
 static const hs_keyword keywords[] = {
@@ -89,7 +90,8 @@ static hs_status find_place(const hs_fix *fix, const hs_box *bounds, int64_t tes
     const widom_state *state = fix->state;
     for (int n = 0; n < N_TRIES; ++n) {
         uint32_t word[HS_NOISE_NUMBERS];
-        hs_noise_words(state->noise, hs_fix_clock(fix), n, test, word);
+        hs_noise_words(state->noise, hs_fix_clock(fix), n % HS_NOISE_DRAWS,
+                       test + ((int64_t)(n / HS_NOISE_DRAWS) << 32), word);
         draw_place(fix, bounds, word, x);
         ++*n_places;
         if (state->where.region == NULL || hs_region_contains(state->where.region, x)) return HS_OK;
@@ -152,8 +154,10 @@ static hs_status end_of_step(hs_fix *fix, hs_error *err)
     double sum = 0.0;
     if (fix->env->step != state->next) return HS_OK;
     state->next += state->every;
-    hs_status status = hs_where_find(&state->where, fix->env, "fix", fix->id, "widom", err);
-    if (status == HS_OK) status = hs_local_energy_begin(&local, fix, 1e12 * state->kt, err);
+    HS_TRY(hs_where_find(&state->where, fix->env, "fix", fix->id, "widom", err));
+    HS_TRY(hs_where_update(&state->where, err));
+    if (state->where.region != NULL && state->where.region->is_varying) state->n_places = state->n_hits = 0;
+    hs_status status = hs_local_energy_begin(&local, fix, 1e12 * state->kt, err);
     if (status == HS_OK) status = insert(fix, &local, &sum, err);
     hs_local_energy_end(&local);
     if (status != HS_OK) return status;
@@ -225,7 +229,8 @@ const hs_fix_style hs_fix_style_widom = {
              "defined. With `region` test particles are put in the region alone, and mu_ex is the local one.\n\n"
              "The vector: `f_ID[1]` mu_ex of the latest tests alone, `f_ID[2]` the mean of exp(-u / k T) of these, "
              "`f_ID[3]` "
-             "the volume of box or region (of the latter by the random places that were in it). Beyond LAMMPS: "
+             "the volume of box or region (of the latter by the random places that were in it, of the latest tests if "
+             "the region moves). Beyond LAMMPS: "
              "`f_ID[4]` "
              "mu_ex from all tests of the fix, and `f_ID[5]` its standard error, by blocking; after a run both are "
              "printed. Trust them where the fluid is not dense: the mean rests on places that are free by chance.\n\n"
