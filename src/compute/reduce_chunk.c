@@ -2,6 +2,7 @@
 #include <float.h>
 
 #include "base/memory.h"
+#include "core/exact_sum.h"
 #include "style/per_chunk.h"
 #include "style/value.h"
 
@@ -60,7 +61,7 @@ static void find_extremes(hs_compute *compute, int k)
     }
     hs_parallel_max_double(compute->env->parallel, extreme, (int)state->base.n);
     for (int64_t c = 0; c < state->base.n; ++c)
-        *hs_per_chunk_at(compute, c, k) = extreme[c] == -DBL_MAX ? 0.0 : sign * extreme[c];
+        *hs_per_chunk_at(compute, c, k) = extreme[c] == -DBL_MAX ? 0.0 : hs_plain_zero(sign * extreme[c]);
 }
 
 static hs_status evaluate(hs_compute *compute, hs_error *err)

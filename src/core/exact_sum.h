@@ -81,4 +81,8 @@ double hs_exact_value(const hs_exact_sum *sum);
 /** values[n] of sums over all ranks (collective). The sums are used up. */
 void hs_exact_total(hs_exact_sum *sums, int n, const hs_parallel *parallel, double *values);
 
+/** A number with 0 in the place of -0. Of atoms with both, an extreme is that of whichever comes first; and -0 of one rank and 0 of
+ *  the others add up to 0. */
+static inline double hs_plain_zero(double x) { return x + 0.0; }
+
 #endif

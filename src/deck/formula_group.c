@@ -142,7 +142,7 @@ static hs_status do_bound(hs_deck *deck, const hs_node *node, double *value, hs_
     for (int i = 0; i < chosen.sim->atoms.n_local; ++i)
         if (is_chosen(&chosen, i) && sign * x[i] > largest) largest = sign * x[i];
     hs_parallel_max_double(&chosen.sim->parallel, &largest, 1);
-    *value = sign * largest;
+    *value = hs_plain_zero(sign * largest);
     return HS_OK;
 }
 

@@ -2,6 +2,7 @@
 #include <stdio.h>
 
 #include "base/memory.h"
+#include "core/exact_sum.h"
 #include "deck/formula_nodes.h"
 #include "deck/variables.h"
 
@@ -23,7 +24,7 @@ static hs_status find_atom(const hs_sim *sim, double id, const double *values, c
         found[1] = values[i];
     }
     hs_parallel_sum_double(&sim->parallel, found, 2);
-    *value = found[1];
+    *value = hs_plain_zero(found[1]);
     if (found[0] == 1.0) return HS_OK;
     return hs_fail(err, HS_ERROR_INPUT, "%s[%.15g]: there is no atom of that ID", name, id);
 }

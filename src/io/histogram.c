@@ -169,8 +169,8 @@ static hs_status add_up(const hs_fix *fix, double *count, double extreme[2], hs_
         hs_parallel_max_double(fix->env->parallel, &extreme[1], 1);
     }
     for (int k = 0; k < n; ++k) histogram->count[k] += count[k];
-    histogram->extreme[0] = fmin(histogram->extreme[0], extreme[0]);
-    histogram->extreme[1] = fmax(histogram->extreme[1], extreme[1]);
+    histogram->extreme[0] = fmin(histogram->extreme[0], hs_plain_zero(extreme[0]));
+    histogram->extreme[1] = fmax(histogram->extreme[1], hs_plain_zero(extreme[1]));
     return add_to_errors(histogram, count, err);
 }
 

@@ -170,7 +170,7 @@ static void find_extreme(const hs_compute *compute, double *extreme, int64_t *nu
             highest = -number_of(compute, i);
     hs_parallel_max_int64(compute->env->parallel, &highest, 1);
     *number = highest == -INT64_MAX ? 0 : -highest;
-    *extreme = sign * (*number == 0 ? -1e20 : best);
+    *extreme = hs_plain_zero(sign * (*number == 0 ? -1e20 : best));
 }
 
 /** The present value of that number, from the rank that has it. */
@@ -181,7 +181,7 @@ static double value_at(const hs_compute *compute, int64_t number)
     for (int i = 0; i < count_here(compute); ++i)
         if (number_of(compute, i) == number) value = state->present.value[i];
     hs_parallel_sum_double(compute->env->parallel, &value, 1);
-    return value;
+    return hs_plain_zero(value);
 }
 
 /** The value of an input where another one has its extreme. */
