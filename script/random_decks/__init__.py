@@ -1,6 +1,7 @@
 """Grammar of random decks: what script/compare-random lets LAMMPS and Halfshell both run.
 
-random_deck(seed) is the text of one deck, a pure function of the seed. A deck is made in the order of a user's: system, atoms,
+random_deck(seed) is the text of one deck, a pure function of the seed; with is_alone it may have noise, and what only Halfshell has.
+A deck is made in the order of a user's: system, atoms,
 velocities, pairs, groups, integrator, other fixes, computes, output, runs. Each part is a function that takes a Deck and adds
 lines; each family of commands is a table or a list of lines to choose from, where a new style is one more entry.
 
@@ -17,8 +18,8 @@ from random_decks.runs import add_runs
 from random_decks.system import add_atoms, add_groups, add_removals, add_system, add_velocities
 
 
-def random_deck(seed):
-    deck = Deck(seed)
+def random_deck(seed, is_alone=False):
+    deck = Deck(seed, is_alone)
     for part in (add_system, add_atoms, add_velocities, add_pairs, add_neighbors, add_removals, add_groups, add_integrator, add_fixes,
                  add_computes, add_variables, add_thermo, add_averages, add_dumps, add_runs):
         part(deck)

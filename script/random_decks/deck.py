@@ -29,11 +29,13 @@ def scales_of(units):
 class Deck:
     """A deck that is being made: its lines, the random choices, and what later lines need to know of earlier ones."""
 
-    def __init__(self, seed):
+    def __init__(self, seed, is_alone=False):
         self.random = random.Random(seed)
+        self.is_alone = is_alone  # only Halfshell runs it: noise and styles of its own may be drawn
         self.lines = []
         self.groups = ["all"]
         self.columns = []  # of thermo output
+        self.vectors = []  # that are no numbers as well, with at least 4 elements
         self.atom_values = ["vx", "x", "fx"]  # for dumps, averages and reductions
         self.n_names = 0
 

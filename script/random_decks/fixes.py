@@ -1,7 +1,7 @@
 """Fixes of a random deck: the integrator, and others beside it."""
 import re
 
-from random_decks.system import more_regions
+from random_decks.system import live_region, more_regions
 
 
 def heat_bath_words(deck):
@@ -16,6 +16,10 @@ def add_integrator(deck):
         choices += ["npt", "nph"]
     if deck.is_tilted:
         choices += ["sllod"]
+    if deck.is_sphere():
+        choices += ["sphere"] * 6
+    if deck.is_alone and deck.chance(0.5):
+        choices = ["noise"]
     deck.integrator = deck.random.choice(choices)
     chains = deck.pick("", " tchain 1", " tloop 2", " drag 0.5", " tchain 4 mtk no")
     if deck.integrator == "nve":
@@ -30,6 +34,15 @@ def add_integrator(deck):
     elif deck.integrator == "biased":
         style = deck.pick("temp/com", "temp/partial 1 1 0", "temp/profile 1 0 0 y 3", "temp")
         deck.add(f"compute bath all {style}", f"fix int all nvt {heat_bath_words(deck)}{chains}", "fix_modify int temp bath")
+    elif deck.integrator == "sphere":
+        turned = deck.pick("", "", " disc" if deck.dimension == 2 else "")
+        turned += deck.pick("", " update dipole", " update dipole/dlm") if deck.is_dipole() else ""
+        style = deck.pick("nve", "nve", "nvt", *["npt", "nph"] * box_may_change)
+        words = {"nve": "", "nvt": f" {heat_bath_words(deck)}", "npt": f" {heat_bath_words(deck)} {barostat(deck)}", "nph": f" {barostat(deck)}"}[style]
+        deck.integrator = style  # as to what goes with it
+        deck.add(f"fix int all {style}/sphere{words}{turned}")
+    elif deck.integrator == "noise":
+        add_noisy_integrator(deck)
     elif deck.integrator == "nve/limit":
         deck.add(f"fix int all nve/limit {deck.value(0.05, 'length')}")
     elif deck.integrator == "nvt":
@@ -41,6 +54,53 @@ def add_integrator(deck):
         deck.add(f"fix int all {deck.integrator} {heat_bath_words(deck) + ' ' if deck.integrator == 'npt' else ''}{barostat(deck)}")
         if deck.chance(0.15):
             deck.add(f"compute bath all temp{deck.pick('', '/com')}", "fix_modify int temp bath")
+
+
+def add_noisy_integrator(deck):
+    """Integrators with noise, which is each program's own."""
+    warm = deck.number(0.5, 1.5, "temperature")
+    overdamped = f"gamma_t {deck.number(20, 60, 'friction')}"
+    choices = ["langevin", "langevin", f"brownian {warm} {deck.seed()} {overdamped}{deck.pick('', ' rng gaussian', ' rng none')}", "temp/csvr"]
+    if deck.is_dipole():
+        choices += 2 * [f"brownian/sphere {warm} {deck.seed()} {overdamped} gamma_r {deck.number(20, 60, 'friction')}{deck.pick('', ' rng gaussian')}"]
+    words = deck.random.choice(choices)
+    if words == "langevin":
+        spins = deck.is_sphere() and deck.chance(0.7)
+        more = deck.pick("", "", " tally yes", " zero yes", " scale 1 2.0") + (" omega yes" if spins else "")
+        deck.add(f"fix int all nve{'/sphere' if spins else ''}",
+                 f"fix bath {deck.group()} langevin {warm} {warm} {deck.number(0.2, 1, 'time')} {deck.seed()}{more}")
+    elif words == "temp/csvr":
+        deck.add("fix int all nve", f"fix bath {deck.group()} temp/csvr {warm} {warm} {deck.number(0.05, 0.3, 'time')} {deck.seed()}")
+    else:
+        deck.add(f"fix int all {words}")
+    if deck.is_dipole() and deck.chance(0.5):
+        deck.add(f"fix swim {deck.group()} propel/self {deck.pick('dipole', 'velocity')} {deck.number(1, 5, 'force')}")
+
+
+def own_fix_choices(deck):
+    """Lines of fixes that LAMMPS has not, or whose random numbers are not the same."""
+    n, steps = deck.number, deck.pick(1, 2, 3, 5)
+    seed, warm = deck.seed(), deck.number(0.5, 1.5, "temperature")
+    choices = [f"ave/self {deck.pick(1, 2)} 4 {deck.pick(4, 8)} {deck.pick('msd vacf', 'msd alpha2', 'isf ' + n(1, 7, '1/length') + ' msd')} origins {deck.pick(1, 2)} error yes file self.ave",
+               f"ave/spectrum 1 4 4 c_thermo_temp c_thermo_press[1] file spectrum.ave", f"evaporate {steps} 2 {more_regions(deck)} {seed}",
+               f"widom {steps} 40 1 {seed} {warm}{deck.pick('', ' region ' + live_region(deck))}", f"numdiff {steps} {deck.value(1e-4, 'length')}"]
+    if deck.n_types > 1:
+        potentials = " ".join(n(-1, 1, "energy") for _ in range(deck.n_types))
+        types = " ".join(str(kind + 1) for kind in range(deck.n_types))
+        choices += [f"atom/swap {steps} 30 {seed} {warm} types 1 2{deck.pick('', ' ke no', ' region ' + live_region(deck))}"] * 2
+        choices += [f"atom/swap {steps} {deck.pick(20, 300)} {seed} {warm} semi-grand yes types {types} mu {potentials}"] * 2
+    if deck.dimension == 3 and not deck.is_sphere():
+        more = deck.pick("", "", " tfac_insert 0.5", " max 250", " min 200", f" group {deck.group()}", f" pressure {deck.value(1, 'pressure')}")
+        choices += [f"gcmc {steps} {deck.pick(10, 30)} {deck.pick(0, 10)} {deck.random.randint(1, deck.n_types)} {seed} {warm} {n(-4, 2, 'energy')} {n(0.05, 0.3, 'length')}{more}"] * 3
+    if deck.is_periodic() and deck.dimension == 3:
+        choices += [f"ave/isf {deck.pick(1, 2)} 4 8 {n(2, 4, '1/length')} 5 file isf.ave"]
+    if not deck.is_tilted:
+        bounded = deck.name("r")
+        deck.add(f"region {bounded} block 1 {deck.cells[0] - 1} 1 {deck.cells[1] - 1} " + ("-0.2 0.2" if deck.dimension == 2 else f"1 {deck.cells[2] - 1}"))
+        choices += [f"deposit 5 1 {steps} {seed} region {bounded} near {deck.value(0.7, 'length')} units box attempt 50"]
+        if deck.boundary[0] == "p" and deck.integrator not in ("npt", "nph"):
+            choices += [f"rhok {deck.pick(1, 2, 4)} 0 0 {n(1, 5, 'energy')} {n(0, 2)}"]
+    return choices
 
 
 def barostat(deck):
@@ -165,6 +225,8 @@ def add_fixes(deck):
              f"variable longer equal {deck.value(0.005, 'length')}*elapsed", f"variable faster equal {deck.value(0.005, 'length')}/dt")
     for _ in range(deck.pick(0, 0, 1, 1, 2, 3)):
         add_fix(deck)
+    if deck.is_alone and deck.chance(0.6):
+        add_own_fix(deck)
     unused_variables(deck)
 
 
@@ -176,11 +238,22 @@ def unused_variables(deck):
             deck.lines = [line for line in deck.lines if not line.startswith(f"variable {name} ")]
 
 
+def add_own_fix(deck):
+    words = deck.random.choice(own_fix_choices(deck))
+    style = words.split()[0]
+    if deck.has(rf"fix \S+ \S+ {style}\b"):
+        return
+    name = deck.name("o")
+    deck.add(f"fix {name} {deck.group() if style in ('evaporate', 'gcmc', 'atom/swap', 'ave/self') else 'all'} {words}")
+    deck.columns += {"widom": [f"f_{name}[2]", f"f_{name}[3]"], "atom/swap": [f"f_{name}[1]", f"f_{name}[2]"], "evaporate": [f"f_{name}"],
+                     "gcmc": [f"f_{name}[2]", f"f_{name}[4]", f"f_{name}[6]"], "deposit": [f"f_{name}"], "rhok": [f"f_{name}", f"f_{name}[3]"]}.get(style, [])
+
+
 def add_fix(deck):
     """One more fix, with its place in the thermo output. Of a family of fixes there is one."""
     words = deck.random.choice(fix_choices(deck))
     if "{r}" in words:
-        words = words.replace("{r}", more_regions(deck))
+        words = words.replace("{r}", live_region(deck))
     style = words.split()[0]
     family = style.replace("press/berendsen", "deform")  # of which one may change the box
     if deck.has(rf"fix e\S+ \S+ {family}\b") or family == "deform" and deck.has(r"fix e\S+ \S+ press/"):

@@ -1,5 +1,5 @@
 """Variables of a random deck, and formulas of all kinds."""
-from random_decks.system import more_regions
+from random_decks.system import live_region
 
 FORMULAS = ["pe/atoms+ke", "sqrt(temp)*exp(-step/50)", "ramp(0,5)", "step%7+vol^(1/3)", "bound(all,xmax)-bound(all,xmin)",
             "xcm(all,x)", "vcm(all,y)", "ke(all)", "gyration(all)", "mass(all)", "count(all)", "fcm(all,x)", "(step>10)*temp||0",
@@ -37,7 +37,7 @@ def atom_formula(deck, value="vx"):
                         "ramp(0,1)*x", "(id==5)|^(vx<0)", "temp*vx", "-x^2", "!(vx>0)", "atan2(y,x)", "cwiggle(0,1,10)*vy", "cos(x)*exp(-y)",
                         "xcm(all,x)-x", "(x>=2)*1.0")
     if "{r}" in formula:
-        r = more_regions(deck)
+        r = live_region(deck)
         formula = formula.replace("{r}", r)
     return formula
 
@@ -51,7 +51,7 @@ def add_variable(deck):
     name = deck.name("v")
     formula = random_formula(deck) if deck.chance(0.25) else deck.random.choice(FORMULAS + GROUP_FORMULAS)
     if "{r}" in formula:
-        formula = formula.replace("{r}", more_regions(deck))
+        formula = formula.replace("{r}", live_region(deck))
     if "v_nest" in formula:
         deck.add('variable nest equal "temp^2+1"')
     deck.add(f'variable {name} equal "{formula.replace("{g}", deck.group())}"')

@@ -1,6 +1,7 @@
 """Computes of a random deck: of numbers, of values per atom, of chunks."""
 from random_decks.formulas import atom_formula
-from random_decks.system import more_regions
+from random_decks.system import live_region
+from random_decks.pairs import PAIRS
 
 # Computes with numbers of all of a group: words after the style, and the columns that they give.
 GLOBAL_COMPUTES = {
@@ -11,6 +12,8 @@ GLOBAL_COMPUTES = {
     "group/group": ("{group}{pair}", ["", "[1]"]), "pe": ("{energies}", [""]), "temp/deform": ("", ["", "[4]"]),
     "rdf": ("{pairs}", ["[7][2]", "[15][3]", "[4][1]"]), "heat/flux": ("", ["[1]", "[4]"]),
 }
+SPHERE_COMPUTES = {"erotate/sphere": ("", [""]), "temp/sphere": ("{turning}", ["", "[1]", "[4]"])}
+DIPOLE_COMPUTES = {"dipole": ("{geometry}", ["", "[1]", "[3]"])}
 ALL_ATOMS_ONLY = ("pressure", "pressure virial", "pe", "heat/flux")
 # Computes with values per atom: words, number of columns (0: a vector).
 ATOM_COMPUTES = {"stress/atom": ("{stress}", 6), "pe/atom": ("{energies_pair}", 0), "ke/atom": ("", 0), "coord/atom": ("cutoff {reach}{of}", 0),
@@ -23,7 +26,7 @@ ATOM_COMPUTES = {"stress/atom": ("{stress}", 6), "pe/atom": ("{energies_pair}", 
 def fill(deck, words):
     """Words of a compute with its blanks filled in."""
     if "{region}" in words:
-        words = words.replace("{region}", more_regions(deck))
+        words = words.replace("{region}", live_region(deck))
     if "{of}" in words:
         of = deck.pick("", "", " 1", f" group {deck.group()}", " 1 2" if deck.n_types > 1 else " 1*")
         words = words.replace("{of}", of)
@@ -34,7 +37,7 @@ def fill(deck, words):
     far = deck.value(1.7, "length")
     order = deck.pick(f"nnn 8 degrees 2 4 6 cutoff {far}", f"nnn NULL degrees 2 3 5 cutoff {far}", f"nnn 6 degrees 1 4 wl yes cutoff {far}",
                       f"nnn 8 degrees 2 4 6 wl/hat yes cutoff {far}", f"nnn 5 degrees 1 3 components 3 cutoff {far}")
-    return words.format(axes=deck.pick("1 1 0", f"0 1 {z}", "1 0 0"), flow=deck.pick(f"1 1 {z}", "1 0 0", f"0 1 {z}"), v=deck.value(0.5, "velocity"),
+    return words.format(turning=deck.pick("", " dof rotate", " dof all"), geometry=deck.pick("", "mass", "geometry"), axes=deck.pick("1 1 0", f"0 1 {z}", "1 0 0"), flow=deck.pick(f"1 1 {z}", "1 0 0", f"0 1 {z}"), v=deck.value(0.5, "velocity"),
                         bins=bins, com=deck.pick("", "com yes", "average yes", "com yes average yes"), group=deck.group(),
                         parts=deck.pick("", "", " ke", " virial", " pair", " ke pair fix", " fix"), energies=deck.pick("", "", "pair", "fix", "pair fix"),
                         energies_pair=deck.pick("", "", "pair", "pair fix"), stress=deck.pick("NULL", "NULL", "thermo_temp", "NULL virial", "NULL ke", "NULL pair", "thermo_temp ke pair"),
@@ -50,13 +53,20 @@ def add_computes(deck):
         add_atom_compute(deck)
     if deck.chance(0.15):
         add_own_values(deck)
+    if deck.chance(0.15):
+        add_pair_energy(deck)
+    if deck.chance(0.2):
+        add_vectors(deck)
+    if deck.chance(0.1):
+        add_values_of_file(deck)
     if deck.chance(0.3):
         add_chunks(deck)
 
 
 def add_global_compute(deck):
-    style = deck.random.choice(list(GLOBAL_COMPUTES))
-    words, outputs = GLOBAL_COMPUTES[style]
+    computes = {**GLOBAL_COMPUTES, **(SPHERE_COMPUTES if deck.is_sphere() else {}), **(DIPOLE_COMPUTES if deck.is_dipole() else {})}
+    style = deck.random.choice(list(computes) + (list(computes)[len(GLOBAL_COMPUTES):]) * 3)
+    words, outputs = computes[style]
     if style == "rdf" and deck.pair in ("zero", "soft") or style == "heat/flux":
         add_heat_flux(deck)
         return
@@ -67,6 +77,46 @@ def add_global_compute(deck):
     if style.startswith("temp") and deck.chance(0.3):
         deck.add(f"compute_modify {name} {deck.pick('extra/dof 0', 'dynamic/dof yes', 'extra 2 dynamic yes', 'extra/dof 7')}")
     deck.columns += [f"c_{name}{output}" for output in outputs]
+
+
+def add_pair_energy(deck):
+    """What one of the pair styles adds to the energy."""
+    line = next(line for line in deck.lines if line.startswith("pair_style"))
+    style = deck.random.choice([word for word in line.split()[1:] if word in PAIRS])
+    number = f" {deck.pick(1, 2)}" if line.split().count(style) > 1 else ""
+    name = deck.name("c")
+    deck.add(f"compute {name} all pair {style}{number}{deck.pick('', ' epair', ' evdwl', ' ecoul')}")
+    deck.columns.append(f"c_{name}")
+
+
+def add_vectors(deck):
+    """Vectors, their elements by slice, by the number of an atom, and in formulas."""
+    for style in deck.random.sample(["msd", "msd com yes", "vacf"] + ["rdf 6"] * (deck.pair not in ("zero", "soft")), 2):
+        name = deck.name("c")
+        deck.add(f"compute {name} all {style}")
+        deck.vectors.append(f"c_{name}[2]" if style.startswith("rdf") else f"c_{name}")
+    one, other = deck.random.choice(deck.vectors), deck.random.choice(deck.vectors)
+    name, kind, given, total, formula = (deck.name(prefix) for prefix in ("s", "c", "c", "c", "v"))
+    deck.add(f"compute {name} all slice {deck.pick('1 4 1', '2 4 2', '1 3 2')} {one}",
+             deck.pick(f"compute {kind} all property/atom type", f'variable {kind} atom "id%6"'))
+    index = f"c_{kind}" if deck.lines[-1].startswith("compute") else f"v_{kind}"
+    deck.add(f"variable {formula} vector \"{deck.pick('{one}*2+1', 'abs({one})^0.5+temp', '{one}*{one}-{one}/3', 'ramp(0,1)*{one}').replace('{one}', one)}\"",
+             f"compute {given} {deck.group()} global/atom {index} {one} {other} v_{formula}",
+             f"compute {total} {deck.group()} reduce {deck.pick('sum', 'max')} c_{given}[1] c_{given}[3]")
+    deck.columns += [f"c_{name}[1]", f"c_{total}[1]", f"c_{total}[2]", f"v_{formula}[2]"]
+    deck.atom_values += [f"c_{given}[{deck.pick(1, 2, 3)}]"]
+    number = deck.name("v")
+    deck.add(f"variable {number} equal {deck.pick('sum', 'ave', 'max', 'min', 'trap', 'slope')}(v_{formula})")
+    deck.columns.append(f"v_{number}")
+
+
+def add_values_of_file(deck):
+    """Values per atom from a file."""
+    name, other = deck.name("q"), deck.name("v")
+    file = f"{name}.txt"
+    deck.add(f'print "3" file {file} screen no', *(f'print "{atom} {deck.number(-2, 2)}" append {file} screen no' for atom in deck.random.sample(range(1, 20), 3)),
+             f"variable {name} atomfile {file}", f'variable {other} atom "v_{name}*{deck.pick("x", "vy", "type")}+v_{name}"')
+    deck.atom_values += [f"v_{name}", f"v_{other}"]
 
 
 def add_heat_flux(deck):
@@ -93,7 +143,7 @@ def add_atom_compute(deck):
     deck.add(f'variable {formula} atom "{atom_formula(deck, value)}"')
     deck.atom_values.append(f"v_{formula}")
     mode = deck.pick("sum", "min", "max", "ave", "sumsq", "avesq")
-    where = f"reduce/region {more_regions(deck)}" if deck.chance(0.3) else "reduce"
+    where = f"reduce/region {live_region(deck)}" if deck.chance(0.3) else "reduce"
     has_ties = "x*x+vy" not in deck.lines[-1]  # of which both programs take any
     replace = " replace 1 2" if mode in ("min", "max") and not has_ties else ""
     deck.add(f"compute {total} {deck.pick('all', deck.group())} {where} {mode} {value} v_{formula}{replace}")
@@ -133,14 +183,14 @@ def chunk_words(deck):
         choices.append(f"bin/3d x lower {delta} y lower {delta} z lower {delta} {units} compress yes ids every")
     words = deck.random.choice(choices)
     if words.startswith("region"):
-        words = f"bin/1d x lower {delta} {units} region {more_regions(deck)}"
+        words = f"bin/1d x lower {delta} {units} region {live_region(deck)}"
     if "v_part" in words:
         deck.add('variable part atom "1+(id%3)+2*(x>3)"')
     return words
 
 
 CHUNK_COMPUTES = ["com/chunk", "vcm/chunk", "gyration/chunk", "inertia/chunk", "angmom/chunk", "omega/chunk", "torque/chunk", "msd/chunk",
-                  "property/chunk", "temp/chunk", "reduce/chunk", "temp"]
+                  "property/chunk", "temp/chunk", "reduce/chunk", "temp", "spread", "spread"]
 
 
 def add_chunks(deck):
@@ -151,8 +201,16 @@ def add_chunks(deck):
     if deck.chance(0.5):
         add_chunk_profile(deck, chunks)
         return
-    style = deck.random.choice(CHUNK_COMPUTES)
+    style = deck.random.choice(CHUNK_COMPUTES + (["dipole/chunk"] * 4 if deck.is_dipole() else []))
     group = deck.pick("all", deck.group())
+    if style == "spread":
+        other, total = deck.name("k"), deck.name("k")
+        deck.add(f"compute {values} {group} {deck.pick('vcm/chunk', 'com/chunk', 'angmom/chunk')} {chunks}",
+                 f"compute {other} {deck.group()} chunk/spread/atom {chunks} c_{values}[1] c_{values}[{deck.pick(2, 3)}]",
+                 f"compute {total} all reduce {deck.pick('sum', 'min', 'max')} c_{other}[1] c_{other}[2]")
+        deck.columns += [f"c_{total}[1]", f"c_{total}[2]"]
+        deck.atom_values.append(f"c_{other}[1]")
+        return
     if style == "temp":
         deck.add(f"compute {values} all temp/chunk {chunks} com {deck.pick('yes', 'no')}{deck.pick('', ' adof 2', ' cdof 1')}")
         deck.columns.append(f"c_{values}")

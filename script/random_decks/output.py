@@ -1,5 +1,5 @@
 """Thermo output, averages and dumps of a random deck."""
-from random_decks.system import more_regions
+from random_decks.system import live_region
 
 KEYWORDS = ("ke etotal pxx pyy pxy vol lx ly xlo xhi ylo yhi density enthalpy evdwl atoms fmax fnorm cella cellb dt time "
             "elapsed elaplong ecouple econserve epair emol etail ecoul ebond eimp bonds part xlat ylat cellalpha cellbeta cellgamma zlo zhi lz").split()
@@ -61,6 +61,8 @@ def add_average(deck):
     words = deck.random.choice(choices)
     group = deck.group() if "vector" in words and "ave/h" in words else "all"
     deck.add(f"fix {name} {group} {words}")
+    if words.startswith("ave/time 1 1 1 "):  # others have values at some steps only
+        deck.columns += [f"f_{name}[1]", f"f_{name}[2]"]
     if words.startswith("ave/time") and "[*]" not in words and "mode vector" not in words and deck.chance(0.3):
         deck.add(f"variable {name} equal f_{name}{'' if len(words.split('file')[0].split()) == 5 else '[1]'}",
                  f"fix {name}p all print 10 \"at $(step): ${{{name}}} $(temp:%.8g)\" file p{name}.ave screen no")
@@ -87,24 +89,34 @@ def add_dump(deck):
     n, file = deck.pick(7, 5, 1, 10), f"{name}.dump"
     if deck.chance(0.15):
         file = f"{name}.*.dump"
-    style = deck.pick(f"custom {n} {file} id " + " ".join(columns), f"atom {n} {file}", f"custom {n} {file} id x y z vx vy vz", f"xyz {n} {file}")
+    style = deck.pick(f"custom {n} {file} id " + " ".join(columns), f"atom {n} {file}", f"custom {n} {file} id x y z vx vy vz", f"xyz {n} {file}",
+                      f"cfg {n} {name}.*.dump mass type {deck.pick('xs ys zs', 'xsu ysu zsu')} id {' '.join(columns[:3])}",
+                      f"dcd {n} {name}.dcd" if deck.is_alone else f"atom {n} {file}")
+    if style.startswith("dcd"):
+        deck.add(f"dump {name} all {style}", deck.pick("", f"dump_modify {name} unwrap yes", f"dump_modify {name} pbc yes"))
+        return
     deck.add(f"dump {name} {deck.group()} {style}")
-    is_custom, is_xyz = style.startswith("custom"), style.startswith("xyz")
+    is_custom, is_xyz, is_cfg = (style.startswith(kind) for kind in ("custom", "xyz", "cfg"))
     deck.add(f"dump_modify {name} sort id")
     elements = "element " + " ".join(["Ar", "Kr", "Xe"][:deck.n_types])
     more = ["", "first yes", "pbc yes", "every 4", "delay 8", "append yes", "flush no", "pad 5", "units yes", "time yes", "buffer no", "buffer yes"]
-    more += [elements] if is_custom or is_xyz else []
+    more += [elements] if is_custom or is_xyz or is_cfg else []
     if is_custom:
         more += 2 * ["format float %.9g", "format 2 %12.6g" if columns[0] not in ("id", "type", "element", "ix", "iy", "iz") else "format int %6d", "format int %5d"]
         more += ["sort -1", "sort 2" if columns[0] in ("x", "y", "vx", "vy", "xs", "ysu", "yu", "xu") else "sort 1", "format float %20.12e", "format none"]
     elif is_xyz:
         more += ["format line '%s %.8g %12.6f %g'"]
+    elif is_cfg:
+        more = [words for words in more if not words.startswith(("append", "pad", "units", "time"))] + ["format float %.9g"]
     else:
         more += 2 * ["scale no", "image yes", "scale no image yes", "format line '%d %d %.9g %.8g %.10g'"]
     for words in deck.random.sample(more, deck.pick(0, 1, 1, 2)):
         deck.add(f"dump_modify {name} {words}" if words else "")
     if is_custom and deck.chance(0.25):
         deck.add(f"dump_modify {name} " + deck.pick("thresh x > 2.5", "thresh type == 1", "thresh vx >= 0 thresh vy < 0.5", "thresh id != 10",
-                                                    f"region {more_regions(deck)}", "thresh v_sift > 0.1", "thresh none"))
+                                                    f"region {live_region(deck)}", "thresh v_sift > 0.1", "thresh none", "thresh vx < LAST", "thresh v_sift > LAST", "thresh ix != LAST",
+                                                    "thresh v_slot != LAST thresh x > 2"))
         if "v_sift" in deck.lines[-1]:
             deck.lines.insert(-1, "variable sift atom x*0.1-vy*0.2")
+        if "v_slot" in deck.lines[-1]:
+            deck.lines.insert(-1, "variable slot atom floor(x*3)")

@@ -71,6 +71,32 @@ def region_words(deck):
     return deck.random.choice(choices)
 
 
+def live_region(deck):
+    """As more_regions, but it may move or change its size: for what asks in the midst of runs, as LAMMPS finds its variables there."""
+    if deck.chance(0.6):
+        return more_regions(deck)
+    nx, ny = deck.cells[:2]
+    z_middle = 0 if deck.dimension == 2 else deck.cells[2] / 2
+    name, go, turn, size = (deck.name(prefix) for prefix in ("r", "go", "turn", "size"))
+    side = deck.pick("", "", " side out")
+    axis = f"{nx / 2} {ny / 2} {z_middle} " + ("0 0 1" if deck.dimension == 2 else deck.pick("0 0 1", "1 1 0.5", "0 -1 0.2"))
+    block = f"block 0.8 {nx * 0.71:.4g} 0.7 {ny * 0.63:.4g} " + ("INF INF" if deck.dimension == 2 else f"0.9 {deck.cells[2] * 0.77:.4g}")
+    round_one = f"sphere {nx * 0.45:.4g} {ny * 0.52:.4g} {z_middle} {min(nx, ny) * 0.31:.4g}"
+    middle = f"{deck.value(nx * 0.45 * deck.spacing, 'length')} {deck.value(ny * 0.52 * deck.spacing, 'length')} {deck.value(z_middle * deck.spacing, 'length')}"
+    deck.add(f"variable {go} equal {deck.pick(deck.value(0.03, 'length') + '*step', 'swiggle(0,' + deck.value(1, 'length') + ',' + deck.value(0.2, 'time') + ')')}",
+             f"variable {turn} equal 0.03*step", f"variable {size} equal {deck.value(1.5, 'length')}*(1+0.01*step)")
+    words = deck.pick(f"{block} move v_{go} NULL NULL", f"{block} rotate v_{turn} {axis}", f"{block} move NULL v_{go} NULL rotate v_{turn} {axis}",
+                      f"{round_one} move v_{go} v_{go} NULL", f"sphere {middle} v_{size} units box", f"sphere v_{size} {middle.split(' ', 1)[1]} v_{size} units box",
+                      f"cylinder z {' '.join(middle.split()[:2])} v_{size} INF INF units box", f"cylinder z {middle.split()[0]} v_{size} v_{size} INF INF units box",
+                      f"{block} units box rotate v_{turn} {axis} move v_{go} NULL NULL")
+    if deck.chance(0.2):
+        other, still = deck.name("r"), deck.name("r")
+        deck.add(f"region {other} {words}", f"region {still} {region_words(deck)}", f"region {name} {deck.pick('union', 'intersect')} 2 {other} {still}{side}")
+    else:
+        deck.add(f"region {name} {words}{side}")
+    return name
+
+
 def more_regions(deck):
     """A region of any kind, with its name: for groups, computes and chunks, not for walls."""
     nx, ny, nz = deck.cells
@@ -140,6 +166,8 @@ def add_types(deck):
             size = f"{deck.random.uniform(1, 2) * deck.scales['mass'] / deck.scales['length']**2:.3g}"
         deck.add(f"set group all diameter {deck.number(0.9, 1.1, 'length')}", f"set group all {how} {size}")
         deck.add("mass * 1.0" if deck.is_dipole() else "")  # not used, but written to data files
+        turn = deck.number(0.3, 2, "rate")
+        deck.add(f"set group all omega {'0 0' if deck.dimension == 2 else turn + ' -' + turn} {turn}" if deck.chance(0.7) else "")
     elif deck.n_types > 1 and deck.chance(0.2):
         deck.add(f"mass * {deck.value(1.5, 'mass')}")
     else:
