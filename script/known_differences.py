@@ -10,6 +10,7 @@ REFUSALS = [
     (r"of which there is no snapshot", "averages in a rerun whose samples are not among the snapshots: LAMMPS averages what there is"),
     (r"are outside of the walls", "atoms that are behind a reflecting wall when the run begins: LAMMPS puts them before it"),
     (r"bins must be slabs in units reduced", "chunks by distance in a box that has become tilted, which LAMMPS bins as if it had not"),
+    (r"the format line has \d+ words but a row has", "LAMMPS leaves columns out that a format line has no words for"),
     (r"elements and has", "the number of chunks changes within a window of fix ave/time, for which LAMMPS holds it"),
 ]
 
@@ -44,10 +45,10 @@ KNOWN = [
           "first row after displace_atoms between runs: LAMMPS takes the chunks' velocities of before"),
     Known(None, r"^compute (?P<id>\S+) \S+ chunk/atom .*exact compress yes", None, "LAMMPS writes whatever is in memory for chunks that compression leaves empty"),
     Known(BOX_CHANGES + r"|^boundary .*[sm]", r"^fix (?P<id>\S+) \S+ ave/chunk .*density", None, "LAMMPS takes the box's volume at a window's start"),
-    Known(r"^run(.|\n)*^run", r"^compute (?P<id>\S+) \S+ global/atom", None,
+    Known(r"^run(.|\n)*^run", r"^(compute (?=\S+ \S+ global/atom)|variable (?=\S+ vector))(?P<id>\S+)", None,
           "first row of a later run: LAMMPS keeps what it had at that step, though the box or the time in the run has changed"),
     Known(None, r"^compute (?P<id>\S+) .*bin/(cylinder|sphere)", None, "LAMMPS leaves out atoms that have left the box since its last list"),
-    Known(r"^boundary .*[sm]", r"^compute (?P<id>\S+) .*compress yes", None, "LAMMPS leaves out atoms that have left the box since its last list"),
+    Known(r"^boundary .*[sm]", r"^compute (?P<id>\S+) .*(compress yes|chunk/atom bin/)", None, "LAMMPS leaves out atoms that have left the box since its last list"),
     Known(None, r"^fix (?P<id>\S+) .*ave/histo.*ave running", r"column [56]$", "LAMMPS's extremes of running histograms begin at 0"),
     Known(r"fix \S+ all deform(.|\n)*pre no", None, None, "LAMMPS's fix deform goes wrong without set-up (run ... pre no)"),
     Known(r"deform(.|\n)*dt/reset", None, None, "rates of fix deform are of time; LAMMPS's of steps, by the timestep at the start"),
@@ -59,6 +60,8 @@ KNOWN = [
     Known(r"update dipole/dlm", None, None, "LAMMPS's angular velocities drift by 1e-7 of themselves a step"),
     Known(r"prism(.|\n)*thermal/conductivity", None, None, "layers of tilted boxes: LAMMPS's are not continued across faces that are shifted"),
     Known(r"boundary .*[sm](.|\n)*change_box", None, None, "change_box moves the shrink-wrapped faces of LAMMPS by 1e-4 of the box"),
+    Known(r"^neigh_modify once(.|\n)*^minimize", None, None, "minimize makes lists in time, whatever neigh_modify says; LAMMPS holds to once"),
+    Known(r"^write_data \S+ pair ij", None, None, "LAMMPS writes coefficients with six digits"),
     Known(r"^min_style fire", None, r"^Dt$", "rows of minimize show the deck's timestep, LAMMPS's that of fire"),
 ]
 

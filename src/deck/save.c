@@ -315,7 +315,7 @@ static hs_status put_simulation(hs_checkpoint *checkpoint, hs_sim *sim, hs_error
     hs_state box = {0}, run = {0};
     hs_status status = hs_sim_keep_box(sim, &box, err);
     if (status == HS_OK) status = hs_sim_keep_run(sim, &run, err);
-    if (status == HS_OK) status = hs_sim_keep_counts(sim, &run, err);
+    if (status == HS_OK) status = hs_sim_keep_under_way(sim, &run, err);
     if (status == HS_OK) status = hs_checkpoint_put(checkpoint, "box", &box, err);
     if (status == HS_OK) status = hs_checkpoint_put(checkpoint, "run", &run, err);
     hs_state_fini(&box);

@@ -121,12 +121,13 @@ static hs_status keep_counts_of_types(hs_sim *sim, hs_state *state, hs_error *er
     return hs_state_int64(state, name, sim->n_of_type, sim->atoms.n_types + 1, err);
 }
 
-hs_status hs_sim_keep_counts(hs_sim *sim, hs_state *state, hs_error *err)
+hs_status hs_sim_keep_under_way(hs_sim *sim, hs_state *state, hs_error *err)
 {
     static const char name[] = "degrees of freedom";
     int64_t n = 0;
     double *values = NULL;
     HS_TRY(keep_counts_of_types(sim, state, err));
+    HS_TRY(hs_thermo_keep(sim->thermo, state, err));
     if (state->is_reading && hs_state_find(state, name) == NULL) return HS_OK; /* older checkpoints have none */
     while (hs_sim_temperature(sim, (int)n) != NULL) ++n;
     HS_TRY(HS_ALLOC(values, (size_t)n, err));

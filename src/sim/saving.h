@@ -69,9 +69,9 @@ HS_MUST_USE hs_status hs_sim_stop(hs_sim *sim, const char *where, hs_error *err)
 HS_MUST_USE hs_status hs_sim_keep_box(hs_sim *sim, hs_state *state, hs_error *err);
 HS_MUST_USE hs_status hs_sim_keep_box_of_forces(hs_sim *sim, hs_state *state, hs_error *err);
 HS_MUST_USE hs_status hs_sim_keep_run(hs_sim *sim, hs_state *state, hs_error *err);
-/** What was counted when the run began, since when atoms may have come and gone: degrees of freedom of all temperatures, atoms of each
- *  type for long-range corrections. Only where the same run goes on. */
-HS_MUST_USE hs_status hs_sim_keep_counts(hs_sim *sim, hs_state *state, hs_error *err);
+/** What only the same run goes on with: the state of its rows, and what was counted when it began, since when atoms may have come
+ *  and gone (degrees of freedom of all temperatures, atoms of each type for long-range corrections). */
+HS_MUST_USE hs_status hs_sim_keep_under_way(hs_sim *sim, hs_state *state, hs_error *err);
 /** Tables and styles as at the start of a run; before values are read back (collective).  sim/run.c */
 HS_MUST_USE hs_status hs_sim_init_resumed(hs_sim *sim, hs_error *err);
 /** After atoms and values were read: halo, cells and lists as they were, without computing forces anew (collective). */

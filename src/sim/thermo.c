@@ -38,7 +38,7 @@ void hs_thermo_destroy(hs_thermo **thermo)
     if (*thermo == NULL) return;
     reset_modify(*thermo);
     hs_thermo_clear_columns(*thermo);
-    HS_FREE((*thermo)->means);
+    hs_thermo_means_fini(*thermo);
     HS_FREE((*thermo)->column);
     HS_FREE((*thermo)->every_variable);
     HS_FREE((*thermo)->neighbor_info);
@@ -119,6 +119,14 @@ hs_status hs_thermo_init(hs_thermo *thermo, hs_error *err)
     return hs_thermo_means_begin(thermo, err);
 }
 
+hs_status hs_thermo_keep(hs_thermo *thermo, hs_state *state, hs_error *err)
+{
+    static const char name[] = "next row";
+    HS_TRY(hs_thermo_means_keep(thermo, state, err));
+    if (thermo->every_variable == NULL || (state->is_reading && hs_state_find(state, name) == NULL)) return HS_OK;
+    return hs_state_int64(state, name, &thermo->next_due, 1, err);
+}
+
 bool hs_thermo_is_due(const hs_thermo *thermo, int64_t step)
 {
     const hs_env *env = &thermo->sim->env;
@@ -173,7 +181,7 @@ static hs_status append_value(hs_thermo *thermo, int k, hs_text *line, hs_error 
     const hs_thermo_column *column = &thermo->column[k];
     double value;
     HS_TRY(hs_thermo_column_value(thermo, column, &value, err));
-    hs_thermo_means_add(thermo, k, value);
+    hs_thermo_means_note(thermo, k, value);
     if (thermo->is_multi_line) {
         HS_TRY(hs_text_printf(line, err, "%s%-8s = ", k % 3 == 0 ? "\n" : "", column->header));
     }

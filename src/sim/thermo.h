@@ -22,7 +22,9 @@ HS_MUST_USE hs_status hs_thermo_set_style(hs_thermo *thermo, const char *style, 
 HS_MUST_USE hs_status hs_thermo_modify(hs_thermo *thermo, const hs_args *args, hs_error *err);
 /** Before a run: resolve computes, fixes and variables; an unknown one is an error. */
 HS_MUST_USE hs_status hs_thermo_init(hs_thermo *thermo, hs_error *err);
-/** Whether the table has a row at this step (first and last step of a run always). */
+/** For a run that is resumed: means so far, and the step of the next row where a variable gives it. */
+HS_MUST_USE hs_status hs_thermo_keep(hs_thermo *thermo, hs_state *state, hs_error *err);
+/** Whether the table has a row at this step: the first and last one of a run always, but for the last where a variable decides. */
 bool hs_thermo_is_due(const hs_thermo *thermo, int64_t step);
 /** Whether the row of this step needs pair energy or virial: the step then computes them. */
 bool hs_thermo_needs_energy(const hs_thermo *thermo);

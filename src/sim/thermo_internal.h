@@ -56,9 +56,9 @@ struct hs_thermo {
     double last_tpcpu_s, last_tpcpu_time, last_spcpu_s; /**< of the row before: cpu seconds, simulated time */
     int64_t last_spcpu_step;
 
-    hs_series *means; /**< owned [n_columns]; thermo_modify means: rows of the run after its first */
-    int n_means;
-    hs_line drift; /**< total energy per atom against time, of the same rows */
+    hs_series_set means; /**< owned; thermo_modify means: of each column, rows of the run after its first */
+    double *mean_row;    /**< owned [means.n_series]: the present row */
+    hs_line drift;       /**< total energy per atom against time, of the same rows */
 
     double last_progress_s; /**< sim/report.c: when the progress line was shown last */
     char *neighbor_info;    /**< owned; sim/report.c: the neighbor block printed last */
@@ -79,10 +79,12 @@ void hs_thermo_clear_columns(hs_thermo *thermo);
 HS_MUST_USE hs_status hs_thermo_resolve_columns(hs_thermo *thermo, hs_error *err);
 /** Fill column[].format from thermo_modify's formats. */
 HS_MUST_USE hs_status hs_thermo_make_formats(hs_thermo *thermo, hs_error *err);
-/** thermo_modify means (sim/thermo_means.c): forget the rows; take in column k of a row; what the row adds besides. */
+/** thermo_modify means (sim/thermo_means.c): forget the rows; note column k of a row; take the row in; keep all of them. */
 HS_MUST_USE hs_status hs_thermo_means_begin(hs_thermo *thermo, hs_error *err);
-void hs_thermo_means_add(hs_thermo *thermo, int k, double value);
+void hs_thermo_means_note(hs_thermo *thermo, int k, double value);
 HS_MUST_USE hs_status hs_thermo_means_row(hs_thermo *thermo, hs_error *err);
+HS_MUST_USE hs_status hs_thermo_means_keep(hs_thermo *thermo, hs_state *state, hs_error *err);
+void hs_thermo_means_fini(hs_thermo *thermo);
 bool hs_thermo_is_int(const hs_thermo_column *column);
 
 #endif

@@ -480,3 +480,35 @@ fix 2 all gcmc 5 30 10 1 4711 5.0 -15.0 0.2
 fix p all print 10 "$(atoms) $(etail:%.17g) $(f_2[2]) $(f_2[4]) $(f_2[6]) $(temp:%.17g)" file p.txt screen no
 dump d all custom 10 d.dump id x
 D
+
+# The table of a resumed run goes on: rows at the steps that a variable gives, and means of all rows of the run.
+mkdir table
+cd table
+cat >in <<'D'
+units lj
+lattice fcc 0.8442
+region box block 0 4 0 4 0 4
+create_box 1 box
+create_atoms 1 box
+mass 1 1.0
+velocity all create 1.44 87287
+pair_style lj/cut 2.5
+pair_coeff * * 1.0 1.0 2.5
+checkpoint every 33 steps keep 9
+variable s equal stride(0,1000,6)
+thermo v_s
+thermo_modify means yes
+fix 1 all nve
+run 80
+D
+"$HALFSHELL" in -log none >out 2>&1 || fail "table: $(tail -3 out)"
+"$HALFSHELL" resume checkpoint.33.h5 -log none >resumed 2>&1 || fail "table, resumed: $(tail -3 resumed)"
+for file in out resumed; do
+    awk '$1 == "Step" { rows = 1; next } /^Loop/ { rows = 0 } rows && $1 > 33' $file >$file.rows
+    sed -n '/^Means of/,/^Drift/p' $file >$file.means
+done
+[ "$(wc -l <out.rows)" -eq 9 ] || fail "table: $(wc -l <out.rows) rows" # 36, 42, ... 78, and the last step
+cmp out.rows resumed.rows || fail "table: rows"
+grep -q "^Means of 14 rows" out.means || fail "table: $(head -1 out.means)"
+cmp out.means resumed.means || fail "table: means"
+cd ..
