@@ -20,6 +20,12 @@ typedef enum {
     HS_NOISE_GAUSSIAN /**< normal; from 32-bit words, so at most 6.8 standard deviations away */
 } hs_noise_kind;
 
+/** What no number of that kind exceeds, either way. */
+static inline double hs_noise_largest(hs_noise_kind kind)
+{
+    return kind == HS_NOISE_UNIFORM ? 1.7320508075688773 : 6.8;
+}
+
 enum {
     HS_NOISE_NUMBERS = 4, /**< numbers of one draw */
     HS_NOISE_DRAWS = 256  /**< draws that an atom has at one step */

@@ -62,6 +62,25 @@ static inline void hs_sincos(double angle, double *sine, double *cosine)
     hs_sincos_quarter(r, hs_bits_of(shifted), sine, cosine);
 }
 
+/** Angles, in radians, for which hs_sincos_small serves. */
+#define HS_SMALL_ANGLE 0x1p-4
+
+/** Sine and cosine of an angle of at most HS_SMALL_ANGLE either way: half of the instructions of hs_sincos. Taylor series, whose next
+ *  terms are below 2^-65 and 2^-61 of the results. */
+static inline void hs_sincos_small(double angle, double *sine, double *cosine)
+{
+    const double z = angle * angle;
+    double s = 1.0 / 362880.0, c = 1.0 / 40320.0;
+    s = s * z - 1.0 / 5040.0;
+    c = c * z - 1.0 / 720.0;
+    s = s * z + 1.0 / 120.0;
+    c = c * z + 1.0 / 24.0;
+    s = s * z - 1.0 / 6.0;
+    c = c * z - 0.5;
+    *sine = s * z * angle + angle;
+    *cosine = c * z + 1.0;
+}
+
 /** Natural logarithm of a positive, normal number over 2^32: exponent and mantissa, 2 artanh((m - 1) / (m + 1)) by its
  *  series; |s| <= 0.172, so the terms left out are below 1e-17. */
 static inline double hs_log_of_fraction(double x)

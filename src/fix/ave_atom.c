@@ -144,4 +144,5 @@ const hs_fix_style hs_fix_style_ave_atom = {
     .per_atom = per_atom,
     .keep_state = keep_state,
     .is_time_dependent = true,
+    .keeps_plane = true,
 };

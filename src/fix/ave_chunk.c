@@ -349,4 +349,5 @@ const hs_fix_style hs_fix_style_ave_chunk = {
     .keep_state = keep_state,
     .needs_energy = needs_energy,
     .is_time_dependent = true,
+    .keeps_plane = true,
 };

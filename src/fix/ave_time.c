@@ -362,4 +362,5 @@ const hs_fix_style hs_fix_style_ave_time = {
     .keep_state = keep_state,
     .is_time_dependent = true,
     .allows_dynamic_group = true,
+    .keeps_plane = true,
 };

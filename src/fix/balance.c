@@ -172,4 +172,5 @@ const hs_fix_style hs_fix_style_balance = {
     .vector = vector,
     .n_vector = 3,
     .changes_box = true, /* it does not, but in LAMMPS, too, the default thermo output has the volume with it */
+    .keeps_plane = true,
 };

@@ -16,7 +16,8 @@ static void move(const hs_fix *fix)
         const int n = left < HS_NOISE_BLOCK ? left : HS_NOISE_BLOCK;
         hs_noise_block noise;
         if (state->has_noise)
-            functions->fill(state->noise, state->kind, hs_fix_clock(fix), 0, env->atoms->id + begin, n, &noise);
+            functions->fill(state->noise, state->kind, hs_fix_clock(fix), 0, env->box->dimension,
+                            env->atoms->id + begin, n, &noise);
         else
             memset(&noise, 0, sizeof noise);
         brownian_translate(fix, begin, n, &noise);
@@ -52,4 +53,5 @@ const hs_fix_style hs_fix_style_brownian = {
     .initial_integrate = initial_integrate,
     .is_integrator = true,
     .allows_dynamic_group = true,
+    .keeps_plane = true,
 };

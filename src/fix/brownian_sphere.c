@@ -6,6 +6,7 @@
  * (Rodrigues' formula). That is a true rotation, keeps the length to rounding, and is right to order dt^2 for each
  * step: <e' . e> = (1 + 2 (1 - s) exp(-s/2)) / 3 = exp(-s) - s^2 / 12 + ..., s = 2 D_r dt.
  * Source: I. M. Ilie et al., J. Chem. Phys. 142, 114103 (2015), doi:10.1063/1.4914322. */
+#include "core/noise_formulas.h"
 #include "fix/brownian_motion.h"
 
 static hs_status create(hs_fix *fix, const hs_args *args, hs_error *err)
@@ -25,11 +26,12 @@ static hs_status create(hs_fix *fix, const hs_args *args, hs_error *err)
 /** Turn the dipoles of atoms [begin, begin + n) in the plane by turn * xi[i]. */
 static void rotate_2d(const hs_fix *fix, int begin, int n, const double *xi)
 {
+    const brownian_state *state = fix->state;
     const hs_atoms *atoms = fix->env->atoms;
     const uint32_t *group = fix->group == 0 ? NULL : atoms->mask + begin; /* group all: fewer instructions */
-    hs_isa_motion(fix->env->isa)
-        ->rotate(((brownian_state *)fix->state)->turn, n, group, fix->mask, xi, atoms->mu[0] + begin,
-                 atoms->mu[1] + begin);
+    const hs_turning turning = {.turn = state->turn,
+                                .is_small = state->turn * hs_noise_largest(state->kind) <= HS_SMALL_ANGLE};
+    hs_isa_motion(fix->env->isa)->rotate(&turning, n, group, fix->mask, xi, atoms->mu[0] + begin, atoms->mu[1] + begin);
 }
 
 /** Turn them in space about turn * (xi_0, xi_1, xi_2). */
@@ -67,13 +69,13 @@ static void move_block(const hs_fix *fix, const hs_noise_set *functions, int beg
         brownian_translate(fix, begin, n, &noise);
         return;
     }
-    functions->fill(state->noise, state->kind, clock, 0, id, n, &noise);
+    functions->fill(state->noise, state->kind, clock, 0, 3, id, n, &noise);
     brownian_translate(fix, begin, n, &noise);
     if (fix->env->box->dimension == 2) {
         rotate_2d(fix, begin, n, noise.number[2]);
         return;
     }
-    functions->fill(state->noise, state->kind, clock, 1, id, n, &noise);
+    functions->fill(state->noise, state->kind, clock, 1, 3, id, n, &noise);
     rotate_3d(fix, functions, begin, n, &noise);
 }
 
@@ -124,4 +126,5 @@ const hs_fix_style hs_fix_style_brownian_sphere = {
     .initial_integrate = initial_integrate,
     .is_integrator = true,
     .allows_dynamic_group = true,
+    .keeps_plane = true,
 };

@@ -133,4 +133,5 @@ const hs_fix_style hs_fix_style_dt_reset = {
     .scalar = scalar,
     .keep_state = keep_state,
     .allows_dynamic_group = true,
+    .keeps_plane = true,
 };

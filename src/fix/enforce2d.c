@@ -36,11 +36,8 @@ static void flatten_rotation(const hs_fix *fix)
 
 static void flatten_motion(const hs_fix *fix)
 {
-    const hs_env *env = fix->env;
-    flatten(fix, env->atoms->v[2]);
-    flatten(fix, env->atoms->f[2]);
-    /* without torques angular velocities stay as they were at set-up */
-    if (env->torque[0] != NULL) flatten_rotation(fix);
+    flatten(fix, fix->env->atoms->v[2]);
+    flatten(fix, fix->env->atoms->f[2]);
 }
 
 static hs_status setup(hs_fix *fix, hs_error *err)
@@ -53,7 +50,9 @@ static hs_status setup(hs_fix *fix, hs_error *err)
 static hs_status post_force(hs_fix *fix, hs_error *err)
 {
     (void)err;
-    HS_ON_THREADS(flatten_motion(fix));
+    if (!fix->env->is_planar) HS_ON_THREADS(flatten_motion(fix));
+    /* without torques angular velocities stay as they were at set-up */
+    if (fix->env->torque[0] != NULL) HS_ON_THREADS(flatten_rotation(fix));
     return HS_OK;
 }
 
@@ -72,4 +71,5 @@ const hs_fix_style hs_fix_style_enforce2d = {
     .post_force = post_force,
     .acts_in_minimize = true,
     .allows_dynamic_group = true,
+    .keeps_plane = true,
 };

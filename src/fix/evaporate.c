@@ -157,4 +157,5 @@ const hs_fix_style hs_fix_style_evaporate = {
     .scalar = scalar,
     .is_time_dependent = true,
     .allows_dynamic_group = true,
+    .keeps_plane = true,
 };

@@ -118,4 +118,5 @@ const hs_fix_style hs_fix_style_group_dynamic = {
     .init = init,
     .setup = choose,
     .post_integrate = post_integrate,
+    .keeps_plane = true,
 };

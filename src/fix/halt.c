@@ -125,4 +125,5 @@ const hs_fix_style hs_fix_style_halt = {
     .end_of_step = end_of_step,
     .needs_energy = needs_energy,
     .allows_dynamic_group = true,
+    .keeps_plane = true,
 };

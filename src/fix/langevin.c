@@ -149,7 +149,8 @@ static void push_block(const hs_fix *fix, double root_t, const double offset[3],
     const uint32_t *group = atoms->mask + begin;
     hs_noise_block xi;
     double drag[HS_NOISE_BLOCK], kick[HS_NOISE_BLOCK];
-    functions->fill(state->noise, HS_NOISE_UNIFORM, hs_fix_clock(fix), 0, atoms->id + begin, n, &xi);
+    functions->fill(state->noise, HS_NOISE_UNIFORM, hs_fix_clock(fix), 0, fix->env->box->dimension, atoms->id + begin,
+                    n, &xi);
     for (int i = 0; i < n; ++i) {
         const bool is_pushed = (group[i] & fix->mask) != 0;
         const double mass = atoms->rmass != NULL ? atoms->rmass[begin + i] : 1.0;
@@ -351,4 +352,5 @@ const hs_fix_style hs_fix_style_langevin = {
     .has_energy = true,
     .is_coupling = true,
     .allows_dynamic_group = true,
+    .keeps_plane = true,
 };

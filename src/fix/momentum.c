@@ -193,4 +193,5 @@ const hs_fix_style hs_fix_style_momentum = {
     .create = create,
     .end_of_step = end_of_step,
     .allows_dynamic_group = true,
+    .keeps_plane = true,
 };

@@ -85,10 +85,11 @@ static void move(const hs_fix *fix, bool drift)
     double *const *x = atoms->x, *const *v = atoms->v, *const *f = atoms->f;
     double kick[BLOCK];
     uint64_t moves[BLOCK];
+    const int n_axes = hs_env_n_axes(fix->env);
     int64_t begin, end;
     hs_thread_range(atoms->n_local, 1, hs_thread_number(), hs_thread_count(), &begin, &end);
     if (atoms->n_types == 1 && atoms->rmass == NULL && fix->group == 0) {
-        for (int axis = 0; axis < 3; ++axis)
+        for (int axis = 0; axis < n_axes; ++axis)
             move_all(x[axis] + begin, v[axis] + begin, f[axis] + begin, &nve->half_kick[1], (int)(end - begin), sizes,
                      drift);
         return;
@@ -99,7 +100,7 @@ static void move(const hs_fix *fix, bool drift)
             moves[k] = atoms->mask[at + k] & fix->mask;
             kick[k] = atoms->rmass != NULL ? nve->half_dt / atoms->rmass[at + k] : nve->half_kick[atoms->type[at + k]];
         }
-        for (int axis = 0; axis < 3; ++axis)
+        for (int axis = 0; axis < n_axes; ++axis)
             move_some(x[axis] + at, v[axis] + at, f[axis] + at, kick, moves, n, sizes, drift);
     }
 }
@@ -134,4 +135,5 @@ const hs_fix_style hs_fix_style_nve = {
     .final_integrate = final_integrate,
     .is_integrator = true,
     .allows_dynamic_group = true,
+    .keeps_plane = true,
 };

@@ -87,4 +87,5 @@ const hs_fix_style hs_fix_style_nve_limit = {
     .is_extensive = true,
     .is_integrator = true,
     .allows_dynamic_group = true,
+    .keeps_plane = true,
 };

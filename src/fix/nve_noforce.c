@@ -30,4 +30,5 @@ const hs_fix_style hs_fix_style_nve_noforce = {
     .initial_integrate = initial_integrate,
     .is_integrator = true,
     .allows_dynamic_group = true,
+    .keeps_plane = true,
 };

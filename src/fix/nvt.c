@@ -28,4 +28,5 @@ const hs_fix_style hs_fix_style_nvt = {
     HS_NOSE_HOOVER_HOOKS,
     .init = hs_nose_hoover_init,
     .allows_dynamic_group = true,
+    .keeps_plane = true,
 };

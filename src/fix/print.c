@@ -151,4 +151,5 @@ const hs_fix_style hs_fix_style_print = {
     .keep_state = keep_state,
     .is_time_dependent = true,
     .allows_dynamic_group = true,
+    .keeps_plane = true,
 };

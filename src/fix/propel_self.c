@@ -143,4 +143,5 @@ const hs_fix_style hs_fix_style_propel_self = {
     .post_force = post_force,
     .has_virial = true,
     .allows_dynamic_group = true,
+    .keeps_plane = true,
 };

@@ -46,4 +46,5 @@ const hs_fix_style hs_fix_style_temp_rescale = {
     .end_of_step = end_of_step,
     SCALING_HOOKS,
     .allows_dynamic_group = true,
+    .keeps_plane = true,
 };

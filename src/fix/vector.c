@@ -123,4 +123,5 @@ const hs_fix_style hs_fix_style_vector = {
     .keep_state = keep_state,
     .is_time_dependent = true,
     .allows_dynamic_group = true,
+    .keeps_plane = true,
 };

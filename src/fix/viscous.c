@@ -69,4 +69,5 @@ const hs_fix_style hs_fix_style_viscous = {
     .post_force = post_force,
     .acts_in_minimize = true,
     .allows_dynamic_group = true,
+    .keeps_plane = true,
 };

@@ -242,6 +242,6 @@ static inline hs_status wall_potential_keep_state(hs_fix *fix, hs_state *kept, h
     .state_size = sizeof(wall_potential_state), .create = create, .destroy = wall_potential_destroy,                   \
     .init = wall_potential_init, .keep_state = wall_potential_keep_state, .post_force = wall_post_force,               \
     .acts_in_minimize = true, .scalar = wall_scalar, .vector = wall_vector, .n_vector = WALL_MAX,                      \
-    .is_extensive = true, .is_vector_extensive = true, .has_energy = true, .has_virial = true
+    .is_extensive = true, .is_vector_extensive = true, .has_energy = true, .has_virial = true, .keeps_plane = true
 
 #endif

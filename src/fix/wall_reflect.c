@@ -89,4 +89,5 @@ const hs_fix_style hs_fix_style_wall_reflect = {
     .setup = setup,
     .post_integrate = post_integrate,
     .allows_dynamic_group = true,
+    .keeps_plane = true,
 };

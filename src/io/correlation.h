@@ -104,6 +104,6 @@ HS_MUST_USE hs_status hs_correlation_array(hs_fix *fix, int i, int j, double *va
 #define HS_CORRELATION_HOOKS                                                                                           \
     .create = create, .destroy = destroy, .init = init, .measure_at_setup = end_of_step, .end_of_step = end_of_step,   \
     .keep_state = keep_state, .array = hs_correlation_array, .needs_energy = hs_correlation_needs_energy,              \
-    .is_time_dependent = true
+    .is_time_dependent = true, .keeps_plane = true
 
 #endif

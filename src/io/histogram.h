@@ -39,7 +39,8 @@ extern const hs_keyword hs_histogram_keywords[];
     .state_size = sizeof(hs_histogram), .create = create, .destroy = hs_histogram_destroy, .init = hs_histogram_init,  \
     .measure_at_setup = hs_histogram_end_of_step, .end_of_step = hs_histogram_end_of_step,                             \
     .vector = hs_histogram_vector, .n_vector = 4, .array = hs_histogram_array,                                         \
-    .needs_energy = hs_histogram_needs_energy, .keep_state = hs_histogram_keep_state, .is_time_dependent = true
+    .needs_energy = hs_histogram_needs_energy, .keep_state = hs_histogram_keep_state, .is_time_dependent = true,       \
+    .keeps_plane = true
 
 /* These, as in style/fix.h. */
 HS_MUST_USE hs_status hs_histogram_create(hs_fix *fix, const hs_args *args, bool is_weighted, hs_error *err);

@@ -94,7 +94,7 @@ static void begin_thread(hs_force_space *space, const hs_force_job *job, int thr
     hs_force_buffer *buffer = &space->buffer[thread];
     const int64_t n_blocks_used = n_blocks_of(space, job);
     const bool is_ready = job->is_added && thread == 0 && !hs_force_is_packed(job); /* to be added to */
-    buffer->n_axes = thread > 0 && job->input.is_flat ? 2 : 3;
+    buffer->n_axes = job->input.is_flat ? 2 : 3;
     memset(buffer->touched, is_ready, (size_t)n_blocks_used + 1);
     memset(&buffer->error, 0, sizeof buffer->error);
     buffer->entries.n = 0;
@@ -119,7 +119,7 @@ static void reduce_axis(hs_force_space *space, int axis, int64_t block, int64_t 
     bool is_begun = space->buffer[0].touched[block];
     for (int t = 1; t < space->n_threads; ++t) {
         const hs_force_buffer *buffer = &space->buffer[t];
-        if (!buffer->touched[block] || axis >= buffer->n_axes) continue;
+        if (!buffer->touched[block]) continue;
         if (is_begun)
             add_forces(f, buffer->f[axis], begin, end, is_fixed);
         else
@@ -133,7 +133,7 @@ static void reduce_block(hs_force_space *space, int64_t block, int64_t n_room, b
 {
     const int64_t begin = block << HS_FORCE_BLOCK_BITS;
     const int64_t end = begin + HS_FORCE_BLOCK < n_room ? begin + HS_FORCE_BLOCK : n_room;
-    for (int axis = 0; axis < 3; ++axis) reduce_axis(space, axis, block, begin, end, is_fixed);
+    for (int axis = 0; axis < space->buffer[0].n_axes; ++axis) reduce_axis(space, axis, block, begin, end, is_fixed);
 }
 
 /** Take the positions of a block that other threads have read back from their caches, for they will be written soon. */

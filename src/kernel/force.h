@@ -32,9 +32,9 @@ typedef enum { HS_STAGE_ALL, HS_STAGE_BEFORE, HS_STAGE_MAIN, HS_STAGE_AFTER, HS_
 
 /** Buffers of one thread. Thread 0 adds to the atoms' own force arrays. */
 typedef struct hs_force_buffer {
-    double *f[3];    /**< owned (borrowed from atoms for thread 0): [n_local + n_halo + pad] */
-    int n_axes;      /**< of f that count: threads beyond the first leave those along z alone while they are all 0 */
-    float *packed_f; /**< owned: forces of packed clusters; only where there are such */
+    double *f[3];           /**< owned (borrowed from atoms for thread 0): [n_local + n_halo + pad] */
+    int n_axes;             /**< of f that are cleared, added to and reduced: 2 where all is flat */
+    float *packed_f;        /**< owned: forces of packed clusters; only where there are such */
     unsigned char *touched; /**< owned: block b of HS_FORCE_BLOCK atoms was written to (and cleared before), or of
                                  HS_PACKED_BLOCK packed numbers */
     hs_entry_list entries;  /**< owned: list of the i-cluster at hand (method cell), or all of the thread's (cluster) */

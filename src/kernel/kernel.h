@@ -53,12 +53,12 @@ enum { HS_FIXED_BITS = 50 };
 typedef struct hs_kernel_input {
     const double *x[3];        /**< positions, local and halo, in cluster order */
     const double *x_listed[3]; /**< positions when LAMMPS would have built its list; NULL unless `listed_only` */
-    bool is_flat;              /**< all z are 0: kernels may leave them, and the forces along them, alone */
-    bool listed_only;          /**< count only pairs that were within their listed distance then */
-    const int32_t *type;       /**< kernel types, local and halo */
-    const double *radius;      /**< distance, local and halo; NULL unless an evaluator of the pair style needs it */
-    bool listed_by_radius;     /**< listed pairs are within radius_i + radius_j + skin, too */
-    double skin;               /**< distance; read only when listed_by_radius or listed_only */
+    bool is_flat;        /**< all z are 0: kernels may leave them alone, and forces along z are the caller's to clear */
+    bool listed_only;    /**< count only pairs that were within their listed distance then */
+    const int32_t *type; /**< kernel types, local and halo */
+    const double *radius;  /**< distance, local and halo; NULL unless an evaluator of the pair style needs it */
+    bool listed_by_radius; /**< listed pairs are within radius_i + radius_j + skin, too */
+    double skin;           /**< distance; read only when listed_by_radius or listed_only */
     const int32_t *site,
         *site_listed; /**< mixed precision, methods with clusters: packed positions (kernel/packed.h) */
     double unit;      /**< distance: their unit */

@@ -30,24 +30,34 @@ static void translate(const hs_overdamped *motion, int n, const uint32_t *group,
 
 static inline __attribute__((always_inline)) void turn_by(double turn, int n, const uint32_t *restrict group,
                                                           uint32_t mask, const double *restrict noise,
-                                                          double *restrict x, double *restrict y, const bool is_all)
+                                                          double *restrict x, double *restrict y, const bool is_all,
+                                                          const bool is_small)
 {
     for (int i = 0; i < n; ++i) {
         const bool is_turned = is_all || (group[i] & mask) != 0;
         const double a = x[i], b = y[i];
         double sine, cosine;
-        hs_sincos(turn * noise[i], &sine, &cosine);
+        if (is_small)
+            hs_sincos_small(turn * noise[i], &sine, &cosine);
+        else
+            hs_sincos(turn * noise[i], &sine, &cosine);
         x[i] = is_turned ? cosine * a - sine * b : a;
         y[i] = is_turned ? sine * a + cosine * b : b;
     }
 }
 
-static void rotate(double turn, int n, const uint32_t *group, uint32_t mask, const double *noise, double *x, double *y)
+static void rotate(const hs_turning *turning, int n, const uint32_t *group, uint32_t mask, const double *noise,
+                   double *x, double *y)
 {
-    if (group == NULL)
-        turn_by(turn, n, group, mask, noise, x, y, true);
+    const double turn = turning->turn;
+    if (group == NULL && turning->is_small)
+        turn_by(turn, n, group, mask, noise, x, y, true, true);
+    else if (group == NULL)
+        turn_by(turn, n, group, mask, noise, x, y, true, false);
+    else if (turning->is_small)
+        turn_by(turn, n, group, mask, noise, x, y, false, true);
     else
-        turn_by(turn, n, group, mask, noise, x, y, false);
+        turn_by(turn, n, group, mask, noise, x, y, false, false);
 }
 
 /** Not every set can convert 64-bit integers: two halves, each exact, are added with one rounding, as a conversion would. */

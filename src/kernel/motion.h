@@ -16,9 +16,15 @@ typedef struct hs_overdamped {
 /** v = drift f + kick noise, x += dt v for n atoms; with @p group only for those that have a bit of @p mask, without (NULL) for all. */
 typedef void (*hs_motion_translate)(const hs_overdamped *motion, int n, const uint32_t *group, uint32_t mask,
                                     const double *f, const double *noise, double *x, double *v);
-/** Turn the vectors (x, y) of n atoms by turn * noise[n] (radians, below 2^30); which atoms: as above. */
-typedef void (*hs_motion_rotate)(double turn, int n, const uint32_t *group, uint32_t mask, const double *noise,
-                                 double *x, double *y);
+/** By how much vectors turn. */
+typedef struct hs_turning {
+    double turn;   /**< radians of a unit of noise; all angles are below 2^30 */
+    bool is_small; /**< all are at most HS_SMALL_ANGLE (core/noise_formulas.h) */
+} hs_turning;
+
+/** Turn the vectors (x, y) of n atoms by turn * noise[n]; which atoms: as above. */
+typedef void (*hs_motion_rotate)(const hs_turning *turning, int n, const uint32_t *group, uint32_t mask,
+                                 const double *noise, double *x, double *y);
 /** In place, n 64-bit integers in the memory of doubles become multiples of @p unit, a power of two. */
 typedef void (*hs_motion_settle)(double *f, int64_t n, double unit);
 

@@ -14,12 +14,15 @@ enum { N_ROUNDS = 10 };
 #if defined(HS_SIMD_AVX512)
 typedef uint64_t lanes __attribute__((vector_size(64)));
 static inline lanes multiply(lanes a, lanes b) { return (lanes)_mm512_mul_epu32((__m512i)a, (__m512i)b); }
+static inline lanes high(lanes a) { return (lanes)_mm512_shuffle_epi32((__m512i)a, (_MM_PERM_ENUM)0xf5); }
 #elif defined(HS_SIMD_AVX2)
 typedef uint64_t lanes __attribute__((vector_size(32)));
 static inline lanes multiply(lanes a, lanes b) { return (lanes)_mm256_mul_epu32((__m256i)a, (__m256i)b); }
+static inline lanes high(lanes a) { return (lanes)_mm256_shuffle_epi32((__m256i)a, 0xf5); }
 #else
 typedef uint64_t lanes __attribute__((vector_size(16)));
 static inline lanes multiply(lanes a, lanes b) { return (lanes)_mm_mul_epu32((__m128i)a, (__m128i)b); }
+static inline lanes high(lanes a) { return (lanes)_mm_shuffle_epi32((__m128i)a, 0xf5); }
 #endif
 
 enum { N_LANES = (int)(sizeof(lanes) / sizeof(uint64_t)) };
@@ -38,8 +41,8 @@ static inline void make_words(hs_noise noise, int64_t step, int draw, const int6
         uint32_t key_0 = noise.seed, key_1 = noise.stream;
         for (int round = 0; round < N_ROUNDS; ++round) {
             const lanes product_0 = multiply(x0, factor_0), product_1 = multiply(x2, factor_1);
-            x0 = (product_1 >> 32) ^ x1 ^ key_0;
-            x2 = (product_0 >> 32) ^ x3 ^ key_1;
+            x0 = high(product_1) ^ x1 ^ key_0;
+            x2 = high(product_0) ^ x3 ^ key_1;
             x1 = product_1;
             x3 = product_0;
             key_0 += 0x9E3779B9u;
@@ -61,16 +64,16 @@ static inline void make_words(hs_noise noise, int64_t step, int draw, const int6
 }
 #endif
 
-static void fill(hs_noise noise, hs_noise_kind kind, int64_t step, int draw, const int64_t *id, int n,
+static void fill(hs_noise noise, hs_noise_kind kind, int64_t step, int draw, int n_numbers, const int64_t *id, int n,
                  hs_noise_block *block)
 {
     _Alignas(64) uint64_t word[HS_NOISE_NUMBERS][HS_NOISE_BLOCK];
     make_words(noise, step, draw, id, n, word);
     if (kind == HS_NOISE_UNIFORM) {
-        for (int k = 0; k < HS_NOISE_NUMBERS; ++k)
+        for (int k = 0; k < n_numbers; ++k)
             for (int i = 0; i < n; ++i) block->number[k][i] = hs_noise_uniform(word[k][i]);
     } else {
-        for (int k = 0; k < HS_NOISE_NUMBERS; k += 2)
+        for (int k = 0; k < n_numbers; k += 2)
             for (int i = 0; i < n; ++i)
                 hs_noise_gaussians(word[k][i], word[k + 1][i], &block->number[k][i], &block->number[k + 1][i]);
     }

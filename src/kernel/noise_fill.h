@@ -13,10 +13,10 @@ typedef struct hs_noise_block {
     _Alignas(64) double number[HS_NOISE_NUMBERS][HS_NOISE_BLOCK];
 } hs_noise_block;
 
-/** Fill block->number[.][0 .. n - 1] with the draw of the atoms id[n], n <= HS_NOISE_BLOCK. Up to HS_ATOMS_PAD
- *  elements of id beyond n are read (arrays of atoms have them), and numbers beyond n are scratch. */
-typedef void (*hs_noise_fill)(hs_noise noise, hs_noise_kind kind, int64_t step, int draw, const int64_t *id, int n,
-                              hs_noise_block *block);
+/** Fill block->number[0 .. n_numbers - 1][0 .. n - 1] with the draw of the atoms id[n], n <= HS_NOISE_BLOCK. Up to HS_ATOMS_PAD
+ *  elements of id beyond n are read (arrays of atoms have them); the rest of the block is scratch. */
+typedef void (*hs_noise_fill)(hs_noise noise, hs_noise_kind kind, int64_t step, int draw, int n_numbers,
+                              const int64_t *id, int n, hs_noise_block *block);
 /** Sine and cosine of n angles (radians, below 2^30). */
 typedef void (*hs_sincos_fill)(const double *restrict angle, int n, double *restrict sine, double *restrict cosine);
 

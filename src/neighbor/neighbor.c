@@ -78,9 +78,9 @@ static void settle_share(const hs_settle_input *in, int n_local, hs_settle settl
 }
 
 hs_displacements hs_neighbor_settle(const hs_neighbor *neighbor, hs_atoms *atoms, double magic, bool is_2d,
-                                    hs_settle settle)
+                                    bool is_planar, hs_settle settle)
 {
-    hs_settle_input in = {.magic = magic, .is_flat = is_2d && neighbor->was_flat};
+    hs_settle_input in = {.magic = magic, .is_flat = is_2d && neighbor->was_flat, .is_planar = is_planar};
     for (int axis = 0; axis < 3; ++axis) {
         in.x[axis] = atoms->x[axis];
         in.listed[axis] = neighbor->x_listed[axis];

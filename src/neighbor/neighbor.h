@@ -97,9 +97,9 @@ typedef struct hs_displacements {
 } hs_displacements;
 
 /** Once per step after the drift: round the positions to their grid, if there is one (@p magic, see hs_env), and measure how far atoms have
- *  moved, with the pass made for the machine's instruction set. Not collective. */
+ *  moved, with the pass made for the machine's instruction set. @p is_planar: z are known to be 0. Not collective. */
 hs_displacements hs_neighbor_settle(const hs_neighbor *neighbor, hs_atoms *atoms, double magic, bool is_2d,
-                                    hs_settle settle);
+                                    bool is_planar, hs_settle settle);
 /** Then (collective), with what this rank has measured: bring is_late and is_flat up to date (in a box that changes, the displacements
  *  of its corners count, too), and tell whether lists are due: by LAMMPS's
  *  schedule, or with `pairs exact` when an atom has moved more than half the skin. An error when a position is not a number, or

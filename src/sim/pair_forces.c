@@ -69,6 +69,26 @@ static void clear_forces(hs_atoms *atoms)
         memset(atoms->f[axis], 0, (size_t)(atoms->n_local + atoms->n_halo) * sizeof(double));
 }
 
+static void clear_share(double *values, int64_t n)
+{
+    int64_t begin, end;
+    hs_thread_range(n, 1, hs_thread_number(), hs_thread_count(), &begin, &end);
+    memset(values + begin, 0, (size_t)(end - begin) * sizeof *values);
+}
+
+/** Evaluations of flat systems leave the forces along z as they were: those of a fix at the step before, or anything when atoms were
+ *  sorted or halo atoms came. */
+static void clear_z_forces(hs_sim *sim)
+{
+    const hs_atoms *atoms = &sim->atoms;
+    const int64_t n = (int64_t)atoms->n_local + atoms->n_halo;
+    if (!sim->neighbor.is_flat) return;
+    if (sim->env.is_planar && sim->flat_generation == atoms->generation && sim->n_flat >= n) return;
+    HS_ON_THREADS(clear_share(atoms->f[2], n));
+    sim->flat_generation = atoms->generation;
+    sim->n_flat = n;
+}
+
 void hs_sim_await_halo(hs_sim *sim)
 {
     if (!sim->halo.is_awaited) return;
@@ -149,6 +169,7 @@ static void take_halo_forces(hs_sim *sim, bool is_fixed)
 static hs_status evaluate(hs_sim *sim, bool with_energy, hs_force_result *result, hs_error *err)
 {
     const bool is_fixed = sim->kernel_precision == HS_PRECISION_FIXED;
+    clear_z_forces(sim);
     if (is_fixed) hs_sim_begin_grid(sim);
     for (bool fits = false; !fits;) {
         HS_TRY(add_parts(sim, with_energy, result, err));

@@ -284,11 +284,15 @@ static hs_status run_commands(hs_sim *sim, const hs_run_plan *plan, hs_error *er
 {
     const int64_t n_done = sim->env.step - sim->env.first_step;
     if (plan->every <= 0 || plan->at_every == NULL || n_done % plan->every != 0) return HS_OK;
-    return plan->at_every(plan->context, err);
+    sim->env.is_planar = false;
+    HS_TRY(plan->at_every(plan->context, err));
+    sim->env.is_planar = hs_sim_is_planar(sim);
+    return HS_OK;
 }
 
 static hs_status run_steps(hs_sim *sim, const hs_run_plan *plan, hs_error *err)
 {
+    sim->env.is_planar = hs_sim_is_planar(sim);
     while (sim->env.step < sim->env.last_step) {
         const int64_t next = sim->env.step + 1;
         const bool is_due = next == sim->env.last_step || is_output_due(sim, next);
@@ -349,6 +353,7 @@ hs_status hs_sim_run(hs_sim *sim, const hs_run_plan *plan, hs_error *err)
     if (status != HS_OK && !sim->saving->is_rescued) return status;
     const double start_s = hs_time_now_s(), start_cpu_s = hs_time_cpu_s();
     if (status == HS_OK) status = run_steps(sim, plan, err);
+    sim->env.is_planar = false;
     hs_progress_wipe(sim->env.out);
     if (status != HS_OK) return tell_what_is_left(sim, status, err);
     for (int k = 0; k < sim->n_fixes; ++k)

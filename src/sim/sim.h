@@ -75,10 +75,12 @@ typedef struct hs_sim {
     bool
         *excluded; /**< owned [n_kernel_types^2]: pairs of kernel types that do not interact; NULL: none are excluded */
     int n_kernel_types;
-    hs_force_space forces; /**< buffers of the pair kernels */
-    hs_cluster_list list;  /**< method cluster: pairs of the last scheduled build */
-    hs_verlet_list verlet; /**< method verlet: the same */
-    hs_tuner tuner;        /**< method auto */
+    hs_force_space forces;    /**< buffers of the pair kernels */
+    uint64_t flat_generation; /**< in this generation of the atoms kernels have left f_z of the first n_flat alone, */
+    int64_t n_flat;           /**< which were cleared: while env.is_planar they are 0 */
+    hs_cluster_list list;     /**< method cluster: pairs of the last scheduled build */
+    hs_verlet_list verlet;    /**< method verlet: the same */
+    hs_tuner tuner;           /**< method auto */
     hs_force_places force_places;
     bool has_moved; /**< since the latest forces, of whose places the halo still is */
     hs_isa isa;
@@ -260,6 +262,9 @@ HS_MUST_USE hs_status hs_sim_output_if_due(hs_sim *sim, bool is_last, hs_error *
 /** A snapshot of every dump that has none of this step yet, due or not (collective). */
 HS_MUST_USE hs_status hs_sim_write_all_dumps(hs_sim *sim, hs_error *err);
 /** One timestep, without output (collective).  sim/step.c */
+/** Whether the atoms will stay in the plane until commands change something: two dimensions, z, v_z and f_z of all atoms +0, and no fix
+ *  that could make them anything else (collective). */
+bool hs_sim_is_planar(const hs_sim *sim);
 HS_MUST_USE hs_status hs_sim_step(hs_sim *sim, bool with_energy, hs_error *err);
 /** Cells, lists, forces, energy and virial of atoms that were placed anew, when all else is set up. */
 HS_MUST_USE hs_status hs_sim_setup_forces(hs_sim *sim, hs_error *err);

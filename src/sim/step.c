@@ -26,8 +26,9 @@ static hs_status bring_neighbors_up_to_date(hs_sim *sim, hs_error *err)
 {
     bool is_due;
     sim->is_stopping = hs_sim_is_asked_to_stop(sim);
-    const hs_displacements moved = hs_neighbor_settle(&sim->neighbor, &sim->atoms, sim->env.position_magic,
-                                                      sim->box.dimension == 2, hs_isa_settle(sim->isa));
+    const hs_displacements moved =
+        hs_neighbor_settle(&sim->neighbor, &sim->atoms, sim->env.position_magic, sim->box.dimension == 2,
+                           sim->env.is_planar, hs_isa_settle(sim->isa));
     hs_timer_add(&sim->timer, HS_PHASE_NEIGH);
     HS_TRY(hs_neighbor_is_due(&sim->neighbor, &sim->atoms, &sim->box, &moved, &sim->parallel, sim->env.step, &is_due,
                               &sim->is_stopping, err));

@@ -71,7 +71,10 @@ typedef struct hs_env {
     int64_t ramp_stop;   /**< step at which the series ends (run stop); else last_step */
     int64_t clock_ahead; /**< step + clock_ahead counts all steps ever made: what reset_timestep took off the step */
     double dt;           /**< timestep, time */
-    bool is_halted;      /**< fix halt: there shall be no more runs and minimisations */
+    /** Two dimensions, and for the rest of the run all z, v_z and f_z are +0, on all ranks: who would only carry the zeros on leaves them
+     *  alone, for reading and writing them takes as long as x and y do. Set by hs_sim. */
+    bool is_planar;
+    bool is_halted; /**< fix halt: there shall be no more runs and minimisations */
     /** Raised whenever positions, velocities, forces or the order of atoms change: results of computes are remembered
      *  for one revision. Who changes atoms outside of the hooks before end_of_step raises it (hs_env_changed). */
     uint64_t revision;
@@ -141,6 +144,9 @@ static inline hs_variable_kind hs_env_variable_kind(const hs_env *env, const cha
 {
     return env->variable_kind != NULL ? env->variable_kind(env->deck, name) : HS_NO_VARIABLE;
 }
+
+/** Axes along which atoms can move. */
+static inline int hs_env_n_axes(const hs_env *env) { return env->is_planar ? 2 : 3; }
 
 /** How far ramps (from a start to a stop value) have gone at the present step: 0 at ramp_start, 1 at ramp_stop. */
 static inline double hs_env_ramp(const hs_env *env)

@@ -92,6 +92,7 @@ typedef struct hs_fix_style {
                                  to the fix */
     bool moves_at_end; /**< end_of_step moves atoms or the box */
     bool changes_box;  /**< the lengths of the box may change at every step */
+    bool keeps_plane;  /**< in two dimensions: z, v_z and f_z that are +0 stay so; see env->is_planar */
 } hs_fix_style;
 
 enum { HS_FIX_OWN_MAX = 2 };

@@ -44,11 +44,12 @@ START_TEST(test_blocks_equal_single_numbers)
         if (hs_isa_get(hs_isa_names[isa], &isa, &err) != HS_OK) continue;
         for (int kind = 0; kind < 2; ++kind)
             for (int n = 1; n <= HS_NOISE_BLOCK; n += n < 20 ? 1 : 59) {
-                hs_isa_noise(isa)->fill(noise, (hs_noise_kind)kind, step, n % 5, id, n, &block);
+                const int n_numbers = 1 + n % HS_NOISE_NUMBERS;
+                hs_isa_noise(isa)->fill(noise, (hs_noise_kind)kind, step, n % 5, n_numbers, id, n, &block);
                 for (int i = 0; i < n; ++i) {
                     double single[HS_NOISE_NUMBERS];
                     hs_noise_numbers(noise, (hs_noise_kind)kind, step, n % 5, id[i], single);
-                    for (int k = 0; k < HS_NOISE_NUMBERS; ++k)
+                    for (int k = 0; k < n_numbers; ++k)
                         ck_assert_msg(single[k] == block.number[k][i], "%s, kind %d, n %d, atom %d, number %d",
                                       hs_isa_names[isa], kind, n, i, k);
                 }
@@ -71,6 +72,13 @@ START_TEST(test_functions)
         ck_assert_double_eq_tol(sine, sin(angle), 4e-16);
         ck_assert_double_eq_tol(cosine, cos(angle), 4e-16);
         ck_assert_double_eq_tol(sine * sine + cosine * cosine, 1.0, 8e-16);
+    }
+    for (int k = -999; k <= 999; k += 2) {
+        const double angle = HS_SMALL_ANGLE * k / 999;
+        double sine, cosine;
+        hs_sincos_small(angle, &sine, &cosine);
+        ck_assert_double_eq_tol(sine, sin(angle), 2.3e-16 * fabs(angle)); /* two units of its last digit, at most */
+        ck_assert_double_eq_tol(cosine, cos(angle), 2.3e-16);
     }
     ck_assert_double_eq_tol(hs_log_of_fraction(0x1p32 - 0.5), log1p(-0x1p-33), 1e-26);
 }
