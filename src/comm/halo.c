@@ -239,6 +239,7 @@ static void place_atoms(hs_halo *halo, hs_atoms *atoms)
 {
     atoms->n_halo = halo->n;
     halo->generation = atoms->generation;
+    ++halo->version;
 #pragma omp parallel for schedule(static)
     for (int k = 0; k < halo->n; ++k) {
         halo->slot[k] = k;

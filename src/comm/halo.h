@@ -43,6 +43,7 @@ typedef struct hs_halo {
     hs_messages forward, reverse;
     int capacity, capacity_source;
     uint64_t generation; /**< of the atoms this halo belongs to */
+    uint64_t version;    /**< another one whenever other atoms are copied, or stand elsewhere */
     bool is_ascending;   /**< sources ascend in each block: not after hs_halo_follow */
     bool is_awaited;     /**< positions are under way: between hs_halo_forward_send and _wait */
 } hs_halo;

@@ -32,6 +32,7 @@ static void fini_buffers(hs_force_space *space)
 void hs_force_space_fini(hs_force_space *space)
 {
     fini_buffers(space);
+    HS_FREE(space->is_open);
     hs_packed_fini(&space->packed);
     memset(space, 0, sizeof *space);
 }
@@ -102,38 +103,52 @@ static void begin_thread(hs_force_space *space, const hs_force_job *job, int thr
     memset(buffer->weight, 0, sizeof buffer->weight);
 }
 
-/** f[begin, end) += added; in fixed point both hold integers. */
-static void add_forces(double *restrict f, const double *restrict added, int64_t begin, int64_t end, bool is_fixed)
+/** f = a + b on [begin, end), where f may be a; in fixed point all hold integers. */
+static void add_forces(double *f, const double *a, const double *b, int64_t begin, int64_t end, bool is_fixed)
 {
     typedef uint64_t __attribute__((may_alias)) integer;
     if (is_fixed)
-        for (int64_t i = begin; i < end; ++i) ((integer *)f)[i] += ((const integer *)added)[i];
+        for (int64_t i = begin; i < end; ++i) ((integer *)f)[i] = ((const integer *)a)[i] + ((const integer *)b)[i];
     else
-        for (int64_t i = begin; i < end; ++i) f[i] += added[i];
+        for (int64_t i = begin; i < end; ++i) f[i] = a[i] + b[i];
 }
+
+/** Blocks of forces, and what becomes of them. */
+typedef struct reduction {
+    hs_force_space *space;
+    const hs_motion_set *motion;
+    int64_t n_room; /**< atoms of all blocks */
+    int n_axes;
+    bool is_fixed;
+    double settling_unit; /**< as in the job */
+} reduction;
 
 /** One axis of one block [begin, end): what all threads wrote to it, in thread 0's (the atoms') forces. */
-static void reduce_axis(hs_force_space *space, int axis, int64_t block, int64_t begin, int64_t end, bool is_fixed)
+static void reduce_axis(const reduction *r, int axis, int64_t block, int64_t begin, int64_t end, bool is_settled)
 {
-    double *f = space->buffer[0].f[axis];
-    bool is_begun = space->buffer[0].touched[block];
+    const hs_force_space *space = r->space;
+    double *const f = space->buffer[0].f[axis];
+    const double *sum = space->buffer[0].touched[block] ? f : NULL;
     for (int t = 1; t < space->n_threads; ++t) {
-        const hs_force_buffer *buffer = &space->buffer[t];
-        if (!buffer->touched[block]) continue;
-        if (is_begun)
-            add_forces(f, buffer->f[axis], begin, end, is_fixed);
-        else
-            memcpy(f + begin, buffer->f[axis] + begin, (size_t)(end - begin) * sizeof(double));
-        is_begun = true;
+        const double *part = space->buffer[t].f[axis];
+        if (!space->buffer[t].touched[block]) continue;
+        if (sum != NULL) add_forces(f, sum, part, begin, end, r->is_fixed);
+        sum = sum != NULL ? f : part;
     }
-    if (!is_begun) memset(f + begin, 0, (size_t)(end - begin) * sizeof(double));
+    if (sum == NULL)
+        memset(f + begin, 0, (size_t)(end - begin) * sizeof *f); /* an integer 0 is the number 0, too */
+    else if (is_settled)
+        r->motion->settle(f + begin, sum + begin, end - begin, r->settling_unit);
+    else if (sum != f)
+        memcpy(f + begin, sum + begin, (size_t)(end - begin) * sizeof *f);
 }
 
-static void reduce_block(hs_force_space *space, int64_t block, int64_t n_room, bool is_fixed)
+static void reduce_block(const reduction *r, int64_t block, bool is_local)
 {
     const int64_t begin = block << HS_FORCE_BLOCK_BITS;
-    const int64_t end = begin + HS_FORCE_BLOCK < n_room ? begin + HS_FORCE_BLOCK : n_room;
-    for (int axis = 0; axis < space->buffer[0].n_axes; ++axis) reduce_axis(space, axis, block, begin, end, is_fixed);
+    const int64_t end = begin + HS_FORCE_BLOCK < r->n_room ? begin + HS_FORCE_BLOCK : r->n_room;
+    const bool is_settled = is_local && r->settling_unit != 0.0 && !r->space->is_open[block];
+    for (int axis = 0; axis < r->n_axes; ++axis) reduce_axis(r, axis, block, begin, end, is_settled);
 }
 
 /** Take the positions of a block that other threads have read back from their caches, for they will be written soon. */
@@ -188,14 +203,19 @@ static int64_t first_halo_block(const hs_force_job *job)
                                    : job->atoms->n_local >> HS_FORCE_BLOCK_BITS;
 }
 
-/** Reduce one block of forces. */
-static void reduce(hs_force_space *space, const hs_force_job *job, const float **part, int64_t block)
+/** Reduce one block of forces; is_local: all of its atoms are. */
+static void reduce(hs_force_space *space, const hs_force_job *job, const float **part, int64_t block, bool is_local)
 {
-    const int64_t n_room = (int64_t)job->atoms->n_local + job->atoms->n_halo + HS_ATOMS_PAD;
+    const reduction r = {.space = space,
+                         .motion = hs_isa_motion(job->isa),
+                         .n_room = (int64_t)job->atoms->n_local + job->atoms->n_halo + HS_ATOMS_PAD,
+                         .n_axes = job->input.is_flat ? 2 : 3,
+                         .is_fixed = job->precision == HS_PRECISION_FIXED,
+                         .settling_unit = job->settling_unit};
     if (hs_force_is_packed(job)) {
         unpack_block(space, job, part, block);
     } else {
-        reduce_block(space, block, n_room, job->precision == HS_PRECISION_FIXED);
+        reduce_block(&r, block, is_local);
         take_back_positions(space, job, block, hs_thread_number());
         for (int t = 0; t < space->n_threads; ++t) space->buffer[t].touched[block] = t == 0;
     }
@@ -225,9 +245,9 @@ static void run_stage_on_thread(const stage_work *w)
     if (buffer->error.status == HS_OK) (void)w->work(space, job, w->stage, thread);
 #pragma omp barrier
 #pragma omp for schedule(static) nowait
-    for (int64_t block = w->begin; block < middle; ++block) reduce(space, job, part, block);
+    for (int64_t block = w->begin; block < middle; ++block) reduce(space, job, part, block, true);
 #pragma omp for schedule(static) nowait
-    for (int64_t block = middle; block < w->end; ++block) reduce(space, job, part, block);
+    for (int64_t block = middle; block < w->end; ++block) reduce(space, job, part, block, false);
 }
 
 static void run_stage(hs_force_space *space, const hs_force_job *job, hs_force_work work, hs_force_stage stage,
@@ -316,19 +336,37 @@ void hs_force_job_set_grid(hs_force_job *job, hs_fixed_grid grid)
     job->input.magic_energy = ldexp(1.5, 52 + grid.energy);
 }
 
-static void settle_blocks(hs_atoms *atoms, hs_motion_settle settle, double unit, int n_axes)
+hs_status hs_force_find_open(hs_force_space *space, int n_local, const int32_t *source, int n_sources, uint64_t version,
+                             hs_error *err)
+{
+    const int64_t n = n_blocks((int64_t)n_local + 1); /* the last one even where it is empty */
+    if (space->open_version == version) return HS_OK;
+    if (n > space->capacity_open) {
+        space->open_version = 0;
+        HS_TRY(HS_GROW(space->is_open, 0, (size_t)(n + n / 8), err));
+        space->capacity_open = n + n / 8;
+    }
+    memset(space->is_open, 0, (size_t)n);
+    space->is_open[n_local >> HS_FORCE_BLOCK_BITS] = 1;
+    for (int k = 0; k < n_sources; ++k) space->is_open[source[k] >> HS_FORCE_BLOCK_BITS] = 1;
+    space->open_version = version;
+    return HS_OK;
+}
+
+static void settle_open(const hs_force_space *space, hs_atoms *atoms, hs_motion_settle settle, double unit, int n_axes)
 {
     const int64_t n_atoms = atoms->n_local;
 #pragma omp for schedule(static) nowait
     for (int64_t block = 0; block < n_blocks(n_atoms); ++block) {
-        const int64_t begin = block << HS_FORCE_BLOCK_BITS, left = n_atoms - begin;
-        for (int axis = 0; axis < n_axes; ++axis)
-            settle(atoms->f[axis] + begin, left < HS_FORCE_BLOCK ? left : HS_FORCE_BLOCK, unit);
+        const int64_t begin = block << HS_FORCE_BLOCK_BITS, left = n_atoms - begin,
+                      n = left < HS_FORCE_BLOCK ? left : HS_FORCE_BLOCK;
+        for (int axis = 0; axis < n_axes && space->is_open[block]; ++axis)
+            settle(atoms->f[axis] + begin, atoms->f[axis] + begin, n, unit);
     }
 }
 
-void hs_force_settle(hs_atoms *atoms, hs_isa isa, int exponent, bool is_flat)
+void hs_force_settle(const hs_force_space *space, hs_atoms *atoms, hs_isa isa, int exponent, bool is_flat)
 {
-    const int n_axes = is_flat ? 2 : 3; /* an integer 0 is the number 0, too */
-    HS_ON_THREADS(settle_blocks(atoms, hs_isa_motion(isa)->settle, ldexp(1.0, exponent), n_axes));
+    const double unit = ldexp(1.0, exponent);
+    HS_ON_THREADS(settle_open(space, atoms, hs_isa_motion(isa)->settle, unit, is_flat ? 2 : 3));
 }

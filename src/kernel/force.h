@@ -58,6 +58,9 @@ typedef struct hs_force_space {
     int64_t capacity_packed;         /**< room of each packed_f */
     hs_packed packed;                /**< mixed precision, methods with clusters */
     int64_t weight[HS_FORCE_CHUNKS]; /**< methods without lists: pairs of each chunk at the evaluation before */
+    unsigned char *is_open;          /**< owned [capacity_open]: see hs_force_find_open */
+    int64_t capacity_open;
+    uint64_t open_version; /**< of the halo that is_open was found for; 0: none */
 } hs_force_space;
 
 struct hs_cluster_list;
@@ -89,7 +92,10 @@ typedef struct hs_force_job {
     hs_kernel_input input;               /**< x, type and table must be set; see hs_kernel_input */
     double cutoff_max;
     bool with_energy;
-    bool is_added;                  /**< add to the forces that the atoms have, not overwrite them */
+    bool is_added; /**< add to the forces that the atoms have, not overwrite them */
+    double
+        settling_unit; /**< fixed point: blocks of forces that are not open are settled, to multiples of this, as they are reduced;
+                               0: none are, more will be added */
     const hs_force_halo *halo;      /**< borrowed; NULL: the halo is there, and the caller sends its forces */
     const unsigned char *is_remote; /**< borrowed [n_halo]: halo atoms of other ranks; NULL: there are none */
     struct hs_pair_counter
@@ -117,9 +123,14 @@ typedef struct hs_fixed_grid {
 int hs_fixed_exponent(double value, int bits);
 /** Set the job up for fixed point on that grid. */
 void hs_force_job_set_grid(struct hs_force_job *job, hs_fixed_grid grid);
-/** Turn the forces of the local atoms from multiples of 2^exponent into forces, after hs_halo_reverse; is_flat: those along z are 0.
- *  Threaded. */
-void hs_force_settle(hs_atoms *atoms, hs_isa isa, int exponent, bool is_flat);
+/** Find the blocks of forces of local atoms that are open after an evaluation: those to which forces come home from the halo, for it has
+ *  copies of source[n_sources], and the last one, which may have halo atoms in it. @p version: of that halo, not 0; it is
+ *  done once for each. */
+HS_MUST_USE hs_status hs_force_find_open(hs_force_space *space, int n_local, const int32_t *source, int n_sources,
+                                         uint64_t version, hs_error *err);
+/** Settle the open blocks, after hs_halo_reverse: forces on local atoms, multiples of 2^exponent, become numbers; is_flat: those along z
+ *  are 0. The other blocks were settled in the evaluation (job.settling_unit). Threaded. */
+void hs_force_settle(const hs_force_space *space, hs_atoms *atoms, hs_isa isa, int exponent, bool is_flat);
 
 /** Make the block of atom i ready to be added to. The last block may reach into the arrays' padding. */
 static inline void hs_force_touch(hs_force_buffer *buffer, int64_t i, int64_t n_room)

@@ -61,13 +61,29 @@ static void rotate(const hs_turning *turning, int n, const uint32_t *group, uint
 }
 
 /** Not every set can convert 64-bit integers: two halves, each exact, are added with one rounding, as a conversion would. */
-static void settle(double *f, int64_t n, double unit)
+static inline double multiple_of(double unit, double integer)
 {
-    for (int64_t i = 0; i < n; ++i) {
-        const uint64_t shifted = hs_bits_of(f[i]) ^ UINT64_C(1) << 63; /* the integer plus 2^63 */
-        const double high = (hs_whole_number(shifted >> 32) - 0x1p31) * 0x1p32;
-        f[i] = (high + hs_whole_number(shifted & UINT64_C(0xffffffff))) * unit;
-    }
+    const uint64_t shifted = hs_bits_of(integer) ^ UINT64_C(1) << 63; /* the integer plus 2^63 */
+    const double high = (hs_whole_number(shifted >> 32) - 0x1p31) * 0x1p32;
+    return (high + hs_whole_number(shifted & UINT64_C(0xffffffff))) * unit;
+}
+
+static void settle_in_place(double *f, int64_t n, double unit)
+{
+    for (int64_t i = 0; i < n; ++i) f[i] = multiple_of(unit, f[i]);
+}
+
+static void settle_from(double *restrict f, const double *restrict from, int64_t n, double unit)
+{
+    for (int64_t i = 0; i < n; ++i) f[i] = multiple_of(unit, from[i]);
+}
+
+static void settle(double *f, const double *from, int64_t n, double unit)
+{
+    if (f == from)
+        settle_in_place(f, n, unit);
+    else
+        settle_from(f, from, n, unit);
 }
 
 #define PASTE_(a, b) a##b

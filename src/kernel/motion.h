@@ -25,8 +25,8 @@ typedef struct hs_turning {
 /** Turn the vectors (x, y) of n atoms by turn * noise[n]; which atoms: as above. */
 typedef void (*hs_motion_rotate)(const hs_turning *turning, int n, const uint32_t *group, uint32_t mask,
                                  const double *noise, double *x, double *y);
-/** In place, n 64-bit integers in the memory of doubles become multiples of @p unit, a power of two. */
-typedef void (*hs_motion_settle)(double *f, int64_t n, double unit);
+/** n 64-bit integers in the memory of doubles, @p from, become multiples of @p unit, a power of two: f, which may be the same. */
+typedef void (*hs_motion_settle)(double *f, const double *from, int64_t n, double unit);
 
 typedef struct hs_motion_set {
     hs_motion_translate translate;

@@ -1,5 +1,6 @@
 /* Pair forces of a step: the method's kernels for each part of the pair style, the halo's forces home, sums over
  * ranks. */
+#include <math.h>
 #include <string.h>
 
 #include "core/exact_sum.h"
@@ -136,16 +137,22 @@ static hs_status add_parts(hs_sim *sim, bool with_energy, hs_force_result *sum, 
 {
     hs_force_job job = hs_sim_make_job(sim, with_energy);
     const int last = last_part(sim->pair);
+    const bool is_fixed = sim->kernel_precision == HS_PRECISION_FIXED;
+    const hs_halo *copies = &sim->halo;
     hs_force_halo halo = {.await = await_halo, .context = sim, .is_remote = sim->halo.forward.n > 0};
     job.halo = &halo;
     memset(sum, 0, sizeof *sum);
     hs_force_job_set_grid(&job, sim->grid);
+    if (is_fixed)
+        HS_TRY(
+            hs_force_find_open(&sim->forces, sim->atoms.n_local, copies->source, copies->out.n, copies->version, err));
     for (int k = 0; k < sim->pair->n_parts; ++k) {
         hs_force_result result;
         job.evaluator = sim->pair->part[k]->style->evaluator;
         job.input.table = &sim->pair_table[k];
         if (job.evaluator == NULL) continue;
         if (k == last) halo.send = send_halo;
+        if (k == last && is_fixed) job.settling_unit = ldexp(1.0, sim->grid.force);
         job.counter = !job.is_added && counts_distances(sim, &job) ? sim->env.pair_counter : NULL;
         HS_TRY(hs_sim_method(sim)->forces(sim, &job, &result, err));
         if (job.counter != NULL) job.counter->is_filled = true;
@@ -181,7 +188,7 @@ static hs_status evaluate(hs_sim *sim, bool with_energy, hs_force_result *result
     hs_timer_add(&sim->timer, HS_PHASE_PAIR);
     take_halo_forces(sim, is_fixed);
     if (!is_fixed) return HS_OK;
-    hs_force_settle(&sim->atoms, sim->isa, sim->grid.force, sim->neighbor.is_flat);
+    hs_force_settle(&sim->forces, &sim->atoms, sim->isa, sim->grid.force, sim->neighbor.is_flat);
     hs_timer_add(&sim->timer, HS_PHASE_PAIR);
     return HS_OK;
 }

@@ -41,15 +41,19 @@ same() {
     cmp "$1.rows" "$2.rows"
 }
 echo 'run 200' >in.runs
-active='fix m all brownian/sphere 1.0 123 gamma_t 1.0 gamma_r 0.3333
+cat >in.active <<'F'
+fix m all brownian/sphere 1.0 123 gamma_t 1.0 gamma_r 0.3333
 fix s all propel/self dipole 20.0
 fix e all enforce2d
-timestep 1e-4'
-thermal='fix m all nve
+timestep 1e-4
+F
+cat >in.thermal <<'F'
+fix m all nve
 fix b all langevin 1.0 1.0 1.0 99
-timestep 0.003'
+timestep 0.003
+F
 for kind in active thermal; do
-    echo "${!kind}" >in.fixes
+    cp "in.$kind" in.fixes
     for method in cluster verlet cell nsq; do
         for threads in 1 2; do run "planar.$method.$threads" -neigh "$method" -threads "$threads"; done
     done

@@ -252,6 +252,10 @@ static forces_t evaluate_counting(system_t *s, method_t method, hs_isa isa, hs_p
     hs_fixed_grid grid = {-20, -20}; /* coarse: to learn how large forces and energies are */
     for (int pass = 0; pass < (is_fixed ? 2 : 1); ++pass) {
         if (is_fixed) hs_force_job_set_grid(&job, grid);
+        if (is_fixed)
+            ck_assert_hs_ok(hs_force_find_open(&space, atoms->n_local, halo.source, halo.out.n, halo.version, &err),
+                            err);
+        if (pass == 1) job.settling_unit = ldexp(1.0, grid.force);
         if (method == CLUSTER)
             ck_assert_hs_ok(hs_force_cluster(&space, &list, &job, &result, &err), err);
         else if (is_verlet)
@@ -263,7 +267,7 @@ static forces_t evaluate_counting(system_t *s, method_t method, hs_isa isa, hs_p
     if (counting != NULL) count_anew(counting, &job, &list);
     hs_halo_reverse(&halo, atoms, is_fixed);
     if (is_fixed) {
-        hs_force_settle(atoms, job.isa, grid.force, false);
+        hs_force_settle(&space, atoms, job.isa, grid.force, false);
         result.energy = ldexp((double)result.energy_fixed, grid.energy);
         for (int k = 0; k < 6; ++k) result.virial[k] = ldexp((double)result.virial_fixed[k], grid.energy);
     }
