@@ -12,6 +12,7 @@
 #include "deck/printed.h"
 #include "deck/source.h"
 #include "deck/substitute.h"
+#include "deck/unwritten.h"
 #include "deck/variables.h"
 
 /* ---- echo, log ---- */
@@ -110,7 +111,9 @@ static hs_status print_run(hs_deck *deck, const hs_args *args, hs_error *err)
         /* One simulation is the whole universe: its lines go where all others go. */
         if (plan.to_screen) hs_say_screen(deck->out, "%s\n", hs_text_get(&text));
         if (plan.to_screen || plan.to_universe) hs_say_log(deck->out, "%s\n", hs_text_get(&text));
-        if (plan.file != NULL && deck->sim->parallel.rank == 0 && !deck->options.dry_run)
+        if (plan.file != NULL && deck->options.dry_run)
+            HS_UNLESS_FAILED(err, hs_unwritten_add(deck, plan.file, hs_text_get(&text), plan.is_append, err));
+        else if (plan.file != NULL && deck->sim->parallel.rank == 0)
             (void)print_to_file(deck, &plan, hs_text_get(&text), err);
         status = hs_parallel_agree(&deck->sim->parallel, err);
     }

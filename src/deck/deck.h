@@ -8,6 +8,7 @@
 
 struct hs_variables;
 struct hs_source;
+struct hs_unwritten;
 
 typedef struct hs_deck {
     hs_sim *sim;                    /**< owned; made anew by `clear` */
@@ -24,8 +25,9 @@ typedef struct hs_deck {
     struct hs_frame *frame; /**< innermost `if` or `run every` that is being carried out; borrowed from its stack */
     /** hs_deck_resume calls this when all is as it was, before it goes on: for opening the log. NULL: nothing to do. */
     hs_status (*at_resumed)(struct hs_deck *deck, hs_error *err);
-    bool jump_skipped; /**< `next` has come to its end: the next jump does nothing */
-    bool quit;         /**< the command quit was met */
+    bool jump_skipped;              /**< `next` has come to its end: the next jump does nothing */
+    bool quit;                      /**< the command quit was met */
+    struct hs_unwritten *unwritten; /**< owned; halfshell check: files of print; deck/unwritten.h */
     bool is_unwritten; /**< halfshell check: a run of the deck would have written data files or checkpoints by now */
     bool is_stopping;  /**< several ranks: one of them was asked to stop; agreed after every line */
     int exit_code;     /**< given with quit */

@@ -8,6 +8,7 @@
 #include "deck/lexer.h"
 #include "deck/source.h"
 #include "deck/substitute.h"
+#include "deck/unwritten.h"
 #include "deck/variables.h"
 #include "sim/saving.h"
 
@@ -116,6 +117,7 @@ void hs_deck_destroy(hs_deck **deck)
     (void)hs_deck_close_log(*deck); /* whoever wants to know has flushed it before */
     hs_text_fini(&(*deck)->input);
     hs_text_fini(&(*deck)->pipe);
+    hs_unwritten_fini(*deck);
     HS_FREE((*deck)->pipe_name);
     HS_FREE((*deck)->label_wanted);
     HS_FREE((*deck)->log_name);

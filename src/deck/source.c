@@ -6,6 +6,7 @@
 #include <sys/stat.h>
 
 #include "base/memory.h"
+#include "deck/unwritten.h"
 
 /** A deck is text for people: a larger file is something else. */
 static const size_t size_max = (size_t)1 << 28;
@@ -97,6 +98,8 @@ hs_status hs_source_read(hs_deck *deck, const char *file, hs_text *text, hs_erro
         return hs_text_append(text, hs_text_get(&deck->input), deck->input.length, err);
     if (!is_input && deck->pipe_name != NULL && strcmp(file, deck->pipe_name) == 0)
         return hs_text_append(text, hs_text_get(&deck->pipe), deck->pipe.length, err);
+    const hs_text *unwritten = is_input ? NULL : hs_unwritten_find(deck, file);
+    if (unwritten != NULL) return hs_text_append(text, hs_text_get(unwritten), unwritten->length, err);
     if (!is_input && is_pipe(parallel, file)) return read_pipe(deck, file, text, err);
     HS_TRY(read_shared(parallel, file, text, err));
     if (!is_input) return HS_OK;

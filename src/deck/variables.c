@@ -218,7 +218,7 @@ static hs_status fill(hs_deck *deck, hs_variable *variable, const hs_args *args,
     case HS_VARIABLE_INTERNAL:
         return hs_arg_double(args, 2, &variable->number, err);
     case HS_VARIABLE_FILE:
-        return hs_variables_read_file(variable, args->word[2], &deck->sim->parallel, err);
+        return hs_variables_read_file(variable, args->word[2], deck, err);
     default:
         forget(variable);
         return copy_values(variable, args->n - 2, args->word + 2, err);

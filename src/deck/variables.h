@@ -81,7 +81,7 @@ HS_MUST_USE hs_status hs_variables_restore(hs_variables *variables, const char *
 HS_MUST_USE hs_status hs_variables_refill(hs_variable *variable, int n, const char *const *values, const char *formula,
                                           hs_error *err);
 /** Values of a file-style variable, which has none yet: the first words of the lines that have any (collective). */
-HS_MUST_USE hs_status hs_variables_read_file(hs_variable *variable, const char *path, const hs_parallel *parallel,
+HS_MUST_USE hs_status hs_variables_read_file(hs_variable *variable, const char *path, const hs_deck *deck,
                                              hs_error *err);
 /** Next set of values of an atomfile-style variable, the first one included; *is_there = false at the end of the file
  *  (collective). */

@@ -3,9 +3,9 @@
 #include <stdio.h>
 
 #include "base/memory.h"
+#include "deck/unwritten.h"
 #include "deck/variables.h"
 #include "io/id_map.h"
-#include "io/line_reader.h"
 
 typedef struct hs_atomfile {
     hs_atoms *atoms; /**< borrowed */
@@ -124,7 +124,7 @@ hs_status hs_variable_read_atoms(hs_variable *variable, hs_deck *deck, bool *is_
     int64_t n;
     HS_TRY(hs_sim_need_box(deck->sim, "variable (atomfile)", err));
     if (!file->is_open) {
-        HS_TRY(hs_lines_open(&file->lines, variable->value[0], &deck->sim->parallel, err));
+        HS_TRY(hs_unwritten_open(deck, &file->lines, variable->value[0], err));
         file->is_open = true;
         HS_TRY(skip_sets(&file->lines, variable->which, err));
     }

@@ -1,7 +1,7 @@
 /* Variables whose values are the lines of a file. */
 #include "base/memory.h"
+#include "deck/unwritten.h"
 #include "deck/variables.h"
-#include "io/line_reader.h"
 
 static hs_status append(hs_variable *variable, size_t *capacity, const char *word, hs_error *err)
 {
@@ -24,10 +24,10 @@ static hs_status read_lines(hs_variable *variable, hs_lines *lines, hs_error *er
                    lines->path);
 }
 
-hs_status hs_variables_read_file(hs_variable *variable, const char *path, const hs_parallel *parallel, hs_error *err)
+hs_status hs_variables_read_file(hs_variable *variable, const char *path, const hs_deck *deck, hs_error *err)
 {
     hs_lines lines = {0};
-    HS_TRY(hs_lines_open(&lines, path, parallel, err));
+    HS_TRY(hs_unwritten_open(deck, &lines, path, err));
     const hs_status status = read_lines(variable, &lines, err);
     hs_lines_close(&lines);
     return status;

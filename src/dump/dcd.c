@@ -37,6 +37,7 @@ typedef struct dcd_dump {
     int64_t n_atoms;     /**< of every frame, -1: none was written */
     int64_t every;       /**< steps between frames, as the head says; 0: nothing was written */
     bool is_unwrapped;
+    bool is_irregular; /**< said: steps of frames are not those that follow from the head */
 } dcd_dump;
 
 static hs_status check(const char *file, const hs_args *args, hs_error *err)
@@ -283,6 +284,23 @@ static hs_status write_frame(hs_dump *dump, hs_rows *rows, hs_writer *writer, hs
     return status;
 }
 
+/** Readers take the steps of frames from the head: the first one and the interval. Places are right all the same. First rank. */
+static void warn_of_step(hs_dump *dump)
+{
+    dcd_dump *self = dump->state;
+    const dcd_head *head = &self->head; /* the frame of the present step counts already */
+    const int64_t told = head->first_step + (int64_t)head->every * (head->n_frames - 1), step = dump->env->step;
+    if (self->is_irregular || told == step) return;
+    self->is_irregular = true;
+    hs_warn(dump->env->out,
+            "dump '%s': frame %d of '%s' is of step %lld, and readers of dcd files take it for one of step %lld: they "
+            "count "
+            "from the first frame (step %d) in equal intervals (%d). A new dump into another file, defined after "
+            "reset_timestep, or without 'first yes', has the steps right",
+            dump->id, (int)head->n_frames, dump->file, (long long)step, (long long)told, (int)head->first_step,
+            (int)head->every);
+}
+
 /** A frame of the present step, and the head before the first one (collective). */
 static hs_status write_atoms(hs_dump *dump, hs_writer *writer, hs_error *err)
 {
@@ -314,6 +332,7 @@ static hs_status write(hs_dump *dump, hs_error *err)
     }
     if (table->writer != NULL) HS_UNLESS_FAILED(err, hs_writer_commit(table->writer, err));
     if (table->writer != NULL && had_head) HS_UNLESS_FAILED(err, patch_head(self, err));
+    if (table->writer != NULL) warn_of_step(dump);
     return hs_parallel_agree(dump->env->parallel, err);
 }
 
@@ -333,7 +352,10 @@ const hs_dump_style hs_dump_style_dcd = {
              "than in the first frame, steps beyond 2^31 - 1, another interval between frames, compressed files. "
              "Tilted "
              "boxes lose their lower corner, as every box does in this format; `dump h5md` keeps it, and doubles.\n\n"
-             "A frame is added to the file as a whole, and the number of frames in the file's head follows. With "
+             "A frame is added to the file as a whole, and the number of frames in the file's head follows. Steps of "
+             "frames "
+             "are not in the file: readers count from that of the first one. A warning says so where they do not fit "
+             "(`reset_timestep`, `dump_modify first yes` between multiples of N). With "
              "`dump_modify append yes` frames go behind those of a file that is there, if they are of as many atoms "
              "and "
              "as many steps apart. Other keywords of `dump_modify` are `delay`, `every`, `first` and `sort id`.",

@@ -33,6 +33,15 @@ hs_status hs_lines_open(hs_lines *lines, const char *path, const hs_parallel *pa
     return err->status;
 }
 
+hs_status hs_lines_open_text(hs_lines *lines, const char *path, const hs_text *text, const hs_parallel *parallel,
+                             hs_error *err)
+{
+    *lines = (hs_lines){.path = path, .parallel = parallel, .is_whole = true, .n_chunk = text->length};
+    HS_TRY(HS_ALLOC(lines->chunk, text->length + 1, err));
+    if (text->length > 0) memcpy(lines->chunk, text->data, text->length);
+    return HS_OK;
+}
+
 void hs_lines_close(hs_lines *lines)
 {
     if (lines->file != NULL) gzclose(lines->file);
@@ -55,6 +64,8 @@ static hs_status read_chunk(hs_lines *lines, int64_t *n, hs_error *err)
 static hs_status next_chunk(hs_lines *lines, hs_error *err)
 {
     int64_t n = 0;
+    lines->is_drained = lines->is_whole;
+    if (lines->is_whole) return HS_OK;
     if (lines->parallel->rank == 0) HS_UNLESS_FAILED(err, read_chunk(lines, &n, err));
     HS_TRY(hs_parallel_agree(lines->parallel, err));
     hs_parallel_broadcast(lines->parallel, 0, &n, sizeof n);

@@ -126,6 +126,39 @@ expect 1 "-neigh" "$HALFSHELL" good.in -neigh sideways
 expect 1 "there is no instruction set 'z80'; expected auto" "$HALFSHELL" good.in -isa z80
 expect 1 "second.in" "$HALFSHELL" good.in second.in
 
+# What a deck prints into files and reads again, halfshell check knows without writing any; what is left there from before does not count.
+cat >prints.in <<'END'
+variable n equal 3
+print "print 'n is $n'" file part.in
+print "jump prints.in there" append part.in
+print "7 # comment" file numbers.txt
+print "8" append numbers.txt
+include part.in
+quit
+label there
+variable f file numbers.txt
+next f
+print "f is $f"
+units lj
+region b block 0 4 0 4 0 4
+create_box 1 b
+create_atoms 1 single 1 1 1
+print "1" file set.txt
+print "1 2.5" append set.txt
+variable q atomfile set.txt
+print "q is $(v_q[1])"
+if "$f == 8" then "include more.in"
+END
+echo "nonsense" >numbers.txt
+expect 1 "prints.in:20: error: the file 'more.in' cannot be read" "$HALFSHELL" check prints.in
+for line in "n is 3" "f is 8" "q is 2.5"; do
+    grep -qx "$line" out || wrong "halfshell check does not say: $line" prints.in
+done
+if [ -e part.in ] || [ -e set.txt ] || [ "$(cat numbers.txt)" != nonsense ]; then
+    wrong "halfshell check has written files" prints.in
+fi
+rm numbers.txt
+
 # More atoms than there can be, and less memory than is needed.
 sed 's/block 0 4 0 4 0 4/block 0 1e4 0 1e4 0 1e4/' good.in >huge.in
 expect 2 "huge.in:5: error: " "$HALFSHELL" huge.in -log none

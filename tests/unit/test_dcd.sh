@@ -42,6 +42,15 @@ thermo_modify format float %.15g
 run 200
 END
 "$HALFSHELL" run.in -log log >/dev/null
+# Frames of other steps than the head tells are said once.
+{
+    sed '/^dump/d; /^thermo_style/d; /^thermo_modify/d; s/^run .*/run 15/; s/^reset_timestep.*//' run.in
+    echo "reset_timestep 0
+run 20"
+} | sed 's/^thermo 10/dump a all dcd 10 odd.dcd/' >odd.in
+"$HALFSHELL" odd.in -log none >odd.out
+[ "$(grep -c "WARNING: dump 'a': frame 3 of 'odd.dcd' is of step 0, and readers of dcd files take it for one of step 20" odd.out)" -eq 1 ]
+[ "$(grep -c "WARNING: dump 'a'" odd.out)" -eq 1 ]
 cat >look.py <<END
 import numpy as np, os
 from MDAnalysis import Universe
