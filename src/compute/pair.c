@@ -30,21 +30,22 @@ static hs_status find(hs_compute *compute, hs_error *err)
 {
     pair_state *state = compute->state;
     const hs_pair *pair = compute->env->pair(compute->env);
-    const char *who = hs_compute_who(compute).text;
-    if (pair == NULL) return hs_fail(err, HS_ERROR_INPUT, "%s: there is no pair style yet; pair_style sets one", who);
+    const hs_who who = hs_compute_who(compute);
+    if (pair == NULL)
+        return hs_fail(err, HS_ERROR_INPUT, "%s: there is no pair style yet; pair_style sets one", who.text);
     state->is_whole = strcmp(pair->style->about.name, state->name) == 0;
     if (state->is_whole && state->number <= 1) return HS_OK;
     const int n = pair->style->is_hybrid ? count_parts(pair, state->name, state->number, &state->part) : 0;
     if (n == 0)
-        return hs_fail(err, HS_ERROR_INPUT, "%s: the pair style is '%s'%s", who, pair->style->about.name,
+        return hs_fail(err, HS_ERROR_INPUT, "%s: the pair style is '%s'%s", who.text, pair->style->about.name,
                        pair->style->is_hybrid ? ", and it has no sub-style of that name" : "");
     if (n > 1 && state->number == 0)
         return hs_fail(err, HS_ERROR_INPUT,
-                       "%s: the pair style has %d sub-styles '%s': a number from 1 to %d says which", who, n,
+                       "%s: the pair style has %d sub-styles '%s': a number from 1 to %d says which", who.text, n,
                        state->name, n);
     if (state->number <= n) return HS_OK;
-    return hs_fail(err, HS_ERROR_INPUT, "%s: the pair style has %d of '%s', and %lld is asked for", who, n, state->name,
-                   (long long)state->number);
+    return hs_fail(err, HS_ERROR_INPUT, "%s: the pair style has %d of '%s', and %lld is asked for", who.text, n,
+                   state->name, (long long)state->number);
 }
 
 static hs_status create(hs_compute *compute, const hs_args *args, hs_error *err)

@@ -69,7 +69,7 @@ static hs_status evaluate(hs_compute *compute, hs_error *err)
         HS_TRY(hs_value_vector(compute->env, value, state->vector, err));
         for (int row = 0; row < n_rows; ++row) {
             const int64_t at = state->first - 1 + row * state->skip;
-            out[row * state->n + k] = at < length ? state->vector[at] : 0.0;
+            out[(size_t)row * (size_t)state->n + (size_t)k] = at < length ? state->vector[at] : 0.0;
         }
     }
     return HS_OK;
