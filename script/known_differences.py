@@ -11,6 +11,8 @@ REFUSALS = [
     (r"are outside of the walls", "atoms that are behind a reflecting wall when the run begins: LAMMPS puts them before it"),
     (r"bins must be slabs in units reduced", "chunks by distance in a box that has become tilted, which LAMMPS bins as if it had not"),
     (r"the format line has \d+ words but a row has", "LAMMPS leaves columns out that a format line has no words for"),
+    (r"to the broken power", "a root of a negative number, which LAMMPS lets be nan"),
+    (r"there is no atom of that ID", "LAMMPS takes 0 for values of atoms that are not there"),
     (r"elements and has", "the number of chunks changes within a window of fix ave/time, for which LAMMPS holds it"),
 ]
 
@@ -54,7 +56,7 @@ KNOWN = [
     Known(None, r"^fix (?P<id>\S+) .*ave/histo.*ave running", r"column [56]$", "LAMMPS's extremes of running histograms begin at 0"),
     Known(r"fix \S+ all deform(.|\n)*pre no", None, None, "LAMMPS's fix deform goes wrong without set-up (run ... pre no)"),
     Known(r"deform(.|\n)*dt/reset", None, None, "rates of fix deform are of time; LAMMPS's of steps, by the timestep at the start"),
-    Known(r"deform \S+ \S+ (trate|wiggle|variable)", r"^compute (?P<id>\S+) \S+ temp/deform", None, "later runs begin at the rate that the box has; in LAMMPS at 0"),
+    Known(r"deform \S+ \S+ (trate|wiggle|variable|.*volume)", r"^compute (?P<id>\S+) \S+ temp/deform", None, "later runs begin at the rate that the box has; in LAMMPS at 0"),
     Known(r"deform \S+ \S+ (trate|wiggle|variable|.*volume)(.|\n)*remap v", None, None,
           "a later run begins at the rate that the box has; in LAMMPS at 0, so that atoms that cross keep their velocity"),
     Known(r"fix \S+ \S+ (deform|ehex|heat|temp/|momentum|recenter|thermal)(.|\n)*^rerun", None, None,

@@ -55,7 +55,8 @@ static hs_status aim_tilt(const hs_deformation *d, const hs_env *env, int tilt, 
     return HS_OK;
 }
 
-/** The axes that keep the volume make up for the others; two of them share that. */
+/** The axes that keep the volume make up for the others that are deformed; two of them share that. What else changes the box (atoms
+ *  in shrink-wrapped faces, a barostat) is no matter, as in LAMMPS. */
 static void keep_volume(const hs_deformation *d, hs_deform_aim *to)
 {
     double ratio = 1.0,
@@ -65,8 +66,9 @@ static void keep_volume(const hs_deformation *d, hs_deform_aim *to)
         const double *begin = d->start[axis], length = to->hi[axis] - to->lo[axis];
         const bool is_volume = d->path[axis].style == HS_DEFORM_VOLUME;
         n_volumes += is_volume;
-        if (!is_volume) ratio *= (begin[1] - begin[0]) / length;
-        if (!is_volume) growing += to->length_rate[axis] / length;
+        if (is_volume || d->path[axis].style == HS_DEFORM_NOT) continue;
+        ratio *= (begin[1] - begin[0]) / length;
+        growing += to->length_rate[axis] / length;
     }
     for (int axis = 0; axis < 3; ++axis) {
         const double *begin = d->start[axis];
