@@ -6,6 +6,7 @@
 
 #include "base/memory.h"
 #include "core/lattice.h"
+#include "fix/wall_energy.h"
 #include "style/atom_sum.h"
 #include "style/fix.h"
 
@@ -25,8 +26,7 @@ typedef struct wall_face {
 typedef struct wall_state {
     wall_face face[WALL_MAX];
     int n;
-    /** Energy and force away from the wall at distance r < cutoff. */
-    void (*potential)(const wall_face *face, double r, double *energy, double *force);
+    wall_energy energy; /**< wall potentials only */
 } wall_state;
 
 static inline void wall_destroy(hs_fix *fix)

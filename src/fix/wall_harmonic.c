@@ -1,16 +1,9 @@
 /* Soft walls: E = epsilon (r - cutoff)^2 below the cutoff. */
 #include "fix/wall_potential.h"
 
-static void potential(const wall_face *face, double r, double *energy, double *force)
-{
-    const double depth = face->cutoff - r;
-    *energy = face->epsilon * depth * depth;
-    *force = 2.0 * face->epsilon * depth;
-}
-
 static hs_status create(hs_fix *fix, const hs_args *args, hs_error *err)
 {
-    ((wall_state *)fix->state)->potential = potential;
+    ((wall_state *)fix->state)->energy = wall_harmonic;
     return wall_potential_read(fix, args, false, err);
 }
 

@@ -1,26 +1,10 @@
 /* Walls of Lennard-Jones 10-4-3: layers of Lennard-Jones particles, the first of them seen as a plane.
  * E = 2 pi epsilon (2/5 (sigma/r)^10 - (sigma/r)^4 - sqrt(2)/3 (sigma/(r + 0.61/sqrt(2) sigma))^3) - E(cutoff). */
-#include <math.h>
-
 #include "fix/wall_potential.h"
-
-static double lj1043(const wall_face *face, double r, double *force)
-{
-    const double root2 = sqrt(2.0), scale = 2.0 * acos(-1.0) * face->epsilon, inner = r + 0.61 / root2 * face->sigma;
-    const double s = face->sigma / r, s2 = s * s, s4 = s2 * s2, s10 = s4 * s4 * s2, t = face->sigma / inner;
-    *force = scale * ((4.0 * s10 - 4.0 * s4) / r - root2 * t * t * t / inner);
-    return scale * (0.4 * s10 - s4 - root2 / 3.0 * t * t * t);
-}
-
-static void potential(const wall_face *face, double r, double *energy, double *force)
-{
-    double unused;
-    *energy = lj1043(face, r, force) - lj1043(face, face->cutoff, &unused);
-}
 
 static hs_status create(hs_fix *fix, const hs_args *args, hs_error *err)
 {
-    ((wall_state *)fix->state)->potential = potential;
+    ((wall_state *)fix->state)->energy = wall_lj1043;
     return wall_potential_read(fix, args, true, err);
 }
 

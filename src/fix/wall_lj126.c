@@ -1,22 +1,9 @@
 /* Walls of Lennard-Jones 12-6: E = 4 epsilon ((sigma/r)^12 - (sigma/r)^6) - E(cutoff), r the distance to the wall. */
 #include "fix/wall_potential.h"
 
-static double lj126(const wall_face *face, double r, double *force)
-{
-    const double s = face->sigma / r, s6 = s * s * s * s * s * s;
-    *force = 24.0 * face->epsilon * (2.0 * s6 * s6 - s6) / r;
-    return 4.0 * face->epsilon * (s6 * s6 - s6);
-}
-
-static void potential(const wall_face *face, double r, double *energy, double *force)
-{
-    double unused;
-    *energy = lj126(face, r, force) - lj126(face, face->cutoff, &unused);
-}
-
 static hs_status create(hs_fix *fix, const hs_args *args, hs_error *err)
 {
-    ((wall_state *)fix->state)->potential = potential;
+    ((wall_state *)fix->state)->energy = wall_lj126;
     return wall_potential_read(fix, args, true, err);
 }
 

@@ -2,22 +2,9 @@
  * E = epsilon (2/15 (sigma/r)^9 - (sigma/r)^3) - E(cutoff). */
 #include "fix/wall_potential.h"
 
-static double lj93(const wall_face *face, double r, double *force)
-{
-    const double s = face->sigma / r, s3 = s * s * s;
-    *force = face->epsilon * (1.2 * s3 * s3 * s3 - 3.0 * s3) / r;
-    return face->epsilon * (2.0 / 15.0 * s3 * s3 * s3 - s3);
-}
-
-static void potential(const wall_face *face, double r, double *energy, double *force)
-{
-    double unused;
-    *energy = lj93(face, r, force) - lj93(face, face->cutoff, &unused);
-}
-
 static hs_status create(hs_fix *fix, const hs_args *args, hs_error *err)
 {
-    ((wall_state *)fix->state)->potential = potential;
+    ((wall_state *)fix->state)->energy = wall_lj93;
     return wall_potential_read(fix, args, true, err);
 }
 

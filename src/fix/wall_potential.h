@@ -84,7 +84,7 @@ static inline double wall_force(const wall_state *state, const wall_face *face, 
     const double r = wall_distance(face, x);
     double force = 0.0;
     *energy = 0.0;
-    if (r < face->cutoff) state->potential(face, r, energy, &force);
+    if (r < face->cutoff) *energy = state->energy(face->epsilon, face->sigma, face->cutoff, r, &force);
     return face->end == 0 ? force : -force;
 }
 

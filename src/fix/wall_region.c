@@ -1,6 +1,7 @@
 /* The surface of a region as a wall with a potential of the distance to it. */
 #include <string.h>
 
+#include "fix/wall_energy.h"
 #include "style/atom_sum.h"
 #include "style/fix.h"
 #include "style/places.h"
@@ -8,39 +9,12 @@
 
 typedef struct region_wall_state {
     hs_where where;
-    int potential;                 /**< index into potentials[] */
+    wall_energy energy_at;
     double epsilon, sigma, cutoff; /**< energy, distance */
 } region_wall_state;
 
-static double lj93(double s, double epsilon, double r, double *force)
-{
-    const double s3 = s * s * s;
-    *force = epsilon * (1.2 * s3 * s3 * s3 - 3.0 * s3) / r;
-    return epsilon * (2.0 / 15.0 * s3 * s3 * s3 - s3);
-}
-
-static double lj126(double s, double epsilon, double r, double *force)
-{
-    const double s6 = s * s * s * s * s * s;
-    *force = 24.0 * epsilon * (2.0 * s6 * s6 - s6) / r;
-    return 4.0 * epsilon * (s6 * s6 - s6);
-}
-
-static const char *const potentials[] = {"lj93", "lj126", "harmonic", NULL};
-
-/** Energy at distance r from the surface, and the force away from it. */
-static double energy_at(const region_wall_state *state, double r, double *force)
-{
-    if (state->potential == 2) {
-        const double depth = state->cutoff - r;
-        *force = 2.0 * state->epsilon * depth;
-        return state->epsilon * depth * depth;
-    }
-    double (*const lj)(double, double, double, double *) = state->potential == 0 ? lj93 : lj126;
-    double unused;
-    const double shift = lj(state->sigma / state->cutoff, state->epsilon, state->cutoff, &unused);
-    return lj(state->sigma / r, state->epsilon, r, force) - shift;
-}
+static const char *const names[] = {"lj93", "lj126", "lj1043", "harmonic", NULL};
+static const wall_energy energies[] = {wall_lj93, wall_lj126, wall_lj1043, wall_harmonic};
 
 static hs_status find_region(hs_fix *fix, hs_error *err)
 {
@@ -55,10 +29,12 @@ static hs_status find_region(hs_fix *fix, hs_error *err)
 static hs_status create(hs_fix *fix, const hs_args *args, hs_error *err)
 {
     region_wall_state *state = fix->state;
+    int which;
     HS_TRY(hs_syntax_check(&fix->style->about.syntax, args, false, err));
     HS_TRY(hs_where_set(&state->where, args->word[0], err));
     HS_TRY(find_region(fix, err));
-    HS_TRY(hs_arg_choice(args, 1, potentials, &state->potential, err));
+    HS_TRY(hs_arg_choice(args, 1, names, &which, err));
+    state->energy_at = energies[which];
     HS_TRY(hs_arg_not_negative(args, 2, &state->epsilon, err));
     HS_TRY(hs_arg_positive(args, 3, &state->sigma, err));
     return hs_arg_positive(args, 4, &state->cutoff, err);
@@ -85,7 +61,7 @@ static bool add_surfaces(const hs_fix *fix, const hs_places *places, int i, touc
     for (int k = 0; k < n; ++k) {
         double force, f[3], lever[3];
         if (!(contact[k].r > 0.0)) return false;
-        sum->energy += energy_at(state, contact[k].r, &force);
+        sum->energy += state->energy_at(state->epsilon, state->sigma, state->cutoff, contact[k].r, &force);
         for (int axis = 0; axis < 3; ++axis) {
             f[axis] = force * contact[k].away[axis];
             lever[axis] = contact[k].r * contact[k].away[axis];
@@ -184,11 +160,14 @@ static hs_status vector(hs_fix *fix, int i, double *value, hs_error *err)
 const hs_fix_style hs_fix_style_wall_region = {
     .about =
         {.name = "wall/region",
-         .syntax = {.usage = "<region-ID> lj93|lj126|harmonic <epsilon> <sigma> <cutoff>", .n_min = 5, .n_max = 5},
+         .syntax = {.usage = "<region-ID> lj93|lj126|lj1043|harmonic <epsilon> <sigma> <cutoff>",
+                    .n_min = 5,
+                    .n_max = 5},
          .summary = "the surface of a region as a wall",
          .details =
              "Atoms of the group, which must be inside of the region (outside of the shape with `side out`), are "
-             "pushed by the potential of `wall/lj93`, `wall/lj126` or `wall/harmonic` at their distance r from "
+             "pushed by the potential of `wall/lj93`, `wall/lj126`, `wall/lj1043` or `wall/harmonic` at their distance "
+             "r from "
              "the surface, when r is below the cutoff. In a corner every face within reach pushes. Regions of "
              "style block, cylinder, plane and sphere can be walls; faces at INF are open. An atom on the surface "
              "or outside stops the run. A wall that moves (`move`, `rotate` and `v_name` of regions) must not pass "
