@@ -11,29 +11,35 @@
 
 #include "cli/cli.h"
 
-/** The one thing a signal handler may change: a run looks at it after every step. */
+/** The one thing that a run looks at after every step. */
 static volatile sig_atomic_t stop_requested;
+/** The process that watches this rank and passes signals on (cli/watch.c), 0: none; and who has asked to stop: it, or another one. */
+static pid_t watcher;
+static volatile sig_atomic_t has_asked[2];
 
-/** SIGINT and SIGTERM: the first lets the step end and the run save itself; the second stops at once. */
-static void on_signal(int number)
+/** SIGINT and SIGTERM: the first lets the step end and the run save itself; the second stops at once. A launcher that sends one to all
+ *  processes of a rank has sent it once, though it comes from the watcher, too. */
+static void on_signal(int number, siginfo_t *info, void *context)
 {
-    if (stop_requested) _exit(128 + number);
-    stop_requested = 1;
+    const int by_watcher = watcher != 0 && info->si_pid == watcher;
+    (void)context;
+    if (has_asked[by_watcher]) _exit(128 + number);
+    has_asked[by_watcher] = stop_requested = 1;
 }
 
 /** SIGHUP: the terminal is gone, and often tells so twice. */
-static void on_hangup(int number)
+static void on_hangup(int number, siginfo_t *info, void *context)
 {
-    (void)number;
+    (void)number, (void)info, (void)context;
     stop_requested = 1;
 }
 
 /** SIGPIPE: who reads the output is gone. The write fails, too, and that ends a run as a full disk does, with a checkpoint. */
-static void on_broken_pipe(int number) { (void)number; }
+static void on_broken_pipe(int number, siginfo_t *info, void *context) { (void)number, (void)info, (void)context; }
 
-static void catch_signal(int number, void (*handler)(int))
+static void catch_signal(int number, void (*handler)(int, siginfo_t *, void *))
 {
-    struct sigaction action = {.sa_handler = handler, .sa_flags = SA_RESTART};
+    struct sigaction action = {.sa_sigaction = handler, .sa_flags = SA_RESTART | SA_SIGINFO};
     sigemptyset(&action.sa_mask);
     sigaction(number, &action, NULL);
 }
@@ -152,13 +158,15 @@ int main(int argc, char **argv)
     const hs_cli_command *command = argc > 1 ? find_subcommand(argv[1]) : NULL;
     fill_closed_streams();
     if (answer(argc, argv, command)) return finish_answer();
+    int exit_code = EXIT_SUCCESS;
+    if (hs_cli_watch_rank(argv, &exit_code)) return exit_code;
     limit_spinning(argv);
+    watcher = hs_cli_watcher();
     (void)prctl(PR_SET_NAME, "halfshell"); /* as top shows it and pkill looks for it */
     const char *name = command != NULL ? command->name : "run";
     const int first = command != NULL ? 2 : 1;
     hs_error err = {0};
     hs_parallel parallel = {.n_ranks = 1};
-    int exit_code = EXIT_SUCCESS;
     hs_cli cli = {.n = argc - first, .word = argv + first, .stop_requested = &stop_requested, .parallel = &parallel};
     catch_signals(command == NULL || command->bit == HS_CLI_RUN || command->bit == HS_CLI_RESUME);
     hs_status status = hs_parallel_init(&parallel, &err);

@@ -3,6 +3,7 @@
 #define HS_CLI_CLI_H
 
 #include <signal.h>
+#include <sys/types.h>
 
 #include "deck/deck.h"
 
@@ -66,6 +67,14 @@ typedef struct hs_cli_settings {
     const char *last_value; /**< last value of the last -var with several: it may have been meant as the deck */
     const char *last_variable;
 } hs_cli_settings;
+
+/** In a process that a launcher has started for a rank: make the rank, in a process of its own, and watch over it. False in the rank,
+ *  and in all processes that are not watched. True in the watching process, when the rank has ended: it is to end with *exit_code, the
+ *  rank's, or 2 after a message when the rank was killed. Before threads and MPI are started. @p argv is wiped in the watching process,
+ *  which is none of those that people look for. */
+bool hs_cli_watch_rank(char **argv, int *exit_code);
+/** The process that watches over this one; 0: none does. */
+pid_t hs_cli_watcher(void);
 
 /** Read the words of `run` and `check`. */
 HS_MUST_USE hs_status hs_cli_parse(const hs_cli *cli, unsigned command, hs_cli_settings *settings, hs_error *err);

@@ -4,6 +4,7 @@
 #include "parallel/messages.h"
 
 bool hs_parallel_is_launched(void) { return false; }
+const char *hs_parallel_launched_rank(void) { return "?"; }
 
 hs_status hs_parallel_init(hs_parallel *parallel, hs_error *err)
 {

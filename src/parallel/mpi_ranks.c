@@ -23,6 +23,14 @@ bool hs_parallel_is_launched(void)
     return false;
 }
 
+const char *hs_parallel_launched_rank(void)
+{
+    static const char *const names[] = {"OMPI_COMM_WORLD_RANK", "PMIX_RANK", "PMI_RANK"};
+    for (size_t i = 0; i < sizeof names / sizeof names[0]; ++i)
+        if (getenv(names[i]) != NULL) return getenv(names[i]);
+    return "?";
+}
+
 static bool is_running(void)
 {
     int initialized = 0, finalized = 0;

@@ -18,6 +18,8 @@ typedef struct hs_parallel {
 
 /** Whether mpirun or the like has started this program. */
 bool hs_parallel_is_launched(void);
+/** The number of this rank as its launcher says it, before MPI is started; "?": it does not. */
+const char *hs_parallel_launched_rank(void);
 /** Start MPI, if the program was launched with it (collective). A program started without mpirun stays without. */
 HS_MUST_USE hs_status hs_parallel_init(hs_parallel *parallel, hs_error *err);
 /** The ranks of the MPI that is running, or one rank when none is (a library's caller may not use MPI). */

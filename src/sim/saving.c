@@ -247,7 +247,9 @@ hs_status hs_sim_save_if_due(hs_sim *sim, hs_error *err)
 hs_status hs_sim_stop(hs_sim *sim, const char *where, hs_error *err)
 {
     const bool by_signal = sim->stop_requested != NULL && *sim->stop_requested;
-    const char *const cause = by_signal ? "by a signal" : "because the time of -walltime is over";
+    const char *const cause = by_signal              ? "by a signal"
+                              : is_late(sim->saving) ? "because the time of -walltime is over"
+                                                     : "by a signal to another rank";
     char *path = NULL;
     if (!sim->saving->on_stop || !sim->box.exists)
         return hs_fail(err, HS_INTERRUPTED, "stopped %s %s", by_signal ? cause : "", where);

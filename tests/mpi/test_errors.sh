@@ -8,13 +8,23 @@ most_ms=5000
 good_ms=()
 now_ms() { echo $((${EPOCHREALTIME/[.,]/} / 1000)); }
 
-# gone: whether no process of the program is left that works here
-gone() {
+# is_left: whether a process of the program is left that works here
+is_left() {
     local process
     for process in /proc/[0-9]*; do
         [ "$(readlink "$process/cwd" 2>/dev/null)" != "$work" ] ||
-            [ "$(readlink "$process/exe" 2>/dev/null)" != "$(readlink -f "$HALFSHELL")" ] || return 1
+            [ "$(readlink "$process/exe" 2>/dev/null)" != "$(readlink -f "$HALFSHELL")" ] || return 0
     done
+    return 1
+}
+
+# gone: wait until none is. What has been killed may take a moment to go after mpirun has returned.
+gone() {
+    for _ in $(seq 500); do
+        is_left || return 0
+        sleep 0.01
+    done
+    return 1
 }
 
 # What starting and ending ranks takes on this machine at this moment is not counted: a deck that runs to its end on as many ranks
@@ -139,10 +149,13 @@ else
     echo "300 MB are too little for a rank here: not tested"
 fi
 
-# A rank is killed in mid-run: its parent, mpirun, sees it and ends the others.
-# killed N VICTIM: seconds until all are gone; the exit code is that of mpirun
+# A rank is killed in mid-run. Its watcher, which mpirun has started, tells it; mpirun ends the others. When the watcher itself is killed,
+# the rank goes with it, and mpirun knows no more than the signal.
+children_of() { ps -o pid= --ppid "$1" | xargs; } # there is no newline at its end
+
+# killed N NUMBER WHO CODE: kill the rank or the watcher of that number; `took`: milliseconds until all are gone
 killed() {
-    local launcher mpirun children code=0 start
+    local launcher mpirun watchers ranks=() watcher code=0 start
     rm -f log
     (exec timeout -k 5 "$patience_s" mpirun --oversubscribe -np "$1" "$HALFSHELL" in.run -var steps 1000000 -log log >said 2>&1) &
     launcher=$!
@@ -150,17 +163,25 @@ killed() {
         grep -q '^ *10 ' log 2>/dev/null && break
         sleep 0.1
     done
-    read -r mpirun < <(ps -o pid= --ppid "$launcher" | tr '\n' ' ') || true # there is no newline at its end
-    read -ra children < <(ps -o pid= --ppid "$mpirun" | tr '\n' ' ') || true
-    [ "${#children[@]}" -eq "$1" ] || { cat said >&2; fail "${#children[@]} ranks run, not $1"; }
+    mpirun=$(children_of "$launcher")
+    read -ra watchers <<<"$(children_of "$mpirun")"
+    for watcher in "${watchers[@]}"; do ranks+=("$(children_of "$watcher")"); done
+    [ "${#ranks[@]}" -eq "$1" ] || { cat said >&2; fail "${#ranks[@]} ranks run, not $1"; }
     start=$(now_ms)
-    kill -KILL "${children[$2]}"
+    case $3 in
+    rank) kill -KILL "${ranks[$2]}" ;;
+    watcher) kill -KILL "${watchers[$2]}" ;;
+    esac
     wait "$launcher" || code=$?
-    took=$(($(now_ms) - start))
     gone || fail "killed: a rank is left"
-    echo "rank $2 of $1 killed: all gone after $took ms, exit code $code"
-    [ "$code" -ne 0 ] || fail "killed: exit code 0"
+    took=$(($(now_ms) - start))
+    echo "$3 $2 of $1 killed: all gone after $took ms, exit code $code"
+    [ "$code" -eq "$4" ] || { cat said >&2; fail "killed: exit code $code, not $4"; }
     [ "$took" -le "$most_ms" ]
 }
-killed 4 0 || killed 4 0 || fail "killed: the others went on for $took ms"
-killed 2 1 || killed 2 1 || fail "killed: the others went on for $took ms"
+for who in "4 0 rank 2" "2 1 rank 2" "2 0 watcher 137"; do
+    # shellcheck disable=SC2086 # four words
+    killed $who || killed $who || fail "killed: the others went on for $took ms"
+    [ "${who##* }" -ne 2 ] || [ "$(grep -c "error: rank [0-9]* (process [0-9]*) was ended by signal 9" said)" -eq 1 ] ||
+        { cat said >&2; fail "killed: not one message"; }
+done
