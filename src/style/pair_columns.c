@@ -74,7 +74,8 @@ hs_status hs_pair_columns_local(hs_compute *compute, hs_error *err)
     if (status == HS_OK) status = hs_local_rows_reserve(local, rows.n, columns->n, err);
     for (int c = 0; c < columns->n && status == HS_OK; ++c)
 #pragma omp parallel for schedule(static)
-        for (int64_t k = 0; k < rows.n; ++k) local->values[c * rows.n + k] = value_of(&rows.row[k], columns->column[c]);
+        for (int64_t k = 0; k < rows.n; ++k)
+            local->values[c * rows.n + k] = value_of(rows.order[k], columns->column[c]);
     hs_pair_rows_fini(&rows);
     return status;
 }

@@ -10,18 +10,12 @@
 
 void hs_pair_rows_fini(hs_pair_rows *rows)
 {
+    HS_FREE(rows->order);
     HS_FREE(rows->row);
     rows->n = 0;
 }
 
 /* Finding */
-
-/** What one thread has found. */
-typedef struct findings {
-    hs_pair_row *row; /**< owned [n] */
-    size_t n, capacity;
-    hs_error error;
-} findings;
 
 typedef struct search {
     hs_pair_scan scan;
@@ -30,7 +24,8 @@ typedef struct search {
     uint32_t mask;
     hs_pair_choice choice;
     bool with_forces;
-    findings *found; /**< owned [threads] */
+    hs_pair_row *row;
+    int64_t *next; /**< owned [threads]: pairs that a thread has counted; then, where its next row goes */
 } search;
 
 /** Whether atoms so far apart are put into the lists: LAMMPS lists pairs up to and at the limit. */
@@ -76,34 +71,30 @@ static void fill_row(const search *s, const hs_pair_batch *batch, int p, hs_pair
         hs_pair_scan_eval(scan, &s->view, i, j, batch->r2[p], &row->force_over_r, &row->energy);
 }
 
+static void count_batch(void *context, int thread, const hs_pair_batch *batch)
+{
+    const search *s = context;
+    int64_t n = 0;
+    for (int p = 0; p < batch->n; ++p) n += is_chosen(s, batch->i[p], batch->j[p], batch->r2[p]);
+    s->next[thread] += n;
+}
+
 static void take_batch(void *context, int thread, const hs_pair_batch *batch)
 {
     const search *s = context;
-    findings *found = &s->found[thread];
-    for (int p = 0; p < batch->n && found->error.status == HS_OK; ++p) {
-        if (!is_chosen(s, batch->i[p], batch->j[p], batch->r2[p])) continue;
-        HS_UNLESS_FAILED(&found->error, HS_EXTEND(found->row, found->n, found->capacity, &found->error));
-        if (found->error.status == HS_OK) fill_row(s, batch, p, &found->row[found->n++]);
-    }
+    for (int p = 0; p < batch->n; ++p)
+        if (is_chosen(s, batch->i[p], batch->j[p], batch->r2[p])) fill_row(s, batch, p, &s->row[s->next[thread]++]);
 }
 
-/** The rows of all threads in one array. */
-static hs_status join_findings(const search *s, hs_pair_rows *rows, hs_error *err)
+/** Where each thread's rows begin, from how many it has. *n: of all. */
+static void place_threads(search *s, int64_t *n)
 {
-    const int n_threads = hs_threads_get();
-    for (int t = 0; t < n_threads; ++t) {
-        const findings *found = &s->found[t];
-        if (found->error.status != HS_OK) return hs_fail(err, found->error.status, "%s", found->error.text);
-        rows->n += (int64_t)found->n;
+    *n = 0;
+    for (int t = 0; t < hs_threads_get(); ++t) {
+        const int64_t n_of_thread = s->next[t];
+        s->next[t] = *n;
+        *n += n_of_thread;
     }
-    HS_TRY(HS_ALLOC(rows->row, (size_t)rows->n, err));
-    hs_pair_row *next = rows->row;
-    for (int t = 0; t < n_threads; ++t) {
-        const findings *found = &s->found[t];
-        if (found->n > 0) memcpy(next, found->row, found->n * sizeof *next);
-        next += found->n;
-    }
-    return HS_OK;
 }
 
 /** The scan that the choice asks for. */
@@ -115,19 +106,21 @@ static hs_status begin_scan(search *s, hs_env *env, hs_error *err)
     return hs_pair_scan_begin_at_forces(&s->scan, env, s->choice == HS_PAIRS_IN_CONTACT ? reach : cutoff, err);
 }
 
-/** The pairs of this rank's scan, in any order. */
+/** The pairs of this rank's scan, in any order: counted, then taken, for threads meet the same ones both times. */
 static hs_status search_pairs(search *s, hs_env *env, hs_pair_rows *rows, hs_error *err)
 {
-    HS_UNLESS_FAILED(err, HS_ALLOC(s->found, (size_t)hs_threads_get(), err));
-    HS_TRY(hs_parallel_agree(env->parallel, err));
-    hs_status status = begin_scan(s, env, err);
+    HS_UNLESS_FAILED(err, HS_ALLOC(s->next, (size_t)hs_threads_get(), err));
+    hs_status status = hs_parallel_agree(env->parallel, err);
+    if (status == HS_OK) status = begin_scan(s, env, err);
     if (status == HS_OK) {
-        hs_pair_scan_visit(&s->scan, take_batch, s);
-        status = join_findings(s, rows, err);
+        hs_pair_scan_visit(&s->scan, count_batch, s);
+        place_threads(s, &rows->n);
+        status = HS_ALLOC(rows->row, (size_t)rows->n, err);
+        s->row = rows->row;
     }
+    if (status == HS_OK) hs_pair_scan_visit(&s->scan, take_batch, s);
     hs_pair_scan_end(&s->scan);
-    for (int t = 0; t < hs_threads_get(); ++t) HS_FREE(s->found[t].row);
-    HS_FREE(s->found);
+    HS_FREE(s->next);
     return status;
 }
 
@@ -151,19 +144,28 @@ static inline int64_t part_of(const id_parts *parts, int64_t id)
     return part < parts->n ? part : parts->n - 1;
 }
 
-/** Bring the rows of each part of the ids behind those of the part before: rows (*begin)[p] to (*begin)[p + 1] - 1 are of part p.
- *  *begin is the caller's, also after an error. */
+/** rows->order with the rows of each part of the ids behind those of the part before: from (*begin)[p] to (*begin)[p + 1] - 1 they are
+ *  of part p. *begin is the caller's, also after an error. */
 static hs_status group_rows(hs_pair_rows *rows, const id_parts *parts, int64_t **begin, hs_error *err)
 {
-    hs_pair_row *grouped;
     HS_TRY(HS_ALLOC(*begin, (size_t)parts->n + 2, err));
-    HS_TRY(HS_ALLOC(grouped, (size_t)rows->n, err));
+    HS_TRY(HS_ALLOC(rows->order, (size_t)rows->n, err));
     int64_t *next = *begin + 1; /* shifted by one: next[p] ends as begin[p + 1] */
     for (int64_t k = 0; k < rows->n; ++k) ++next[part_of(parts, rows->row[k].id[0]) + 1];
     for (int64_t p = 0; p < parts->n; ++p) next[p + 1] += next[p];
-    for (int64_t k = 0; k < rows->n; ++k) grouped[next[part_of(parts, rows->row[k].id[0])]++] = rows->row[k];
+    for (int64_t k = 0; k < rows->n; ++k) rows->order[next[part_of(parts, rows->row[k].id[0])]++] = &rows->row[k];
+    return HS_OK;
+}
+
+/** The rows themselves in the order of rows->order, which is given back. */
+static hs_status move_rows(hs_pair_rows *rows, hs_error *err)
+{
+    hs_pair_row *moved;
+    HS_TRY(HS_ALLOC(moved, (size_t)rows->n, err));
+    for (int64_t k = 0; k < rows->n; ++k) moved[k] = *rows->order[k];
+    HS_FREE(rows->order);
     HS_FREE(rows->row);
-    rows->row = grouped;
+    rows->row = moved;
     return HS_OK;
 }
 
@@ -176,6 +178,7 @@ static hs_status share_rows(hs_pair_rows *rows, const hs_env *env, hs_error *err
     hs_parallel_max_int64(parallel, &max_id, 1);
     const id_parts parts = cut_ids(1, max_id, parallel->n_ranks);
     HS_UNLESS_FAILED(err, group_rows(rows, &parts, &begin, err));
+    HS_UNLESS_FAILED(err, move_rows(rows, err));
     for (int rank = 0; rank < parallel->n_ranks && err->status == HS_OK; ++rank)
         begin[rank] = begin[rank + 1] - begin[rank];
     void *received;
@@ -188,7 +191,7 @@ static hs_status share_rows(hs_pair_rows *rows, const hs_env *env, hs_error *err
 
 static int compare_rows(const void *a, const void *b)
 {
-    const hs_pair_row *x = a, *y = b;
+    const hs_pair_row *x = *(hs_pair_row *const *)a, *y = *(hs_pair_row *const *)b;
     for (int k = 0; k < 2; ++k)
         if (x->id[k] != y->id[k]) return x->id[k] < y->id[k] ? -1 : 1;
     for (int axis = 0; axis < 3; ++axis)
@@ -196,21 +199,21 @@ static int compare_rows(const void *a, const void *b)
     return 0;
 }
 
-/** Sort this rank's rows: into as many parts as there are rows, which have few each, and within them. */
+/** Sort this rank's rows: into parts of few rows, and within them. */
 static hs_status sort_rows(hs_pair_rows *rows, hs_error *err)
 {
-    int64_t lo = INT64_MAX, hi = 0, *begin = NULL;
-    if (rows->n == 0) return HS_OK;
+    int64_t lo = INT64_MAX, hi = 1, *begin = NULL;
     for (int64_t k = 0; k < rows->n; ++k) {
         const int64_t id = rows->row[k].id[0];
         lo = id < lo ? id : lo;
         hi = id > hi ? id : hi;
     }
-    const id_parts parts = cut_ids(lo, hi, rows->n);
+    const id_parts parts = cut_ids(lo < hi ? lo : hi, hi, rows->n / 8 + 1);
     const hs_status status = group_rows(rows, &parts, &begin, err);
+    const int64_t n_parts = status == HS_OK ? parts.n : 0;
 #pragma omp parallel for schedule(dynamic, 1024)
-    for (int64_t p = 0; p < parts.n * (status == HS_OK); ++p)
-        qsort(rows->row + begin[p], (size_t)(begin[p + 1] - begin[p]), sizeof *rows->row, compare_rows);
+    for (int64_t p = 0; p < n_parts; ++p)
+        qsort(rows->order + begin[p], (size_t)(begin[p + 1] - begin[p]), sizeof *rows->order, compare_rows);
     HS_FREE(begin);
     return status;
 }

@@ -26,8 +26,9 @@ typedef struct hs_pair_row {
 } hs_pair_row;
 
 typedef struct hs_pair_rows {
-    hs_pair_row *row; /**< owned [n] */
-    int64_t n;        /**< of this rank */
+    hs_pair_row **order; /**< owned [n]: the rows in their order */
+    hs_pair_row *row;    /**< owned [n] */
+    int64_t n;           /**< of this rank */
 } hs_pair_rows;
 
 /** Find the pairs both of whose atoms are in the compute's group (collective, errors agreed). @p with_forces: forces and energies
