@@ -63,12 +63,12 @@ static void list_atoms(const hs_halo_plan *plan, const hs_atoms *atoms, int64_t 
     }
 }
 
-/** list_atoms for all parts of the local atoms. Atoms near lower faces, which go to halos, stand together in the arrays;
+/** list_atoms for parts of the local atoms, shared by the threads. Atoms near lower faces, which go to halos, stand together in the arrays;
  *  parts handed out in turn give every thread its share of them. */
 static void list_parts(const hs_halo_plan *plan, const hs_halo *halo, const hs_atoms *atoms, int n_parts, int *next,
                        int32_t *source)
 {
-#pragma omp parallel for schedule(static, 1) if (n_parts > 1)
+#pragma omp for schedule(static, 1) nowait
     for (int part = 0; part < n_parts; ++part) {
         int64_t begin, end;
         hs_thread_range(atoms->n_local, 1, part, n_parts, &begin, &end);
@@ -104,14 +104,14 @@ static hs_status choose_atoms(hs_halo *halo, const hs_halo_plan *plan, const hs_
     const int n_parts = hs_threads_get() > 1 ? PARTS_OF_THREADS : 1;
     int *next;
     HS_TRY(HS_ALLOC(next, (size_t)n_parts * (size_t)halo->out.n_blocks, err));
-    list_parts(plan, halo, atoms, n_parts, next, NULL);
+    HS_ON_THREADS(list_parts(plan, halo, atoms, n_parts, next, NULL));
     hs_status status = places_from_counts(&halo->out, n_parts, next, err);
     if (status == HS_OK && halo->out.n > halo->capacity_source) {
         const size_t capacity = (size_t)halo->out.n + (size_t)halo->out.n / 8 + 64;
         status = HS_GROW(halo->source, 0, capacity, err);
         if (status == HS_OK) halo->capacity_source = (int)capacity;
     }
-    if (status == HS_OK) list_parts(plan, halo, atoms, n_parts, next, halo->source);
+    if (status == HS_OK) HS_ON_THREADS(list_parts(plan, halo, atoms, n_parts, next, halo->source));
     HS_FREE(next);
     return status;
 }
@@ -234,17 +234,22 @@ static void clear_padding(const hs_atoms *atoms)
         memset(atoms->x[axis] + atoms->n_local + atoms->n_halo, 0, HS_ATOMS_PAD * sizeof(double));
 }
 
+static void number_slots(const hs_halo *halo)
+{
+#pragma omp for schedule(static) nowait
+    for (int k = 0; k < halo->n; ++k) {
+        halo->slot[k] = k;
+        halo->is_remote[k] = k >= halo->in.n_self_atoms;
+    }
+}
+
 /** Halo atoms behind the local ones, in order of blocks. */
 static void place_atoms(hs_halo *halo, hs_atoms *atoms)
 {
     atoms->n_halo = halo->n;
     halo->generation = atoms->generation;
     ++halo->version;
-#pragma omp parallel for schedule(static)
-    for (int k = 0; k < halo->n; ++k) {
-        halo->slot[k] = k;
-        halo->is_remote[k] = k >= halo->in.n_self_atoms;
-    }
+    HS_ON_THREADS(number_slots(halo));
     clear_padding(atoms);
     hs_halo_forward(halo, atoms);
 }
@@ -268,10 +273,15 @@ hs_status hs_halo_build(hs_halo *halo, const hs_domain *domain, const hs_paralle
     return HS_OK;
 }
 
+static void renumber_sources(const hs_halo *halo, const int32_t *place)
+{
+#pragma omp for schedule(static) nowait
+    for (int k = 0; k < halo->out.n; ++k) halo->source[k] = place[halo->source[k]];
+}
+
 void hs_halo_follow(hs_halo *halo, hs_atoms *atoms, const int32_t *place)
 {
-#pragma omp parallel for schedule(static)
-    for (int k = 0; k < halo->out.n; ++k) halo->source[k] = place[halo->source[k]];
+    HS_ON_THREADS(renumber_sources(halo, place));
     halo->is_ascending = false;
     place_atoms(halo, atoms);
 }

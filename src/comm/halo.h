@@ -45,7 +45,7 @@ typedef struct hs_halo {
     uint64_t generation; /**< of the atoms this halo belongs to */
     uint64_t version;    /**< another one whenever other atoms are copied, or stand elsewhere */
     bool is_ascending;   /**< sources ascend in each block: not after hs_halo_follow */
-    bool is_awaited;     /**< positions are under way: between hs_halo_forward_send and _wait */
+    bool is_awaited;     /**< messages with positions are under way: between hs_halo_forward_send and _wait */
 } hs_halo;
 
 /** Choose the halo of the local atoms (which must lie in this rank's brick), sized to reach, and fill positions, in order

@@ -111,7 +111,7 @@ void hs_halo_forward_send(hs_halo *halo, hs_atoms *atoms)
 {
     send_positions(halo, atoms->n_local, atoms->x);
     make_own_images(halo, atoms->n_local, atoms->x);
-    halo->is_awaited = true;
+    halo->is_awaited = halo->forward.n > 0;
 }
 
 void hs_halo_forward_wait(hs_halo *halo)
@@ -122,13 +122,18 @@ void hs_halo_forward_wait(hs_halo *halo)
 
 void hs_halo_forward_receive(const hs_halo *halo, hs_atoms *atoms) { take_positions(halo, atoms->n_local, atoms->x); }
 
-void hs_halo_reorder(hs_halo *halo, hs_atoms *atoms, const int32_t *order)
+static void renumber_slots(const hs_halo *halo, const int32_t *order)
 {
-#pragma omp parallel for schedule(static)
+#pragma omp for schedule(static) nowait
     for (int q = 0; q < halo->n; ++q) {
         halo->slot[order[q]] = q;
         halo->is_remote[q] = order[q] >= halo->in.n_self_atoms;
     }
+}
+
+void hs_halo_reorder(hs_halo *halo, hs_atoms *atoms, const int32_t *order)
+{
+    HS_ON_THREADS(renumber_slots(halo, order));
     make_own_images(halo, atoms->n_local, atoms->x);
     take_positions(halo, atoms->n_local, atoms->x); /* those of the build are in the buffer still */
 }
@@ -144,28 +149,43 @@ static inline void copy_bytes(char *to, const char *from, size_t length)
         memcpy(to, from, length);
 }
 
-/** Bring pieces, which together fit into the words of an atom, to the halo. */
-static void forward_pieces(const hs_halo *halo, int n_local, const piece *pieces, int n_pieces)
+static void pack_pieces(const hs_halo *halo, const piece *pieces, int n_pieces)
 {
-#pragma omp parallel for schedule(static)
+#pragma omp for schedule(static) nowait
     for (int k = halo->out.n_self_atoms; k < halo->out.n; ++k)
         for (int p = 0; p < n_pieces; ++p)
             copy_bytes((char *)words_of(&halo->out, k) + pieces[p].place,
                        pieces[p].array + pieces[p].stride * (size_t)halo->source[k] + pieces[p].at, pieces[p].length);
-    hs_messages_start(&halo->forward);
-#pragma omp parallel for schedule(static)
+}
+
+static void copy_own_pieces(const hs_halo *halo, int n_local, const piece *pieces, int n_pieces)
+{
+#pragma omp for schedule(static) nowait
     for (int k = 0; k < halo->out.n_self_atoms; ++k)
         for (int p = 0; p < n_pieces; ++p) {
             char *array = pieces[p].array + pieces[p].at;
             copy_bytes(array + pieces[p].stride * (size_t)(n_local + halo->slot[k]),
                        array + pieces[p].stride * (size_t)halo->source[k], pieces[p].length);
         }
-    hs_messages_wait(&halo->forward);
-#pragma omp parallel for schedule(static)
+}
+
+static void unpack_pieces(const hs_halo *halo, int n_local, const piece *pieces, int n_pieces)
+{
+#pragma omp for schedule(static) nowait
     for (int k = halo->in.n_self_atoms; k < halo->n; ++k)
         for (int p = 0; p < n_pieces; ++p)
             copy_bytes(pieces[p].array + pieces[p].stride * (size_t)(n_local + halo->slot[k]) + pieces[p].at,
                        (const char *)words_of(&halo->in, k) + pieces[p].place, pieces[p].length);
+}
+
+/** Bring pieces, which together fit into the words of an atom, to the halo. */
+static void forward_pieces(const hs_halo *halo, int n_local, const piece *pieces, int n_pieces)
+{
+    if (halo->out.n > halo->out.n_self_atoms) HS_ON_THREADS(pack_pieces(halo, pieces, n_pieces));
+    hs_messages_start(&halo->forward);
+    HS_ON_THREADS(copy_own_pieces(halo, n_local, pieces, n_pieces));
+    hs_messages_wait(&halo->forward);
+    if (halo->n > halo->in.n_self_atoms) HS_ON_THREADS(unpack_pieces(halo, n_local, pieces, n_pieces));
 }
 
 enum { WORDS_BYTES = HS_HALO_WORDS * sizeof(double), PIECES_MAX = WORDS_BYTES / 4 };

@@ -104,6 +104,7 @@ void hs_sim_await_halo(hs_sim *sim)
 static void await_halo(void *context)
 {
     hs_sim *sim = context;
+    if (!sim->halo.is_awaited) return;
     hs_timer_add(&sim->timer, HS_PHASE_PAIR);
     hs_sim_await_halo(sim);
 }
@@ -111,6 +112,7 @@ static void await_halo(void *context)
 static void send_halo(void *context)
 {
     hs_sim *sim = context;
+    if (sim->halo.reverse.n == 0) return;
     hs_timer_add(&sim->timer, HS_PHASE_PAIR);
     hs_halo_reverse_send(&sim->halo, &sim->atoms);
     hs_timer_add_comm(&sim->timer, HS_COMM_PACK);
@@ -166,6 +168,7 @@ static void take_halo_forces(hs_sim *sim, bool is_fixed)
 {
     hs_halo_reverse_own(&sim->halo, &sim->atoms, is_fixed);
     hs_timer_add_comm(&sim->timer, HS_COMM_PACK);
+    if (sim->halo.reverse.n == 0) return;
     hs_halo_reverse_wait(&sim->halo);
     hs_timer_add_comm(&sim->timer, HS_COMM_WAIT);
     hs_halo_reverse_receive(&sim->halo, &sim->atoms, is_fixed);
@@ -208,7 +211,6 @@ hs_status hs_sim_pair_forces(hs_sim *sim, bool with_energy, hs_error *err)
 {
     hs_env *env = &sim->env;
     hs_force_result result = {0};
-    hs_timer_mark(&sim->timer);
     sim->has_moved = false;
     hs_shared_fields_clear(&sim->atoms, env->torque, 3); /* to which fixes add after the forces */
     if (!hs_pair_has_forces(sim->pair) || sim->pair->cutoff_max <= 0.0) {

@@ -244,7 +244,7 @@ void hs_report_progress(hs_sim *sim)
 {
     const double interval_s = 0.5;
     const hs_env *env = &sim->env;
-    const double now_s = hs_time_now_s();
+    const double now_s = sim->timer.last_s; /* the end of the step */
     const int64_t n_done = env->step - env->first_step, n_steps = env->last_step - env->first_step;
     if (env->out->screen == NULL || n_done <= 0 || now_s - sim->thermo->last_progress_s < interval_s) return;
     sim->thermo->last_progress_s = now_s;

@@ -109,9 +109,11 @@ void hs_sim_begin_grid(hs_sim *sim)
 hs_status hs_sim_fit_grid(hs_sim *sim, const hs_force_result *result, bool *fits, hs_error *err)
 {
     double peak[2] = {result->peak_force * sim->pair->cutoff_max, result->peak_energy};
-    hs_timer_add(&sim->timer, HS_PHASE_PAIR);
-    hs_parallel_max_double(&sim->parallel, peak, 2);
-    hs_timer_add_comm(&sim->timer, HS_COMM_AGREE);
+    if (sim->parallel.n_ranks > 1) {
+        hs_timer_add(&sim->timer, HS_PHASE_PAIR);
+        hs_parallel_max_double(&sim->parallel, peak, 2);
+        hs_timer_add_comm(&sim->timer, HS_COMM_AGREE);
+    }
     *fits = true;
     if (!(peak[0] < too_large) || !(peak[1] < too_large)) return hs_sim_report_overlap(sim, err);
     const int needed = peak[0] > 0.0 ? hs_fixed_exponent(peak[0] * headroom, HS_FIXED_BITS) : sim->grid.force;

@@ -193,8 +193,9 @@ static bool is_due_by_time(hs_sim *sim)
     hs_saving *saving = sim->saving;
     const int steps_between = saving->is_automatic ? 64 : 8;
     if (saving->every_s <= 0.0 || (sim->parallel.n_ranks > 1 && sim->env.step % steps_between != 0)) return false;
-    if (saving->last_s == 0.0) saving->last_s = hs_time_now_s();
-    bool is_due = hs_time_now_s() - saving->last_s >= saving->every_s;
+    const double now_s = sim->timer.last_s; /* the end of the step */
+    if (saving->last_s == 0.0) saving->last_s = now_s;
+    bool is_due = now_s - saving->last_s >= saving->every_s;
     hs_parallel_broadcast(&sim->parallel, 0, &is_due, sizeof is_due);
     return is_due;
 }

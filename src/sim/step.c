@@ -32,7 +32,7 @@ static hs_status bring_neighbors_up_to_date(hs_sim *sim, hs_error *err)
     hs_timer_add(&sim->timer, HS_PHASE_NEIGH);
     HS_TRY(hs_neighbor_is_due(&sim->neighbor, &sim->atoms, &sim->box, &moved, &sim->parallel, sim->env.step, &is_due,
                               &sim->is_stopping, err));
-    hs_timer_add_comm(&sim->timer, HS_COMM_AGREE);
+    if (sim->parallel.n_ranks > 1) hs_timer_add_comm(&sim->timer, HS_COMM_AGREE);
     is_due = is_due || is_wanted(sim);
     if (is_due) {
         ++sim->neighbor.counters.n_builds;
@@ -92,7 +92,6 @@ hs_status hs_sim_step(hs_sim *sim, bool with_energy, hs_error *err)
     HS_TRY(bring_neighbors_up_to_date(sim, err));
 
     HS_TRY(hs_sim_pair_forces(sim, with_energy, err));
-    hs_timer_mark(&sim->timer);
 
     /* what a fix computes in one of these hooks is void in the next; a fix that changes atoms in end_of_step says so */
     HS_TRY(hs_sim_post_force(sim, err));
