@@ -46,23 +46,32 @@ static void rotate_away(double m[3][3], double axes[3][3], int p, int q)
     }
 }
 
-/** Atoms on one line (or one atom) have no moment of inertia along it: solve in the principal axes without those. */
-static void solve_singular(const double inertia[3][3], const double momentum[3], double omega[3])
+void hs_principal_axes(const double matrix[3][3], double values[3], double axes[3][3])
 {
     enum { N_SWEEPS = 50 };
-    double m[3][3], axes[3][3] = {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}};
-    memcpy(m, inertia, sizeof m);
+    static const double none[3][3] = {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}};
+    double m[3][3];
+    memcpy(m, matrix, sizeof m);
+    memcpy(axes, none, sizeof none);
     for (int sweep = 0; sweep < N_SWEEPS; ++sweep) {
         rotate_away(m, axes, 0, 1);
         rotate_away(m, axes, 0, 2);
         rotate_away(m, axes, 1, 2);
     }
-    const double largest = fmax(fmax(m[0][0], m[1][1]), m[2][2]);
+    for (int k = 0; k < 3; ++k) values[k] = m[k][k];
+}
+
+/** Atoms on one line (or one atom) have no moment of inertia along it: solve in the principal axes without those. */
+static void solve_singular(const double inertia[3][3], const double momentum[3], double omega[3])
+{
+    double moment[3], axes[3][3];
+    hs_principal_axes(inertia, moment, axes);
+    const double largest = fmax(fmax(moment[0], moment[1]), moment[2]);
     memset(omega, 0, 3 * sizeof *omega);
     for (int c = 0; c < 3; ++c) {
-        if (!(m[c][c] > 1.0e-7 * largest)) continue;
+        if (!(moment[c] > 1.0e-7 * largest)) continue;
         const double along = axes[0][c] * momentum[0] + axes[1][c] * momentum[1] + axes[2][c] * momentum[2];
-        for (int axis = 0; axis < 3; ++axis) omega[axis] += axes[axis][c] * along / m[c][c];
+        for (int axis = 0; axis < 3; ++axis) omega[axis] += axes[axis][c] * along / moment[c];
     }
 }
 
