@@ -21,7 +21,7 @@ REFUSALS = [
 # or file (None: any).
 Known = collections.namedtuple("Known", "condition culprit column reason")
 NEIGHBORS = r"^compute (?P<id>\S+) \S+ (coord/atom|centro/atom|cluster/atom|orientorder/atom|group/group|rdf)"
-MEASURED = r"^compute (?P<id>\S+) \S+ (coord/atom|centro/atom|cluster/atom|orientorder/atom|rdf)"
+MEASURED = r"^compute (?P<id>\S+) \S+ (coord/atom|centro/atom|cluster/atom|orientorder/atom)"
 BOX_CHANGES = r"fix \S+ all (deform|nvt/sllod|nph|npt|press)|^change_box"
 KNOWN = [
     Known(r"^units lj(.|\n)*thermo_modify (?!norm no)|thermo_modify .*norm yes", None, r"^(Ecouple|Econserve)$",

@@ -115,6 +115,8 @@ static void count_atoms(const hs_compute *compute)
 typedef struct count_context {
     const hs_compute *compute;
     const hs_pair_scan *scan;
+    double
+        listed_r2; /**< distance^2: pairs that were nearer when the lists were made count, where scan->x_listed is there */
     int64_t *counts; /**< [threads][n_pairs][n_bins] */
 } count_context;
 
@@ -138,6 +140,7 @@ static void count_batch(void *context, int thread, const hs_pair_batch *batch)
         if (!(c->scan->mask[i] & c->scan->mask[j] & c->compute->mask)) continue;
         const double fine = distance2(batch, p, is_fused) * scale;
         if (!(fine < n_fine)) continue;
+        if (c->scan->x_listed[0] != NULL && !(hs_pair_scan_listed_r2(c->scan, i, j) < c->listed_r2)) continue;
         const int bin = (int)sqrt(floor(fine));
         const int type_i = hs_pair_scan_type(c->scan, i), type_j = hs_pair_scan_type(c->scan, j);
         for (int k = 0; k < state->n_pairs; ++k) {
@@ -149,6 +152,18 @@ static void count_batch(void *context, int thread, const hs_pair_batch *batch)
     }
 }
 
+/** Where no `cutoff` was given pairs are those that forces count, as in LAMMPS: of lists that come late, those that were listed. */
+static hs_status begin_scan(hs_compute *compute, count_context *context, hs_pair_scan *scan, hs_error *err)
+{
+    const rdf_state *state = compute->state;
+    hs_pair_view view;
+    compute->env->view_pairs(compute->env, &view);
+    const double reach = view.cutoff_max + view.skin;
+    context->listed_r2 = nextafter(reach * reach, INFINITY); /* as in the pair tables */
+    return state->cutoff > 0.0 ? hs_pair_scan_begin(scan, compute->env, state->r_max, err)
+                               : hs_pair_scan_begin_with_lists(scan, compute->env, state->r_max, err);
+}
+
 static hs_status count_by_scan(hs_compute *compute, hs_error *err)
 {
     const rdf_state *state = compute->state;
@@ -156,7 +171,7 @@ static hs_status count_by_scan(hs_compute *compute, hs_error *err)
     hs_pair_scan scan = {0};
     count_context context = {.compute = compute, .scan = &scan};
     HS_TRY(HS_ALLOC(context.counts, n * n_threads, err));
-    hs_status status = hs_pair_scan_begin(&scan, compute->env, state->r_max, err);
+    hs_status status = begin_scan(compute, &context, &scan, err);
     if (status == HS_OK) hs_pair_scan_visit(&scan, count_batch, &context);
     hs_pair_scan_end(&scan);
     for (size_t k = 0; k < n; ++k) {
@@ -167,10 +182,12 @@ static hs_status count_by_scan(hs_compute *compute, hs_error *err)
     return status;
 }
 
-/** Whether the forces' own pairs are all those up to r_max, and nothing but distances matters. */
-static bool can_use_forces(const hs_compute *compute, const hs_pair_view *view)
+/** Whether the forces' own pairs are those that are wanted, and nothing but distances matters. Whether lists will come late at the
+ *  next step nobody knows now. */
+static bool can_use_forces(const hs_compute *compute, const hs_pair_view *view, bool is_now)
 {
     const rdf_state *state = compute->state;
+    if (state->cutoff > 0.0 && (!is_now || view->listed_only)) return false;
     return !state->has_types && compute->group == 0 && view->is_uniform && state->r_max <= view->cutoff_max &&
            state->n_bins <= HS_HISTOGRAM_BINS_MAX;
 }
@@ -181,7 +198,7 @@ static void announce(hs_compute *compute)
     rdf_state *state = compute->state;
     hs_pair_view view;
     compute->env->view_pairs(compute->env, &view);
-    if (compute->env->pair_counter == NULL && can_use_forces(compute, &view))
+    if (compute->env->pair_counter == NULL && can_use_forces(compute, &view, false))
         compute->env->pair_counter = &state->counter;
 }
 
@@ -193,7 +210,7 @@ static hs_status count_listed(hs_compute *compute, bool *is_done, hs_error *err)
     hs_pair_view view;
     env->view_pairs(compute->env, &view);
     const bool is_counted = state->counter.held == env->revision;
-    *is_done = is_counted || (view.list != NULL && can_use_forces(compute, &view));
+    *is_done = is_counted || (view.list != NULL && can_use_forces(compute, &view, true));
     if (!*is_done) return HS_OK;
     if (!is_counted)
         HS_TRY(hs_pair_counter_list(&state->counter, view.list, view.clusters, env->atoms->x, env->isa, err));
@@ -259,11 +276,16 @@ const hs_compute_style hs_compute_style_rdf = {
              "The array `c_ID` has Nbin rows: the middle of the bin (distance), g(r), and the mean number of neighbors "
              "up to the bin's end; with several pairs of types, two more columns for each. Types are single ones or "
              "ranges as in pair_coeff; without any, all atoms count. Only atoms of the group count.\n\n"
-             "Up to the pair style's cutoff, with one kind of pairs, method `cluster`, and at most 256 bins, the force "
-             "kernel counts the pairs on its way where `fix ave/time` asks for them (double precision, steps without "
-             "energies), else the pairs of its list are counted, at a fraction of a timestep's cost. In all other "
-             "cases, as for a `cutoff` of any length, beyond half the box too, the pairs are found anew, which takes "
-             "some timesteps' time. `fix ave/time ... c_ID[*] mode vector` averages and writes it.",
+             "Without `cutoff` the pairs are those whose forces count, up to the pair style's cutoff; where "
+             "`neigh_modify` lets lists come late, some of them may be missing, as in LAMMPS. With `cutoff` they are "
+             "all "
+             "that are there.\n\n"
+             "Without `cutoff`, with one kind of pairs, method `cluster`, and at most 256 bins, the force kernel "
+             "counts "
+             "the pairs on its way where `fix ave/time` asks for them (double precision, steps without energies), else "
+             "the pairs of its list are counted, at a fraction of a timestep's cost. In all other cases, as for a "
+             "`cutoff` of any length, beyond half the box too, the pairs are found anew, which takes some timesteps' "
+             "time. `fix ave/time ... c_ID[*] mode vector` averages and writes it.",
          .reference = "M. P. Allen, D. J. Tildesley, Computer Simulation of Liquids, 2nd ed. (2017), section 8.2",
          .example = "compute myRDF all rdf 50\nfix 2 all ave/time 100 10 1000 c_myRDF[*] file tmp.rdf mode vector"},
     .state_size = sizeof(rdf_state),

@@ -126,10 +126,10 @@ static int last_part(const hs_pair *pair)
     return k;
 }
 
-/** Whether the distances of the job's pairs are wanted and can be counted with its forces, which must be all that are there. */
+/** Whether the distances of the job's pairs are wanted and can be counted with its forces. */
 static bool counts_distances(const hs_sim *sim, const hs_force_job *job)
 {
-    return sim->env.pair_counter != NULL && !job->input.listed_only && hs_sim_method_in_use(sim) == HS_METHOD_CLUSTER &&
+    return sim->env.pair_counter != NULL && hs_sim_method_in_use(sim) == HS_METHOD_CLUSTER &&
            hs_force_can_count(job, sim->env.pair_counter->r_max);
 }
 

@@ -179,7 +179,7 @@ static void view_pairs(hs_env *env, hs_pair_view *view)
     view->is_uniform = sim->pair_table[k].is_uniform && !hs_pair_has_radii(sim->pair, true);
     view->clusters = &sim->neighbor.clusters;
     if (hs_sim_method_in_use(sim) == HS_METHOD_CLUSTER && sim->list.generation == sim->atoms.generation &&
-        !sim->has_moved && !hs_sim_misses_pairs(sim))
+        !sim->has_moved)
         view->list = &sim->list;
 }
 

@@ -175,6 +175,12 @@ hs_status hs_pair_scan_begin_at_forces(hs_pair_scan *scan, hs_env *env, double r
     return take_listed(scan, env, err);
 }
 
+hs_status hs_pair_scan_begin_with_lists(hs_pair_scan *scan, hs_env *env, double range, hs_error *err)
+{
+    HS_TRY(begin(scan, env, hs_places_now(env), range, err));
+    return take_listed(scan, env, err);
+}
+
 hs_status hs_pair_scan_begin_at_lists(hs_pair_scan *scan, hs_env *env, double range, hs_error *err)
 {
     hs_pair_view view;

@@ -28,8 +28,8 @@ typedef struct hs_pair_view {
     bool listed_by_radius; /**< listed pairs are within the sum of their radii and the skin, too */
     double skin;           /**< distance */
     const hs_clusters *clusters;
-    /** All pairs up to the cutoff, where atoms and halo are now; NULL: none is kept, or atoms have moved since its forces, or
-     *  so far since it was made that pairs may be missing. */
+    /** Pairs whose forces count, of the last scheduled build; NULL: not kept, or atoms have moved since these forces, and with
+     *  them not those of the halo. */
     const struct hs_cluster_list *list;
 } hs_pair_view;
 
@@ -59,7 +59,7 @@ typedef struct hs_pair_scan {
     uint32_t *mask;       /**< atom field of the copies with room for the halo */
     int64_t *id;          /**< the same */
     double *radius;       /**< the same; NULL: no radii */
-    double *x_listed[3];  /**< the same, of scans at the places of forces; NULL: all pairs count */
+    double *x_listed[3];  /**< the same: places of the lists, of scans that ask for them; NULL: all pairs count */
     const bool *excluded; /**< borrowed, as in hs_pair_view */
     int n_kernel_types;
 } hs_pair_scan;
@@ -69,6 +69,8 @@ HS_MUST_USE hs_status hs_pair_scan_begin(hs_pair_scan *scan, hs_env *env, double
 /** The same at the places of the latest forces, for what is part of their energy or virial: hs_pair_scan_eval leaves out
  *  pairs that forces leave out, where lists come late. */
 HS_MUST_USE hs_status hs_pair_scan_begin_at_forces(hs_pair_scan *scan, hs_env *env, double range, hs_error *err);
+/** The same at the present places, with those of the lists (x_listed) where lists come late. */
+HS_MUST_USE hs_status hs_pair_scan_begin_with_lists(hs_pair_scan *scan, hs_env *env, double range, hs_error *err);
 /** The same at the places of the latest scheduled lists, where there are cutoffs (hs_pair_view). */
 HS_MUST_USE hs_status hs_pair_scan_begin_at_lists(hs_pair_scan *scan, hs_env *env, double range, hs_error *err);
 /** Squared distance of a pair of the scan's atoms when the lists were made, where scan->x_listed is there. */
