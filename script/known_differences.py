@@ -20,7 +20,7 @@ REFUSALS = [
 # compute or fix that differs, so that only columns and files are excused that depend on it (None: any). column: pattern of the column
 # or file (None: any).
 Known = collections.namedtuple("Known", "condition culprit column reason")
-NEIGHBORS = r"^compute (?P<id>\S+) \S+ (coord/atom|centro/atom|cluster/atom|orientorder/atom|group/group|rdf)"
+NEIGHBORS = r"^compute (?P<id>\S+) \S+ (coord/atom|centro/atom|cluster/atom|orientorder/atom|group/group|rdf|pair/local)"
 MEASURED = r"^compute (?P<id>\S+) \S+ (coord/atom|centro/atom|cluster/atom|orientorder/atom)"
 BOX_CHANGES = r"fix \S+ all (deform|nvt/sllod|nph|npt|press)|^change_box"
 KNOWN = [
@@ -36,6 +36,8 @@ KNOWN = [
     Known(r"^delete_atoms", NEIGHBORS, None, "LAMMPS counts no neighbors for some atoms after delete_atoms"),
     Known(r"fix \S+ all (deform|nvt/sllod)", NEIGHBORS, None,
           "fix deform moves atoms before output; LAMMPS then measures distances to images that have not moved"),
+    Known(r"fix \S+ all press/berendsen", r"^compute (?P<id>\S+) \S+ pair/local", None,
+          "the box changes at the end of a step: LAMMPS tells pairs at the places after, Halfshell those of the step's forces"),
     Known(r"\A(?!(.|\n)*neigh_modify every 1 )", MEASURED, None,
           "LAMMPS measures pairs of its lists, which come late by neigh_modify; Halfshell all that are there"),
     Known(r"prism", r"^compute (?P<id>\S+) \S+ coord/atom", None, "LAMMPS misses neighbors in tilted boxes whose ghosts end too near"),

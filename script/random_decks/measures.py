@@ -55,6 +55,8 @@ def add_computes(deck):
         add_own_values(deck)
     if deck.chance(0.15):
         add_pair_energy(deck)
+    if deck.chance(0.15):
+        add_local_values(deck)
     if deck.chance(0.2):
         add_vectors(deck)
     if deck.chance(0.1):
@@ -87,6 +89,16 @@ def add_pair_energy(deck):
     name = deck.name("c")
     deck.add(f"compute {name} all pair {style}{number}{deck.pick('', ' epair', ' evdwl', ' ecoul')}")
     deck.columns.append(f"c_{name}")
+
+
+def add_local_values(deck):
+    """Local values of pairs, reduced to numbers that do not depend on which atom of a pair is the first."""
+    name, total = deck.name("c"), deck.name("c")
+    deck.add(f"compute {name} {deck.group()} pair/local dist eng force")
+    modes = deck.pick("sum", "min", "max", "ave", "sumsq", "avesq")
+    replace = " replace 1 2" if modes in ("min", "max") and deck.chance(0.5) else ""
+    deck.add(f"compute {total} all reduce {modes} c_{name}[1] c_{name}[2] c_{name}[3]{replace}")
+    deck.columns += [f"c_{total}[{column}]" for column in (1, 2, 3)]
 
 
 def add_vectors(deck):

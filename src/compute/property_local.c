@@ -51,15 +51,13 @@ const hs_compute_style hs_compute_style_property_local = {
                     .keywords = hs_pair_columns_keywords},
          .summary = "ids and types of the atoms of each pair",
          .details = "Local values: a row for each pair of atoms of the group, with the ids `patom1`, `patom2` of its "
-                    "atoms, of "
-                    "which the first is the lower, and their types `ptype1`, `ptype2`. The pairs, their order, and "
-                    "`cutoff` are those "
-                    "of compute pair/local: rows of both stand side by side in dump local.\n\n"
-                    "`natom1 natom2 ntype1 ntype2` are the same of all pairs that were within cutoff and skin when the "
-                    "lists were "
-                    "made last, for which `cutoff` has no meaning. Values of bonds, angles and so on (`batom1` ...) "
-                    "are refused: "
-                    "there are none. With one value it is `c_ID`, with several `c_ID[1]` and so on.",
+                    "atoms, of which the first is the lower, and their types `ptype1`, `ptype2`. The pairs, their "
+                    "order, and `cutoff` are those of compute pair/local: rows of both stand side by side in dump "
+                    "local.\n\n"
+                    "`natom1 natom2 ntype1 ntype2` are the same of all pairs that were within cutoff and skin when "
+                    "the lists were made last, for which `cutoff` has no meaning. Values of bonds, angles and so on "
+                    "(`batom1` ...) are refused: there are none. With one value it is `c_ID`, with several `c_ID[1]` "
+                    "and so on.",
          .example =
              "compute i all property/local patom1 patom2 ptype1 ptype2\ncompute n all property/local natom1 natom2"},
     .state_size = sizeof(hs_pair_columns),

@@ -43,8 +43,8 @@ static hs_status modify(hs_dump *dump, const hs_args *args, int *n_used, hs_erro
                            args->command, args->word[0]);
     if (args->n > 1 && strcmp(args->word[0], "sort") == 0 && strcmp(args->word[1], "id") == 0)
         return hs_fail(err, HS_ERROR_INPUT,
-                       "%s: rows of dump local have no id: they are in the order of the compute, or of a column, whose "
-                       "number follows 'sort'",
+                       "%s: rows of dump local have no id: they are in the order of the compute, or of a column, "
+                       "whose number follows 'sort'",
                        args->command);
     if (strcmp(args->word[0], "label") != 0) return hs_dump_table_modify(dump, args, n_used, err);
     *n_used = 2;
@@ -57,14 +57,11 @@ const hs_dump_style hs_dump_style_local = {
               .syntax = {.usage = "<value> ...", .n_min = 1, .n_max = -1},
               .summary = "local values, such as those of pairs of atoms, in LAMMPS's text format",
               .details = "A row for each pair of atoms, or whatever else the local values are of, and a column for "
-                         "each value: local "
-                         "values of computes `c_ID`, `c_ID[i]`, `c_ID[*]`, all with the same rows, and `index`, the "
-                         "number of the row "
-                         "from 1. Rows are in the order that the compute states, whatever the number of ranks and "
-                         "threads (LAMMPS's "
-                         "follows its lists), or in that of a column with `dump_modify sort`. `dump_modify label` says "
-                         "what stands in "
-                         "place of ENTRIES above the rows. The group has no meaning: the compute has one.",
+                         "each value: local values of computes `c_ID`, `c_ID[i]`, `c_ID[*]`, all with the same rows, "
+                         "and `index`, the number of the row from 1. Rows are in the order that the compute states, "
+                         "whatever the number of ranks and threads (LAMMPS's follows its lists), or in that of a "
+                         "column with `dump_modify sort`. `dump_modify label` says what stands in place of ENTRIES "
+                         "above the rows. The group has no meaning: the compute has one.",
               .example = "compute p all pair/local dist eng\ncompute i all property/local patom1 patom2\n"
                          "dump d all local 1000 pairs.*.dump index c_i[*] c_p[*]\ndump_modify d label PAIRS"},
     .state_size = sizeof(hs_dump_table),
