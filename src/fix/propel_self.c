@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "base/memory.h"
+#include "base/wide.h"
 #include "style/fix.h"
 #include "style/places.h"
 
@@ -50,27 +51,41 @@ static hs_status create(hs_fix *fix, const hs_args *args, hs_error *err)
 
 static void destroy(hs_fix *fix) { HS_FREE(((propel_state *)fix->state)->is_propelled); }
 
+HS_WIDE static void push_all(double *restrict f, const double *restrict mu, double force, int64_t n)
+{
+    for (int64_t i = 0; i < n; ++i) f[i] += force * mu[i];
+}
+
+HS_WIDE static void push_group(double *restrict f, const double *restrict mu, double force,
+                               const uint32_t *restrict group, uint32_t mask, int64_t n)
+{
+    for (int64_t i = 0; i < n; ++i) f[i] = group[i] & mask ? f[i] + force * mu[i] : f[i];
+}
+
+static void push_types(const propel_state *state, double *restrict f, const double *restrict mu,
+                       const uint32_t *restrict group, uint32_t mask, const int32_t *restrict type, int64_t n)
+{
+    for (int64_t i = 0; i < n; ++i)
+        if (group[i] & mask && state->is_propelled[type[i]]) f[i] += state->force * mu[i];
+}
+
+/** The atoms of a thread. */
 static void propel_along_dipoles(const hs_fix *fix)
 {
     const propel_state *state = fix->state;
     const hs_atoms *atoms = fix->env->atoms;
-    const unsigned char *is_propelled = state->is_propelled;
-    const int32_t *restrict type = atoms->type;
-    const uint32_t mask = fix->mask, *restrict group = atoms->mask;
+    int64_t begin, end;
+    hs_thread_range(atoms->n_local, 1, hs_thread_number(), hs_thread_count(), &begin, &end);
+    const uint32_t *group = atoms->mask + begin;
     for (int axis = 0; axis < fix->env->box->dimension; ++axis) {
-        double *restrict f = atoms->f[axis];
-        const double *restrict mu = atoms->mu[axis], force = state->force;
-        if (is_propelled == NULL && fix->group == 0) {
-#pragma omp for schedule(static) nowait
-            for (int i = 0; i < atoms->n_local; ++i) f[i] += force * mu[i];
-        } else if (is_propelled == NULL) {
-#pragma omp for schedule(static) nowait
-            for (int i = 0; i < atoms->n_local; ++i) f[i] = group[i] & mask ? f[i] + force * mu[i] : f[i];
-        } else {
-#pragma omp for schedule(static) nowait
-            for (int i = 0; i < atoms->n_local; ++i)
-                if (group[i] & mask && is_propelled[type[i]]) f[i] += force * mu[i];
-        }
+        double *f = atoms->f[axis] + begin;
+        const double *mu = atoms->mu[axis] + begin;
+        if (state->is_propelled != NULL)
+            push_types(state, f, mu, group, fix->mask, atoms->type + begin, end - begin);
+        else if (fix->group == 0)
+            push_all(f, mu, state->force, end - begin);
+        else
+            push_group(f, mu, state->force, group, fix->mask, end - begin);
     }
 }
 
