@@ -284,7 +284,9 @@ fix 1 all nve
 fix 2 one spring couple all 20 1 2 NULL 0.3
 fix 3 one lineforce 1 2 3
 fix 4 all temp/csvr 1.0 1.5 0.1 4711
-fix p all print 10 "$(f_2:%.17g) $(f_2[1]:%.17g)" file p.txt screen no
+fix 5 one spring/rg 30.0 NULL
+fix 6 all drag 1 2 3 0.5 1.0
+fix p all print 10 "$(f_2:%.17g) $(f_2[1]:%.17g) $(f_5:%.17g) $(f_6:%.17g) $(f_6[2]:%.17g)" file p.txt screen no
 D
 
 check npt <<'D'

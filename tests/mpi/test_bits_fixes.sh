@@ -174,6 +174,22 @@ fix 2 d langevin 1.2 1.2 0.5 4711
 fix f e addforce 0.1 0 0
 fix s d spring tether 0.5 NULL NULL 4.0 0
 D
+    system dragged 20 'f_d f_d[1] f_r c_h[1] c_h[6]' <<D
+lattice fcc 0.7
+region box prism 0 6 0 5 0 4 1 0.5 0
+create_box 1 box
+create_atoms 1 box
+mass 1 1.0
+velocity all create 1.5 12345
+$liquid
+neigh_modify every 5 delay 0 check no
+group few id 1:150
+fix 1 all nve
+fix d few drag 1 9 2 5.0 0.7
+fix r few spring/rg 10.0 NULL
+compute g few gyration
+compute h all gyration/shape g
+D
     system squeezed 30 'f_1' <<D
 lattice fcc 0.7
 region box block 0 6 0 5 0 4
