@@ -111,7 +111,8 @@ def barostat(deck):
         choices += [f"z {target}", f"x {target} z {target} couple xz", f"aniso {target} couple xy"]
     if deck.is_tilted:
         choices += [f"tri {target}", f"x {target} scalexy no", f"y {target} scalexy no"]
-    more = deck.pick("", "", " drag 0.2", " pchain 1", " pchain 0", " nreset 10", " mtk no", " ploop 2", f" dilate {deck.group()}", " fixedpoint 1 1 0")
+    more = deck.pick("", "", " drag 0.2", " pchain 1", " pchain 0", " nreset 10", " mtk no", " ploop 2", f" dilate {deck.group()}",
+                     f" fixedpoint {deck.value(1, 'length')} {deck.value(1, 'length')} 0")
     if deck.integrator == "nph" and deck.chance(0.2):
         more += f" ptemp {deck.value(1.2, 'temperature')}"
     return deck.random.choice(choices) + more
