@@ -31,6 +31,25 @@ static void find_bounds(hs_local_energy *local)
     }
 }
 
+/** Atoms may be outside of the box as they are between wraps. Those that have flown off would have images without number. */
+static hs_status check_bounds(const hs_local_energy *local, hs_error *err)
+{
+    enum { BOXES_MAX = 4 };
+    const hs_box *box = local->env->box;
+    for (int axis = 0; axis < box->dimension; ++axis) {
+        double span = hs_box_length(box, axis);
+        for (int edge = axis + 1; edge < 3; ++edge) span += fabs(box->tilt[axis + edge - 1]);
+        const double beyond = fmax(box->lo[axis] - local->lo[axis], local->hi[axis] - box->hi[axis]);
+        if (!box->periodic[axis] || beyond <= BOXES_MAX * span) continue;
+        return hs_fail(err, HS_ERROR_ATOMS,
+                       "at step %lld an atom is %g outside of the box in %c, which is %g long: it has flown off since "
+                       "lists were made. Usually atoms overlap, or the timestep or a Monte Carlo displacement is too "
+                       "long",
+                       (long long)local->env->step, beyond, "xyz"[axis], hs_box_length(box, axis));
+    }
+    return HS_OK;
+}
+
 /** The atoms of this rank in cells of their own. Images are ours to find, as the lists know no tilted boxes: to them the atoms lie
  *  in a closed box. */
 static hs_status sort_atoms(hs_local_energy *local, hs_error *err)
@@ -39,6 +58,7 @@ static hs_status sort_atoms(hs_local_energy *local, hs_error *err)
     const double cutoff = local->view.cutoff_max;
     hs_cell_list_box bounds = {.dimension = 3};
     find_bounds(local);
+    HS_TRY(check_bounds(local, err));
     for (int axis = 0; axis < 3; ++axis) {
         bounds.lo[axis] = local->lo[axis];
         bounds.hi[axis] = fmax(local->hi[axis], local->lo[axis] + cutoff);
