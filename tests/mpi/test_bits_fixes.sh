@@ -187,6 +187,8 @@ group few id 1:150
 fix 1 all nve
 fix d few drag 1 9 2 5.0 0.7
 fix r few spring/rg 10.0 NULL
+region gate block 2 4 INF INF INF INF
+fix o all oneway 3 gate -y
 compute g few gyration
 compute h all gyration/shape g
 D
