@@ -68,6 +68,8 @@ KNOWN = [
     Known(r"boundary .*[sm](.|\n)*change_box", None, None, "change_box moves the shrink-wrapped faces of LAMMPS by 1e-4 of the box"),
     Known(r"^neigh_modify once(.|\n)*^minimize", None, None, "minimize makes lists in time, whatever neigh_modify says; LAMMPS holds to once"),
     Known(r"^write_data \S+ pair ij", None, None, "LAMMPS writes coefficients with six digits"),
+    Known(r"^pair_style lj/cubic(.|\n)*^pair_coeff (\* \*|\S*\*\S* |1 [23]|2 3)", None, None,
+          "LAMMPS's energies of lj/cubic are nan, or others, where pair_coeff names unlike types instead of leaving them to be mixed"),
     Known(r"^min_style fire", None, r"^Dt$", "rows of minimize show the deck's timestep, LAMMPS's that of fire"),
 ]
 
