@@ -88,8 +88,6 @@ HS_MUST_USE hs_status hs_cli_parse_precision(const char *word, hs_options *optio
 HS_MUST_USE hs_status hs_cli_parse_isa(const char *word, hs_options *options, hs_error *err);
 /** Whether a word starts an option: a minus sign and a letter or a second one. "-" and "-1.5" are values. */
 bool hs_cli_is_option(const char *word);
-/** Index of the next word that starts an option, or cli->n: the end of the values that begin at @p from. */
-int hs_cli_values_end(const hs_cli *cli, int from);
 /** The option of that name or alias that @p command knows; else an error with the nearest. */
 HS_MUST_USE hs_status hs_cli_find_option(const char *word, unsigned command, const hs_cli_option **option,
                                          hs_error *err);

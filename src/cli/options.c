@@ -115,7 +115,8 @@ bool hs_cli_is_option(const char *word)
     return word[0] == '-' && (isalpha((unsigned char)word[1]) || word[1] == '-');
 }
 
-int hs_cli_values_end(const hs_cli *cli, int from)
+/** Index of the next word that starts an option, or cli->n: the end of the values that begin at @p from. */
+static int values_end(const hs_cli *cli, int from)
 {
     while (from < cli->n && !hs_cli_is_option(cli->word[from])) ++from;
     return from;
@@ -246,7 +247,7 @@ static hs_status parse_option(const hs_cli *cli, const hs_cli_option *option, in
                               hs_cli_settings *settings, hs_error *err)
 {
     const char *value = cli->word[first];
-    int end = hs_cli_values_end(cli, first + 1); /* a first value may begin with a minus sign */
+    int end = values_end(cli, first + 1); /* a first value may begin with a minus sign */
     *used = 1;
     if (strcmp(option->name, "-in") == 0) return set_deck(value, settings, err);
     if (strcmp(option->name, "-log") == 0) return settings->log = value, HS_OK;
@@ -264,7 +265,7 @@ static hs_status parse_option(const hs_cli *cli, const hs_cli_option *option, in
     if (strcmp(option->name, "-bandwidth") == 0) return parse_positive("-bandwidth", value, &settings->bandwidth, err);
     if (strcmp(option->name, "-var") == 0) {
         if (first + 1 >= cli->n) return hs_fail(err, HS_ERROR_INPUT, "-var %s: a value is missing", value);
-        end = hs_cli_values_end(cli, first + 2);
+        end = values_end(cli, first + 2);
         *used = end - first;
         settings->last_variable = *used > 2 ? value : NULL;
         settings->last_value = *used > 2 ? cli->word[end - 1] : NULL;

@@ -83,8 +83,6 @@ void hs_halo_reverse_send(const hs_halo *halo, const hs_atoms *atoms);
 void hs_halo_reverse_own(const hs_halo *halo, hs_atoms *atoms, bool is_fixed);
 void hs_halo_reverse_wait(const hs_halo *halo);
 void hs_halo_reverse_receive(const hs_halo *halo, hs_atoms *atoms, bool is_fixed);
-/** The same for any three per-atom arrays (torques). Collective. */
-void hs_halo_reverse_arrays(const hs_halo *halo, const hs_atoms *atoms, double *const values[3], bool is_fixed);
 /** The other way, without adding: collected[k] of @p size bytes, k < out.n, is the value of the copy of local atom source[k]
  *  that block b with begin <= k < end has sent. Collective. */
 void hs_halo_collect(const hs_halo *halo, const hs_atoms *atoms, const void *values, size_t size, void *collected);

@@ -295,17 +295,12 @@ static void take_back(const hs_halo *halo, int n_local, double *const values[3],
     if (halo->out.n > halo->out.n_self_atoms) HS_ON_THREADS(add_received(halo, n_local, values, is_fixed));
 }
 
-void hs_halo_reverse_arrays(const hs_halo *halo, const hs_atoms *atoms, double *const values[3], bool is_fixed)
-{
-    send_back(halo, atoms->n_local, values);
-    take_own(halo, atoms->n_local, values, is_fixed);
-    hs_messages_wait(&halo->reverse);
-    take_back(halo, atoms->n_local, values, is_fixed);
-}
-
 void hs_halo_reverse(const hs_halo *halo, hs_atoms *atoms, bool is_fixed)
 {
-    hs_halo_reverse_arrays(halo, atoms, atoms->f, is_fixed);
+    send_back(halo, atoms->n_local, atoms->f);
+    take_own(halo, atoms->n_local, atoms->f, is_fixed);
+    hs_messages_wait(&halo->reverse);
+    take_back(halo, atoms->n_local, atoms->f, is_fixed);
 }
 
 void hs_halo_reverse_send(const hs_halo *halo, const hs_atoms *atoms) { send_back(halo, atoms->n_local, atoms->f); }

@@ -23,7 +23,8 @@ void hs_frame_push(hs_deck *deck, hs_frame *frame)
 
 void hs_frame_pop(hs_deck *deck) { deck->frame = deck->frame->below; }
 
-hs_status hs_saved_join(hs_text *text, const char *command, const hs_args *args, hs_error *err)
+/** Append a command (NULL: none) and its words, with separators between. */
+static hs_status join_words(hs_text *text, const char *command, const hs_args *args, hs_error *err)
 {
     if (command != NULL) HS_TRY(hs_text_append(text, command, strlen(command), err));
     for (int i = 0; i < args->n; ++i) {
@@ -55,12 +56,13 @@ hs_status hs_deck_remember(hs_deck *deck, const hs_args *args, hs_error *err)
 {
     const char mark = HS_SAVED_COMMAND;
     const bool is_region = strcmp(args->command, "region") == 0;
-    HS_TRY(is_region ? join_region(deck, args, err) : hs_saved_join(&deck->done, args->command, args, err));
+    HS_TRY(is_region ? join_region(deck, args, err) : join_words(&deck->done, args->command, args, err));
     return hs_text_append(&deck->done, &mark, 1, err);
 }
 
-hs_status hs_saved_put(hs_checkpoint *checkpoint, const char *kind, const char *id, const hs_state *state,
-                       hs_error *err)
+/** Write a state as the section KIND/ID. */
+static hs_status put_section(hs_checkpoint *checkpoint, const char *kind, const char *id, const hs_state *state,
+                             hs_error *err)
 {
     hs_text section = {0};
     hs_status status = hs_text_printf(&section, err, "%s/%s", kind, id);
@@ -123,12 +125,12 @@ static hs_status put_variable(hs_checkpoint *checkpoint, hs_variable *variable, 
     const hs_args words = {.n = variable->n_values, .word = (const char *const *)variable->value};
     char *formula = variable->formula != NULL ? (char *)(uintptr_t)hs_formula_text(variable->formula) : NULL;
     hs_status status = hs_saved_keep_variable(variable, &state, err);
-    if (status == HS_OK) status = hs_saved_join(&values, NULL, &words, err);
+    if (status == HS_OK) status = join_words(&values, NULL, &words, err);
     char *joined = values.data;
     if (status == HS_OK && variable->n_values > 0) status = hs_state_text(&state, "values", &joined, err);
     if (status == HS_OK) status = hs_state_int(&state, "value count", &variable->n_values, err);
     if (status == HS_OK) status = hs_state_text(&state, "formula", &formula, err);
-    if (status == HS_OK) status = hs_saved_put(checkpoint, "variables", variable->name, &state, err);
+    if (status == HS_OK) status = put_section(checkpoint, "variables", variable->name, &state, err);
     hs_text_fini(&values);
     hs_state_fini(&state);
     return status;
@@ -179,7 +181,7 @@ static hs_status put_frame(hs_checkpoint *checkpoint, int k, hs_frame *frame, hs
     hs_state state = {0};
     hs_text words = {0};
     int kind = frame->kind;
-    HS_TRY(hs_saved_join(&words, NULL, &frame->words, err));
+    HS_TRY(join_words(&words, NULL, &frame->words, err));
     HS_TRY(hs_state_int(&state, "kind", &kind, err));
     HS_TRY(hs_saved_keep_frame(frame, &state, err));
     HS_TRY(hs_state_text(&state, "words", &words.data, err));
@@ -225,7 +227,7 @@ static hs_status put_fix(hs_checkpoint *checkpoint, hs_fix *fix, hs_error *err)
     char *name = (char *)(uintptr_t)fix->style->about.name;
     hs_status status = hs_state_text(&state, "style", &name, err);
     if (status == HS_OK && fix->style->keep_state != NULL) status = fix->style->keep_state(fix, &state, err);
-    if (status == HS_OK) status = hs_saved_put(checkpoint, "fix", fix->id, &state, err);
+    if (status == HS_OK) status = put_section(checkpoint, "fix", fix->id, &state, err);
     hs_state_fini(&state);
     return status;
 }
@@ -237,7 +239,7 @@ static hs_status put_compute(hs_checkpoint *checkpoint, hs_compute *compute, hs_
     hs_status status = hs_state_text(&state, "style", &name, err);
     if (status == HS_OK && compute->style->keep_state != NULL)
         status = compute->style->keep_state(compute, &state, err);
-    if (status == HS_OK) status = hs_saved_put(checkpoint, "compute", compute->id, &state, err);
+    if (status == HS_OK) status = put_section(checkpoint, "compute", compute->id, &state, err);
     hs_state_fini(&state);
     return status;
 }
@@ -246,7 +248,7 @@ static hs_status put_dump(hs_checkpoint *checkpoint, hs_dump *dump, hs_error *er
 {
     hs_state state = {0};
     hs_status status = hs_saved_keep_dump(dump, &state, err);
-    if (status == HS_OK) status = hs_saved_put(checkpoint, "dump", dump->id, &state, err);
+    if (status == HS_OK) status = put_section(checkpoint, "dump", dump->id, &state, err);
     hs_state_fini(&state);
     return status;
 }

@@ -11,15 +11,12 @@ enum { HS_SAVED_WORD = '\x1f', HS_SAVED_COMMAND = '\x1e' };
 /** A place that is a file; the others are frames. */
 enum { HS_SAVED_FILE = 0 };
 
-HS_MUST_USE hs_status hs_saved_join(hs_text *text, const char *command, const hs_args *args, hs_error *err);
 HS_MUST_USE hs_status hs_saved_keep_generators(hs_variables *variables, hs_state *state, hs_error *err);
 HS_MUST_USE hs_status hs_saved_keep_variable(hs_variable *variable, hs_state *state, hs_error *err);
 HS_MUST_USE hs_status hs_saved_keep_frame(hs_frame *frame, hs_state *state, hs_error *err);
 HS_MUST_USE hs_status hs_saved_keep_dump(hs_dump *dump, hs_state *state, hs_error *err);
 
-/** A state as the section KIND/ID ("fix", "compute", "dump", "variables"), written or read: deck/save.c. */
-HS_MUST_USE hs_status hs_saved_put(hs_checkpoint *checkpoint, const char *kind, const char *id, const hs_state *state,
-                                   hs_error *err);
+/** The state that is the section KIND/ID ("fix", "compute", "dump", "variables"): deck/save.c. */
 HS_MUST_USE hs_status hs_saved_get(hs_checkpoint *checkpoint, const char *kind, const char *id, hs_state *state,
                                    hs_error *err);
 

@@ -322,15 +322,3 @@ hs_status hs_checkpoint_get(hs_checkpoint *self, const char *section, hs_state *
     HS_TRY(hs_parallel_agree(&self->parallel, err));
     return self->parallel.n_ranks > 1 ? share(&self->parallel, state, err) : HS_OK;
 }
-
-bool hs_checkpoint_has(hs_checkpoint *self, const char *section)
-{
-    int64_t is_there = 0;
-    if (self->parallel.rank == 0) {
-        hs_h5_quiet quiet = hs_h5_be_quiet();
-        is_there = hs_h5_has(self->file, section);
-        hs_h5_end_quiet(&quiet);
-    }
-    hs_parallel_broadcast(&self->parallel, 0, &is_there, sizeof is_there);
-    return is_there != 0;
-}

@@ -35,8 +35,6 @@ HS_MUST_USE hs_status hs_checkpoint_open(hs_checkpoint **checkpoint, const char 
                                          hs_error *err);
 /** Values of a section, ready for reading; the caller finishes the state. An error when there is no such section. */
 HS_MUST_USE hs_status hs_checkpoint_get(hs_checkpoint *checkpoint, const char *section, hs_state *state, hs_error *err);
-/** Whether there is such a section. */
-bool hs_checkpoint_has(hs_checkpoint *checkpoint, const char *section);
 /** Replace all atoms by the file's. Each rank takes a share; the next exchange brings atoms to their owners. Fields
  *  that the file has not stay zero; with @p all_fields those are an error, and so are fields of the file that the atoms
  *  have not. */

@@ -4,15 +4,6 @@
 #include "base/memory.h"
 #include "io/dump_table.h"
 
-const char *hs_dump_check_word(const char *word)
-{
-    if (strchr(word, '$') != NULL || hs_value_is_reference(word)) return NULL;
-    for (int k = 0; k < HS_N_ATTRIBUTES; ++k)
-        if (strcmp(hs_attributes[k], word) == 0) return NULL;
-    const char *nearest = hs_text_nearest(word, hs_attributes, HS_N_ATTRIBUTES);
-    return nearest != NULL ? nearest : "";
-}
-
 /** Its name, and what it refers to if it does. */
 static hs_status name_column(hs_dump_column *column, const char *word, hs_error *err)
 {

@@ -90,8 +90,6 @@ HS_MUST_USE hs_status hs_dump_set_columns(hs_dump *dump, const hs_args *args, hs
 HS_MUST_USE hs_status hs_dump_check_words(const hs_args *args, int i, int n, hs_error *err);
 /** The same for rows of local values. */
 HS_MUST_USE hs_status hs_dump_check_local_words(const hs_args *args, hs_error *err);
-/** NULL when the word may be a column of dump custom, else the nearest attribute or "". */
-const char *hs_dump_check_word(const char *word);
 void hs_dump_table_destroy(hs_dump *dump);
 /** Forget the conditions of dump_modify thresh. */
 void hs_dump_clear_conditions(hs_dump *dump);

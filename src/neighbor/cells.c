@@ -9,7 +9,8 @@
 #include "neighbor/counting_sort.h"
 #include "parallel/parallel.h"
 
-uint64_t hs_morton_encode_2d(uint32_t a, uint32_t b)
+/** Interleave the bits of two 32-bit numbers: bit k of a goes to 2k+1, of b to 2k. */
+static uint64_t morton_encode_2d(uint32_t a, uint32_t b)
 {
     uint64_t code = 0;
     for (int bit = 0; bit < 32; ++bit)
@@ -50,7 +51,7 @@ static hs_status rank_columns(hs_cells *cells, hs_error *err)
     for (int c0 = 0; c0 < cells->n[0]; ++c0)
         for (int c1 = 0; c1 < cells->n[1]; ++c1) {
             const int column = c0 * cells->n[1] + c1;
-            ranked[column] = (ranked_column){hs_morton_encode_2d((uint32_t)c0, (uint32_t)c1), column};
+            ranked[column] = (ranked_column){morton_encode_2d((uint32_t)c0, (uint32_t)c1), column};
         }
     qsort(ranked, (size_t)cells->n_columns, sizeof *ranked, compare_codes);
     for (int rank = 0; rank < cells->n_columns; ++rank) cells->column_rank[ranked[rank].column] = rank;

@@ -50,8 +50,6 @@ static inline int hs_cells_coordinate(const hs_cells *cells, int a, double x)
     return c <= 0.0 ? 0 : c >= cells->n[a] ? cells->n[a] - 1 : (int)c;
 }
 
-/** Interleave the bits of two 32-bit numbers: bit k of a goes to 2k+1, of b to 2k. */
-uint64_t hs_morton_encode_2d(uint32_t a, uint32_t b);
 /** Interleave the lower 21 bits of three numbers, a highest. */
 uint64_t hs_morton_encode_3d(uint32_t a, uint32_t b, uint32_t c);
 

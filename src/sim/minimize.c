@@ -111,7 +111,8 @@ static void find_largest_square(const hs_atoms *atoms, double *largest)
     keep_largest(found, largest);
 }
 
-double hs_min_force_norm(const hs_minimizer *min, hs_force_norm norm)
+/** The length of all forces by a norm (collective). */
+static double force_norm(const hs_minimizer *min, hs_force_norm norm)
 {
     const hs_atoms *atoms = &min->sim->atoms;
     const double largest_of_box = hs_min_largest_of_box(min, min->box.force);
@@ -152,7 +153,7 @@ hs_min_reason hs_min_check(const hs_minimizer *min, bool with_energy)
     if (*min->plan->evaluations_left <= 0) return HS_MIN_MAX_EVALUATIONS;
     if (with_energy && fabs(min->energy - min->energy_before) < min->plan->energy_tolerance * size)
         return HS_MIN_ENERGY;
-    if (min->plan->force_tolerance > 0.0 && hs_min_force_norm(min, min->settings->norm) < min->plan->force_tolerance)
+    if (min->plan->force_tolerance > 0.0 && force_norm(min, min->settings->norm) < min->plan->force_tolerance)
         return HS_MIN_FORCE;
     return HS_MIN_GOES_ON;
 }
@@ -234,7 +235,7 @@ static void describe(const hs_minimizer *min, const beginning *start, hs_min_rea
     const hs_sim *sim = min->sim;
     const double scale = sim->thermo->is_norm ? 1.0 / fmax((double)sim->atoms.n_all, 1.0) : 1.0;
     const bool has_direction = min->settings->style->has_direction;
-    const double norm = hs_min_force_norm(min, HS_NORM_TWO), largest = hs_min_force_norm(min, HS_NORM_INF);
+    const double norm = force_norm(min, HS_NORM_TWO), largest = force_norm(min, HS_NORM_INF);
     snprintf(text, size,
              "\nMinimization stats:\n  Stopping criterion = %s\n"
              "  Energy initial, next-to-last, final = \n    %18.15g %18.15g %18.15g\n"
@@ -280,7 +281,7 @@ static hs_status minimize(hs_sim *sim, hs_min_plan *plan, hs_error *err)
     const double start_s = hs_time_now_s(), start_cpu_s = hs_time_cpu_s();
     hs_min_reason reason;
     min.energy = min.energy_before = hs_min_energy(&min);
-    const beginning start = {min.energy, hs_min_force_norm(&min, HS_NORM_TWO), hs_min_force_norm(&min, HS_NORM_INF)};
+    const beginning start = {min.energy, force_norm(&min, HS_NORM_TWO), force_norm(&min, HS_NORM_INF)};
     hs_status status = begin(&min, err);
     if (status == HS_OK) status = iterate(&min, &reason, err);
     hs_progress_wipe(sim->env.out);

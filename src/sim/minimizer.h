@@ -41,8 +41,6 @@ typedef struct hs_min_sums {
     double force_force, force_before, force_direction;
 } hs_min_sums;
 void hs_min_add_up(const hs_minimizer *min, hs_min_sums *sums);
-/** The length of all forces by the norm of the settings (collective). */
-double hs_min_force_norm(const hs_minimizer *min, hs_force_norm norm);
 /** Largest |value| of all components of a vector of the atoms (collective). */
 double hs_min_largest(const hs_minimizer *min, double *const vector[3]);
 /** Forces and energy of the present places (collective); counts as one evaluation. */

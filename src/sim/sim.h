@@ -261,10 +261,10 @@ HS_MUST_USE hs_status hs_sim_begin_output(hs_sim *sim, hs_error *err);
 HS_MUST_USE hs_status hs_sim_output_if_due(hs_sim *sim, bool is_last, hs_error *err);
 /** A snapshot of every dump that has none of this step yet, due or not (collective). */
 HS_MUST_USE hs_status hs_sim_write_all_dumps(hs_sim *sim, hs_error *err);
-/** One timestep, without output (collective).  sim/step.c */
 /** Whether the atoms will stay in the plane until commands change something: two dimensions, z, v_z and f_z of all atoms +0, and no fix
- *  that could make them anything else (collective). */
+ *  that could make them anything else (collective).  sim/planar.c */
 bool hs_sim_is_planar(const hs_sim *sim);
+/** One timestep, without output (collective).  sim/step.c */
 HS_MUST_USE hs_status hs_sim_step(hs_sim *sim, bool with_energy, hs_error *err);
 /** Cells, lists, forces, energy and virial of atoms that were placed anew, when all else is set up. */
 HS_MUST_USE hs_status hs_sim_setup_forces(hs_sim *sim, hs_error *err);

@@ -51,8 +51,6 @@ void hs_thermo_set_every(hs_thermo *thermo, int64_t every)
     HS_FREE(thermo->every_variable);
 }
 
-int64_t hs_thermo_every(const hs_thermo *thermo) { return thermo->every; }
-
 hs_status hs_thermo_set_every_variable(hs_thermo *thermo, const char *name, hs_error *err)
 {
     hs_thermo_set_every(thermo, 0);
@@ -135,16 +133,6 @@ bool hs_thermo_is_due(const hs_thermo *thermo, int64_t step)
     if (thermo->every_variable != NULL) return step == thermo->next_due;
     if (step == env->last_step) return true;
     return thermo->every > 0 && step % thermo->every == 0;
-}
-
-bool hs_thermo_needs_energy(const hs_thermo *thermo)
-{
-    for (int k = 0; k < thermo->n_columns; ++k) {
-        const hs_thermo_column *column = &thermo->column[k];
-        if (column->entry == NULL && hs_value_needs_energy(&thermo->sim->env, &column->value)) return true;
-        if (column->entry != NULL && column->entry->needs_energy) return true;
-    }
-    return false;
 }
 
 void hs_thermo_header(hs_thermo *thermo)

@@ -11,7 +11,6 @@ void hs_thermo_destroy(hs_thermo **thermo);
 
 /** `thermo N`. */
 void hs_thermo_set_every(hs_thermo *thermo, int64_t every);
-int64_t hs_thermo_every(const hs_thermo *thermo);
 /** `thermo v_name`: the variable gives the step of the next row, anew at each row. */
 HS_MUST_USE hs_status hs_thermo_set_every_variable(hs_thermo *thermo, const char *name, hs_error *err);
 /** What to do when atoms are missing: thermo_modify lost. */
@@ -26,8 +25,6 @@ HS_MUST_USE hs_status hs_thermo_init(hs_thermo *thermo, hs_error *err);
 HS_MUST_USE hs_status hs_thermo_keep(hs_thermo *thermo, hs_state *state, hs_error *err);
 /** Whether the table has a row at this step: the first and last one of a run always, but for the last where a variable decides. */
 bool hs_thermo_is_due(const hs_thermo *thermo, int64_t step);
-/** Whether the row of this step needs pair energy or virial: the step then computes them. */
-bool hs_thermo_needs_energy(const hs_thermo *thermo);
 void hs_thermo_header(hs_thermo *thermo);
 /** Write the row of the present step (collective); also the check for lost atoms (thermo_modify lost). */
 HS_MUST_USE hs_status hs_thermo_row(hs_thermo *thermo, hs_error *err);

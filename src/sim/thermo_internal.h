@@ -12,7 +12,6 @@ typedef struct hs_thermo_entry {
     const char *header;   /**< above its column: "TotEng" */
     const char *quantity; /**< for plots: "energy", ...; NULL for plain numbers */
     bool is_int;
-    bool needs_energy; /**< the step must have computed pair energy and virial */
     HS_MUST_USE hs_status (*eval)(hs_thermo *thermo, double *value, hs_error *err);
 } hs_thermo_entry;
 

@@ -231,80 +231,78 @@ static hs_status get_density(T *t, double *value, hs_error *err)
     return HS_OK;
 }
 
-/* KEYWORD(name, getter, header, quantity, is whole number, needs energy, help) */
+/* KEYWORD(name, getter, header, quantity, is whole number, help) */
 #define KEYWORDS(KEYWORD)                                                                                              \
-    KEYWORD(step, step, "Step", "step", true, false, "number of the timestep")                                         \
-    KEYWORD(elapsed, elapsed, "Elapsed", "step", true, false, "timesteps since the start of this run")                 \
-    KEYWORD(elaplong, elaplong, "Elaplong", "step", true, false, "timesteps since the start of a series of runs")      \
-    KEYWORD(dt, dt, "Dt", "time", false, false, "timestep size")                                                       \
-    KEYWORD(time, time, "Time", "time", false, false, "simulated time")                                                \
-    KEYWORD(cpu, cpu, "CPU", NULL, false, false, "wall time since the start of this run, seconds")                     \
-    KEYWORD(tpcpu, tpcpu, "T/CPU", NULL, false, false, "simulated time per second of wall time")                       \
-    KEYWORD(spcpu, spcpu, "S/CPU", NULL, false, false, "timesteps per second of wall time")                            \
-    KEYWORD(cpuremain, cpuremain, "CPULeft", NULL, false, false, "estimated wall time to the end of the run, s")       \
-    KEYWORD(part, zero, "Part", NULL, true, false, "partition of a multi-replica run: always 0")                       \
-    KEYWORD(timeremain, zero, "TimeoutLeft", NULL, false, false, "seconds left of a time limit: 0, there is none")     \
-    KEYWORD(atoms, atoms, "Atoms", "count", true, false, "number of atoms")                                            \
-    KEYWORD(temp, temp, "Temp", "temperature", false, false, "temperature")                                            \
-    KEYWORD(press, press, "Press", "pressure", false, true, "pressure")                                                \
-    KEYWORD(pe, pe, "PotEng", "energy", false, true, "potential energy")                                               \
-    KEYWORD(ke, ke, "KinEng", "energy", false, false, "kinetic energy")                                                \
-    KEYWORD(etotal, etotal, "TotEng", "energy", false, true, "total energy, pe + ke")                                  \
-    KEYWORD(evdwl, epair, "E_vdwl", "energy", false, true, "van der Waals energy of pairs, with tail")                 \
-    KEYWORD(ecoul, zero, "E_coul", "energy", false, false, "Coulomb energy of pairs: 0, this version has none")        \
-    KEYWORD(epair, epair, "E_pair", "energy", false, true, "energy of all pairs, evdwl + ecoul + elong")               \
-    KEYWORD(ebond, zero, "E_bond", "energy", false, false, "bond energy: 0, this version has none")                    \
-    KEYWORD(eangle, zero, "E_angle", "energy", false, false, "angle energy: 0")                                        \
-    KEYWORD(edihed, zero, "E_dihed", "energy", false, false, "dihedral energy: 0")                                     \
-    KEYWORD(eimp, zero, "E_impro", "energy", false, false, "improper energy: 0")                                       \
-    KEYWORD(emol, zero, "E_mol", "energy", false, false, "molecular energy, ebond + eangle + edihed + eimp: 0")        \
-    KEYWORD(elong, zero, "E_long", "energy", false, false, "long-range Coulomb energy: 0")                             \
-    KEYWORD(etail, etail, "E_tail", "energy", false, true, "long-range correction of pair_modify tail yes")            \
-    KEYWORD(enthalpy, enthalpy, "Enthalpy", "energy", false, true, "enthalpy, etotal + press * vol")                   \
-    KEYWORD(ecouple, ecouple, "Ecouple", "energy", false, false, "energy given to thermostats and barostats")          \
-    KEYWORD(econserve, econserve, "Econserve", "energy", false, true, "conserved energy, etotal + ecouple")            \
-    KEYWORD(vol, vol, "Volume", "volume", false, false, "volume (area in two dimensions)")                             \
-    KEYWORD(density, density, "Density", "density", false, false, "mass density")                                      \
-    KEYWORD(lx, lx, "Lx", "distance", false, false, "box length in x")                                                 \
-    KEYWORD(ly, ly, "Ly", "distance", false, false, "box length in y")                                                 \
-    KEYWORD(lz, lz, "Lz", "distance", false, false, "box length in z")                                                 \
-    KEYWORD(xlo, xlo, "Xlo", "distance", false, false, "lower box bound in x")                                         \
-    KEYWORD(xhi, xhi, "Xhi", "distance", false, false, "upper box bound in x")                                         \
-    KEYWORD(ylo, ylo, "Ylo", "distance", false, false, "lower box bound in y")                                         \
-    KEYWORD(yhi, yhi, "Yhi", "distance", false, false, "upper box bound in y")                                         \
-    KEYWORD(zlo, zlo, "Zlo", "distance", false, false, "lower box bound in z")                                         \
-    KEYWORD(zhi, zhi, "Zhi", "distance", false, false, "upper box bound in z")                                         \
-    KEYWORD(xy, xy, "Xy", "distance", false, false, "tilt of the box, of y along x")                                   \
-    KEYWORD(xz, xz, "Xz", "distance", false, false, "tilt of z along x")                                               \
-    KEYWORD(yz, yz, "Yz", "distance", false, false, "tilt of z along y")                                               \
-    KEYWORD(xlat, xlat, "Xlat", "distance", false, false, "lattice spacing in x")                                      \
-    KEYWORD(ylat, ylat, "Ylat", "distance", false, false, "lattice spacing in y")                                      \
-    KEYWORD(zlat, zlat, "Zlat", "distance", false, false, "lattice spacing in z")                                      \
-    KEYWORD(bonds, zero, "Bonds", "count", true, false, "number of bonds: 0")                                          \
-    KEYWORD(angles, zero, "Angles", "count", true, false, "number of angles: 0")                                       \
-    KEYWORD(dihedrals, zero, "Diheds", "count", true, false, "number of dihedrals: 0")                                 \
-    KEYWORD(impropers, zero, "Impros", "count", true, false, "number of impropers: 0")                                 \
-    KEYWORD(pxx, pxx, "Pxx", "pressure", false, true, "pressure tensor, xx")                                           \
-    KEYWORD(pyy, pyy, "Pyy", "pressure", false, true, "pressure tensor, yy")                                           \
-    KEYWORD(pzz, pzz, "Pzz", "pressure", false, true, "pressure tensor, zz")                                           \
-    KEYWORD(pxy, pxy, "Pxy", "pressure", false, true, "pressure tensor, xy")                                           \
-    KEYWORD(pxz, pxz, "Pxz", "pressure", false, true, "pressure tensor, xz")                                           \
-    KEYWORD(pyz, pyz, "Pyz", "pressure", false, true, "pressure tensor, yz")                                           \
-    KEYWORD(fmax, fmax, "Fmax", "force", false, false, "largest force component on any atom")                          \
-    KEYWORD(fnorm, fnorm, "Fnorm", "force", false, false, "length of the vector of all forces")                        \
-    KEYWORD(nbuild, nbuild, "Nbuild", "count", true, false, "neighbor list builds of this run")                        \
-    KEYWORD(ndanger, ndanger, "Ndanger", "count", true, false, "dangerous neighbor list builds of this run")           \
-    KEYWORD(cella, lx, "Cella", "distance", false, false, "length of the cell vector a")                               \
-    KEYWORD(cellb, cellb, "Cellb", "distance", false, false, "length of the cell vector b")                            \
-    KEYWORD(cellc, cellc, "Cellc", "distance", false, false, "length of the cell vector c")                            \
-    KEYWORD(cellalpha, cellalpha, "CellAlpha", NULL, false, false, "cell angle alpha, degrees")                        \
-    KEYWORD(cellbeta, cellbeta, "CellBeta", NULL, false, false, "cell angle beta, degrees")                            \
-    KEYWORD(cellgamma, cellgamma, "CellGamma", NULL, false, false, "cell angle gamma, degrees")
-
-#define ENTRY(name, getter, header, quantity, is_int, needs_energy, help)                                              \
-    {#name, header, quantity, is_int, needs_energy, get_##getter},
-#define HELP(name, getter, header, quantity, is_int, needs_energy, help) #name, help,
-#define NAME(name, getter, header, quantity, is_int, needs_energy, help) #name,
+    KEYWORD(step, step, "Step", "step", true, "number of the timestep")                                                \
+    KEYWORD(elapsed, elapsed, "Elapsed", "step", true, "timesteps since the start of this run")                        \
+    KEYWORD(elaplong, elaplong, "Elaplong", "step", true, "timesteps since the start of a series of runs")             \
+    KEYWORD(dt, dt, "Dt", "time", false, "timestep size")                                                              \
+    KEYWORD(time, time, "Time", "time", false, "simulated time")                                                       \
+    KEYWORD(cpu, cpu, "CPU", NULL, false, "wall time since the start of this run, seconds")                            \
+    KEYWORD(tpcpu, tpcpu, "T/CPU", NULL, false, "simulated time per second of wall time")                              \
+    KEYWORD(spcpu, spcpu, "S/CPU", NULL, false, "timesteps per second of wall time")                                   \
+    KEYWORD(cpuremain, cpuremain, "CPULeft", NULL, false, "estimated wall time to the end of the run, s")              \
+    KEYWORD(part, zero, "Part", NULL, true, "partition of a multi-replica run: always 0")                              \
+    KEYWORD(timeremain, zero, "TimeoutLeft", NULL, false, "seconds left of a time limit: 0, there is none")            \
+    KEYWORD(atoms, atoms, "Atoms", "count", true, "number of atoms")                                                   \
+    KEYWORD(temp, temp, "Temp", "temperature", false, "temperature")                                                   \
+    KEYWORD(press, press, "Press", "pressure", false, "pressure")                                                      \
+    KEYWORD(pe, pe, "PotEng", "energy", false, "potential energy")                                                     \
+    KEYWORD(ke, ke, "KinEng", "energy", false, "kinetic energy")                                                       \
+    KEYWORD(etotal, etotal, "TotEng", "energy", false, "total energy, pe + ke")                                        \
+    KEYWORD(evdwl, epair, "E_vdwl", "energy", false, "van der Waals energy of pairs, with tail")                       \
+    KEYWORD(ecoul, zero, "E_coul", "energy", false, "Coulomb energy of pairs: 0, this version has none")               \
+    KEYWORD(epair, epair, "E_pair", "energy", false, "energy of all pairs, evdwl + ecoul + elong")                     \
+    KEYWORD(ebond, zero, "E_bond", "energy", false, "bond energy: 0, this version has none")                           \
+    KEYWORD(eangle, zero, "E_angle", "energy", false, "angle energy: 0")                                               \
+    KEYWORD(edihed, zero, "E_dihed", "energy", false, "dihedral energy: 0")                                            \
+    KEYWORD(eimp, zero, "E_impro", "energy", false, "improper energy: 0")                                              \
+    KEYWORD(emol, zero, "E_mol", "energy", false, "molecular energy, ebond + eangle + edihed + eimp: 0")               \
+    KEYWORD(elong, zero, "E_long", "energy", false, "long-range Coulomb energy: 0")                                    \
+    KEYWORD(etail, etail, "E_tail", "energy", false, "long-range correction of pair_modify tail yes")                  \
+    KEYWORD(enthalpy, enthalpy, "Enthalpy", "energy", false, "enthalpy, etotal + press * vol")                         \
+    KEYWORD(ecouple, ecouple, "Ecouple", "energy", false, "energy given to thermostats and barostats")                 \
+    KEYWORD(econserve, econserve, "Econserve", "energy", false, "conserved energy, etotal + ecouple")                  \
+    KEYWORD(vol, vol, "Volume", "volume", false, "volume (area in two dimensions)")                                    \
+    KEYWORD(density, density, "Density", "density", false, "mass density")                                             \
+    KEYWORD(lx, lx, "Lx", "distance", false, "box length in x")                                                        \
+    KEYWORD(ly, ly, "Ly", "distance", false, "box length in y")                                                        \
+    KEYWORD(lz, lz, "Lz", "distance", false, "box length in z")                                                        \
+    KEYWORD(xlo, xlo, "Xlo", "distance", false, "lower box bound in x")                                                \
+    KEYWORD(xhi, xhi, "Xhi", "distance", false, "upper box bound in x")                                                \
+    KEYWORD(ylo, ylo, "Ylo", "distance", false, "lower box bound in y")                                                \
+    KEYWORD(yhi, yhi, "Yhi", "distance", false, "upper box bound in y")                                                \
+    KEYWORD(zlo, zlo, "Zlo", "distance", false, "lower box bound in z")                                                \
+    KEYWORD(zhi, zhi, "Zhi", "distance", false, "upper box bound in z")                                                \
+    KEYWORD(xy, xy, "Xy", "distance", false, "tilt of the box, of y along x")                                          \
+    KEYWORD(xz, xz, "Xz", "distance", false, "tilt of z along x")                                                      \
+    KEYWORD(yz, yz, "Yz", "distance", false, "tilt of z along y")                                                      \
+    KEYWORD(xlat, xlat, "Xlat", "distance", false, "lattice spacing in x")                                             \
+    KEYWORD(ylat, ylat, "Ylat", "distance", false, "lattice spacing in y")                                             \
+    KEYWORD(zlat, zlat, "Zlat", "distance", false, "lattice spacing in z")                                             \
+    KEYWORD(bonds, zero, "Bonds", "count", true, "number of bonds: 0")                                                 \
+    KEYWORD(angles, zero, "Angles", "count", true, "number of angles: 0")                                              \
+    KEYWORD(dihedrals, zero, "Diheds", "count", true, "number of dihedrals: 0")                                        \
+    KEYWORD(impropers, zero, "Impros", "count", true, "number of impropers: 0")                                        \
+    KEYWORD(pxx, pxx, "Pxx", "pressure", false, "pressure tensor, xx")                                                 \
+    KEYWORD(pyy, pyy, "Pyy", "pressure", false, "pressure tensor, yy")                                                 \
+    KEYWORD(pzz, pzz, "Pzz", "pressure", false, "pressure tensor, zz")                                                 \
+    KEYWORD(pxy, pxy, "Pxy", "pressure", false, "pressure tensor, xy")                                                 \
+    KEYWORD(pxz, pxz, "Pxz", "pressure", false, "pressure tensor, xz")                                                 \
+    KEYWORD(pyz, pyz, "Pyz", "pressure", false, "pressure tensor, yz")                                                 \
+    KEYWORD(fmax, fmax, "Fmax", "force", false, "largest force component on any atom")                                 \
+    KEYWORD(fnorm, fnorm, "Fnorm", "force", false, "length of the vector of all forces")                               \
+    KEYWORD(nbuild, nbuild, "Nbuild", "count", true, "neighbor list builds of this run")                               \
+    KEYWORD(ndanger, ndanger, "Ndanger", "count", true, "dangerous neighbor list builds of this run")                  \
+    KEYWORD(cella, lx, "Cella", "distance", false, "length of the cell vector a")                                      \
+    KEYWORD(cellb, cellb, "Cellb", "distance", false, "length of the cell vector b")                                   \
+    KEYWORD(cellc, cellc, "Cellc", "distance", false, "length of the cell vector c")                                   \
+    KEYWORD(cellalpha, cellalpha, "CellAlpha", NULL, false, "cell angle alpha, degrees")                               \
+    KEYWORD(cellbeta, cellbeta, "CellBeta", NULL, false, "cell angle beta, degrees")                                   \
+    KEYWORD(cellgamma, cellgamma, "CellGamma", NULL, false, "cell angle gamma, degrees")
+#define ENTRY(name, getter, header, quantity, is_int, help) {#name, header, quantity, is_int, get_##getter},
+#define HELP(name, getter, header, quantity, is_int, help)  #name, help,
+#define NAME(name, getter, header, quantity, is_int, help)  #name,
 
 static const hs_thermo_entry entries[] = {KEYWORDS(ENTRY)};
 static const char *const names[] = {KEYWORDS(NAME)};

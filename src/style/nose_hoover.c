@@ -102,7 +102,7 @@ hs_status hs_nose_hoover_init(hs_fix *fix, hs_error *err)
 
 /* Targets and measurements */
 
-void hs_nose_hoover_find_target_temperature(const hs_fix *fix)
+static void find_target_temperature(const hs_fix *fix)
 {
     hs_nose_hoover *nh = fix->state;
     nh->t_target = nh->t_start + hs_env_ramp(fix->env) * (nh->t_stop - nh->t_start);
@@ -133,7 +133,7 @@ hs_status hs_nose_hoover_setup(hs_fix *fix, hs_error *err)
     const hs_env *env = fix->env;
     HS_TRY(measure_temperature(fix, err));
     if (nh->has_thermostat) {
-        hs_nose_hoover_find_target_temperature(fix);
+        find_target_temperature(fix);
     } else {
         if (nh->t_fixed == 0.0)
             nh->t_fixed = nh->t_now > 1e-6 ? nh->t_now : strcmp(env->units->name, "lj") == 0 ? 1.0 : 300.0;
@@ -177,7 +177,7 @@ hs_status hs_nose_hoover_initial_integrate(hs_fix *fix, hs_error *err)
     hs_nose_hoover *nh = fix->state;
     if (nh->has_barostat) hs_nose_hoover_advance_barostat_chain(fix);
     if (nh->has_thermostat) {
-        hs_nose_hoover_find_target_temperature(fix);
+        find_target_temperature(fix);
         HS_TRY(advance_thermostat(fix, err));
     }
     if (nh->has_barostat) {

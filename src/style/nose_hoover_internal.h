@@ -21,7 +21,6 @@ void hs_nose_hoover_kick(const hs_fix *fix);
 void hs_nose_hoover_drift(const hs_fix *fix);
 /** Targets of the present step, and the strain energy's. */
 void hs_nose_hoover_find_targets(const hs_fix *fix);
-void hs_nose_hoover_find_target_temperature(const hs_fix *fix);
 /** The present box becomes the reference. */
 void hs_nose_hoover_set_reference(hs_nose_hoover *nh, const hs_box *box);
 /** The present pressure. At the start of a step that is the virial of the step before with the present velocities. */

@@ -56,7 +56,8 @@ bool hs_region_uses(const hs_region *region, const hs_region *other)
     return region->style->uses != NULL && region->style->uses(region, other);
 }
 
-const hs_region_style *hs_region_style_find(const char *name)
+/** The region style of that name, or NULL. */
+static const hs_region_style *find_style(const char *name)
 {
     for (int k = 0; hs_region_styles[k] != NULL; ++k)
         if (strcmp(hs_region_styles[k]->about.name, name) == 0) return hs_region_styles[k];
@@ -130,7 +131,7 @@ hs_status hs_region_check(const hs_args *args, bool has_variables, hs_error *err
 {
     HS_TRY(hs_arg_need(args, 0, "the region style", err));
     if (strchr(args->word[0], '$') != NULL) return HS_OK;
-    const hs_region_style *style = hs_region_style_find(args->word[0]);
+    const hs_region_style *style = find_style(args->word[0]);
     if (style == NULL) return refuse_style(args->command, args->word[0], err);
     char command[96];
     snprintf(command, sizeof command, "%.40s %.40s", args->command, args->word[0]);
@@ -180,7 +181,7 @@ hs_status hs_region_create(hs_region **region, hs_env *env, const char *id, cons
                            hs_error *err)
 {
     *region = NULL;
-    const hs_region_style *style = hs_region_style_find(style_name);
+    const hs_region_style *style = find_style(style_name);
     if (style == NULL) return refuse_style(args->command, style_name, err);
     hs_region *made = NULL;
     HS_TRY(HS_ALLOC(made, 1, err));

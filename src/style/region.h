@@ -125,8 +125,6 @@ HS_MUST_USE hs_status hs_region_create(hs_region **region, hs_env *env, const ch
 void hs_region_destroy(hs_region **region);
 /** First-pass check of `style words... keywords...`: style name, counts, keywords. */
 HS_MUST_USE hs_status hs_region_check(const hs_args *args, bool has_variables, hs_error *err);
-/** The region style of that name, or NULL. */
-const hs_region_style *hs_region_style_find(const char *name);
 
 /** The next size: a length in the units of an axis, or v_name. region->size[n_sizes - 1] is it then. */
 HS_MUST_USE hs_status hs_region_add_size(hs_region *region, const hs_args *args, int i, int axis, hs_error *err);

@@ -26,8 +26,6 @@ typedef struct hs_value {
 /** Whether a word has the form of a reference: c_ID, f_ID with up to two [i] (each a number, or a range with *),
  *  v_name with up to one [i], i_name or d_name. For the first pass over a deck. */
 bool hs_value_is_reference(const char *word);
-/** Length of the longest beginning of @p words that all are references (words with `$` count too). */
-int hs_value_count(const hs_args *args, int first);
 
 /** Read references; those with a range, c_ID[*] or c_ID[2*4], become several. Fails when a word is no reference, or
  *  what it names does not exist or has no such shape. (*values)[*n] is the caller's: hs_values_destroy. Not

@@ -22,15 +22,6 @@ bool hs_value_is_reference(const char *word)
     return *rest == '\0';
 }
 
-int hs_value_count(const hs_args *args, int first)
-{
-    int n = 0;
-    while (first + n < args->n &&
-           (hs_value_is_reference(args->word[first + n]) || strchr(args->word[first + n], '$') != NULL))
-        ++n;
-    return n;
-}
-
 /** One reference without a range from its text. */
 static hs_status parse(hs_value *value, const hs_args *args, const char *word, hs_error *err)
 {
