@@ -5,7 +5,7 @@ set(CMAKE_C_VISIBILITY_PRESET hidden)
 
 file(GLOB core_sources CONFIGURE_DEPENDS
   src/base/*.c src/core/*.c src/comm/*.c src/neighbor/*.c src/kernel/*.c src/style/*.c src/io/*.c src/sim/*.c src/deck/*.c
-  src/parallel/parallel.c)
+  src/parallel/messages.c src/parallel/parallel.c)
 if(HALFSHELL_MPI)
   list(APPEND core_sources src/parallel/mpi_ranks.c src/parallel/mpi_messages.c)
 else()

@@ -6,8 +6,6 @@
 #include <sched.h>
 #include <stdlib.h>
 
-#include "parallel/messages.h"
-
 /** Cores are the process's, not a simulation's: those it may run on are looked up once, before any thread is bound to
  *  one. */
 static struct {
@@ -123,14 +121,4 @@ void hs_thread_range(int64_t n, int chunk, int thread, int n_threads, int64_t *b
     *end = n_chunks * (thread + 1) / n_threads * chunk;
     if (*begin > n) *begin = n;
     if (*end > n) *end = n;
-}
-
-hs_status hs_messages_transfer(hs_messages *messages, const hs_parallel *parallel, hs_error *err)
-{
-    if (hs_parallel_agree(parallel, err) == HS_OK) {
-        hs_messages_start(messages);
-        hs_messages_wait(messages);
-    }
-    hs_messages_clear(messages);
-    return err->status;
 }
