@@ -41,14 +41,9 @@ static hs_status init(hs_fix *fix, hs_error *err)
 
 static hs_status end_of_step(hs_fix *fix, hs_error *err)
 {
-    fft_state *state = fix->state;
     bool is_due;
-    HS_TRY(hs_correlation_sample(fix, state->sums.sample, &is_due, err));
-    if (!is_due) return HS_OK;
-    HS_TRY(hs_multi_tau_add(&state->sums.tau, state->sums.sample, err));
-    if (!hs_correlation_is_output_due(fix)) return HS_OK;
-    hs_correlation_tau_take(fix, &state->sums);
-    return hs_correlation_finish(fix, err);
+    HS_TRY(hs_correlation_tau_sample(fix, &((fft_state *)fix->state)->sums, &is_due, err));
+    return is_due ? hs_correlation_finish(fix, err) : HS_OK;
 }
 
 static hs_status keep_state(hs_fix *fix, hs_state *kept, hs_error *err)

@@ -107,11 +107,8 @@ static hs_status end_of_step(hs_fix *fix, hs_error *err)
 {
     long_state *state = fix->state;
     bool is_due;
-    HS_TRY(hs_correlation_sample(fix, state->sums.sample, &is_due, err));
+    HS_TRY(hs_correlation_tau_sample(fix, &state->sums, &is_due, err));
     if (!is_due) return HS_OK;
-    HS_TRY(hs_multi_tau_add(&state->sums.tau, state->sums.sample, err));
-    if (!hs_correlation_is_output_due(fix)) return HS_OK;
-    hs_correlation_tau_take(fix, &state->sums);
     hs_correlation_scale(&state->table);
     if (hs_average_file_is_open(&state->table.file)) HS_TRY(write_rows(fix, err));
     return hs_average_file_commit(&state->table.file, fix->env, err);

@@ -93,6 +93,9 @@ HS_MUST_USE hs_status hs_correlation_tau_keywords(hs_fix *fix, hs_correlation_ta
 HS_MUST_USE hs_status hs_correlation_tau_create(hs_fix *fix, hs_correlation_tau *t, hs_correlation_name name,
                                                 hs_error *err);
 void hs_correlation_tau_fini(hs_correlation_tau *t);
+/** At the end of a step, for fixes whose sample are the values of the deck: take it in, and where output is due (*is_due) bring count
+ *  and result up to date (collective). */
+HS_MUST_USE hs_status hs_correlation_tau_sample(hs_fix *fix, hs_correlation_tau *t, bool *is_due, hs_error *err);
 /** Bring count and result up to date. */
 void hs_correlation_tau_take(hs_fix *fix, hs_correlation_tau *t);
 /** Table and sums (hook keep_state). */

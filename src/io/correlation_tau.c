@@ -49,6 +49,16 @@ void hs_correlation_tau_take(hs_fix *fix, hs_correlation_tau *t)
             table->result[row * (size_t)table->n_columns + k] = t->means[k / n_pairs * n + row * n_pairs + k % n_pairs];
 }
 
+hs_status hs_correlation_tau_sample(hs_fix *fix, hs_correlation_tau *t, bool *is_due, hs_error *err)
+{
+    HS_TRY(hs_correlation_sample(fix, t->sample, is_due, err));
+    if (!*is_due) return HS_OK;
+    HS_TRY(hs_multi_tau_add(&t->tau, t->sample, err));
+    *is_due = hs_correlation_is_output_due(fix);
+    if (*is_due) hs_correlation_tau_take(fix, t);
+    return HS_OK;
+}
+
 /** The name in a checkpoint of what a level has. */
 static const char *name_of(char name[64], int level, const char *what)
 {
