@@ -16,11 +16,8 @@ static hs_status set_columns(hs_dump *dump, hs_error *err)
 
 static hs_status create(hs_dump *dump, const hs_args *args, hs_error *err)
 {
-    hs_dump_table *table = dump->state;
-    HS_TRY(hs_syntax_check(&dump->style->about.syntax, args, false, err));
-    table->layout = &layout;
-    table->is_scaled = true;
-    table->delay = table->max_files = -1;
+    HS_TRY(hs_dump_table_begin(dump, args, &layout, err));
+    ((hs_dump_table *)dump->state)->is_scaled = true;
     return set_columns(dump, err);
 }
 

@@ -63,9 +63,7 @@ static hs_status create(hs_dump *dump, const hs_args *args, hs_error *err)
 {
     hs_dump_table *table = dump->state;
     const char **word;
-    HS_TRY(hs_syntax_check(&dump->style->about.syntax, args, false, err));
-    table->delay = table->max_files = -1;
-    table->layout = &in_box;
+    HS_TRY(hs_dump_table_begin(dump, args, &in_box, err));
     HS_TRY(read_first(args, &table->layout, err));
     HS_TRY(HS_ALLOC(word, (size_t)args->n, err));
     for (int i = 0; i < args->n; ++i) word[i] = i == 1 ? "element" : args->word[i];

@@ -12,10 +12,7 @@ static hs_status check(const char *file, const hs_args *args, hs_error *err)
 
 static hs_status create(hs_dump *dump, const hs_args *args, hs_error *err)
 {
-    hs_dump_table *table = dump->state;
-    HS_TRY(hs_syntax_check(&dump->style->about.syntax, args, false, err));
-    table->layout = &layout;
-    table->delay = table->max_files = -1;
+    HS_TRY(hs_dump_table_begin(dump, args, &layout, err));
     return hs_dump_set_columns(dump, args, err);
 }
 

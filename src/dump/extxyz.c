@@ -74,11 +74,8 @@ static hs_status check(const char *file, const hs_args *args, hs_error *err)
 
 static hs_status create(hs_dump *dump, const hs_args *args, hs_error *err)
 {
-    hs_dump_table *table = dump->state;
     const char **word;
-    HS_TRY(hs_syntax_check(&dump->style->about.syntax, args, false, err));
-    table->layout = &layout;
-    table->delay = table->max_files = -1;
+    HS_TRY(hs_dump_table_begin(dump, args, &layout, err));
     HS_TRY(HS_ALLOC(word, (size_t)(N_ALWAYS + args->n), err));
     for (int k = 0; k < N_ALWAYS; ++k) word[k] = always[k];
     for (int k = 0; k < args->n; ++k) word[N_ALWAYS + k] = args->word[k];

@@ -7,10 +7,7 @@ static hs_status create(hs_dump *dump, const hs_args *args, hs_error *err)
 {
     static const char *const words[] = {"type", "x", "y", "z"};
     const hs_args columns = {.command = "dump xyz", .n = 4, .word = words};
-    hs_dump_table *table = dump->state;
-    HS_TRY(hs_syntax_check(&dump->style->about.syntax, args, false, err));
-    table->layout = &layout;
-    table->delay = table->max_files = -1;
+    HS_TRY(hs_dump_table_begin(dump, args, &layout, err));
     return hs_dump_set_columns(dump, &columns, err);
 }
 

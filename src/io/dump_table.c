@@ -57,6 +57,14 @@ hs_status hs_dump_set_columns(hs_dump *dump, const hs_args *args, hs_error *err)
     return HS_OK;
 }
 
+hs_status hs_dump_table_begin(hs_dump *dump, const hs_args *args, const hs_dump_layout *layout, hs_error *err)
+{
+    hs_dump_table *table = dump->state;
+    table->layout = layout;
+    table->delay = table->max_files = -1;
+    return hs_syntax_check(&dump->style->about.syntax, args, false, err);
+}
+
 void hs_dump_table_destroy(hs_dump *dump)
 {
     hs_dump_table *table = dump->state;

@@ -84,6 +84,9 @@ typedef struct hs_dump_table {
     int64_t n_rows_all; /**< of all ranks */
 } hs_dump_table;
 
+/** The beginning of ->create: check the words by the style's syntax and take the layout (borrowed for good) and the defaults. */
+HS_MUST_USE hs_status hs_dump_table_begin(hs_dump *dump, const hs_args *args, const hs_dump_layout *layout,
+                                          hs_error *err);
 /** Columns named by words (attributes or references); the former ones are forgotten. */
 HS_MUST_USE hs_status hs_dump_set_columns(hs_dump *dump, const hs_args *args, hs_error *err);
 /** Fail unless words i to i + n - 1 may be columns, as far as that can be told before anything runs. */
