@@ -1,6 +1,5 @@
 /* Gives every atom of a group the mean force: f = sum(f) / N + F. */
 #include "style/applied_force.h"
-#include "style/shown_sums.h"
 
 static hs_status init(hs_fix *fix, hs_error *err)
 {
@@ -53,15 +52,7 @@ const hs_fix_style hs_fix_style_aveforce = {
                          "atoms that are in the region at the step are averaged and concerned.\n\nThe vector `f_ID[1]` "
                          "... `f_ID[3]` is the sum of the forces on these atoms before.",
               .example = "fix plate wall aveforce NULL -0.5 NULL\nfix 1 top aveforce v_pull 0 0"},
-    .state_size = sizeof(hs_replaced_force),
-    .create = hs_replaced_force_create,
-    .destroy = hs_replaced_force_destroy,
+    HS_REPLACED_FORCE_HOOKS,
     .init = init,
     .post_force = post_force,
-    .acts_in_minimize = true,
-    .keep_state = hs_shown_keep_state,
-    .vector = hs_shown_vector,
-    .n_vector = 3,
-    .is_vector_extensive = true,
-    .allows_dynamic_group = true,
 };

@@ -1,6 +1,5 @@
 /* Sets the forces on a group: f = F. */
 #include "style/applied_force.h"
-#include "style/shown_sums.h"
 
 static hs_status init(hs_fix *fix, hs_error *err)
 {
@@ -45,15 +44,7 @@ const hs_fix_style hs_fix_style_setforce = {
                          "`f_ID[3]` is the sum of the forces on these atoms before they were set.",
               .example =
                   "velocity wall set 0 0 0\nfix hold wall setforce 0.0 0.0 0.0\nfix 1 edge setforce NULL 0.0 v_f"},
-    .state_size = sizeof(hs_replaced_force),
-    .create = hs_replaced_force_create,
-    .destroy = hs_replaced_force_destroy,
+    HS_REPLACED_FORCE_HOOKS,
     .init = init,
     .post_force = post_force,
-    .acts_in_minimize = true,
-    .keep_state = hs_shown_keep_state,
-    .vector = hs_shown_vector,
-    .n_vector = 3,
-    .is_vector_extensive = true,
-    .allows_dynamic_group = true,
 };

@@ -6,6 +6,7 @@
 #include "style/atom_sum.h"
 #include "style/fix.h"
 #include "style/region.h"
+#include "style/shown_sums.h"
 
 /** Zero-initialised; hs_applied_force_fini frees it. */
 typedef struct hs_applied_force {
@@ -32,8 +33,8 @@ void hs_applied_force_fini(hs_applied_force *force);
 
 /** State of the fixes that put a force in the place of the one there was (setforce, aveforce), and their hooks. */
 typedef struct hs_replaced_force {
-    hs_late_sums
-        before; /**< first, for shown_sums.h: sum of the forces before they were replaced, and the number of atoms */
+    /** First, for shown_sums.h: sum of the forces before they were replaced, and the number of atoms. */
+    hs_late_sums before;
     hs_applied_force force;
 } hs_replaced_force;
 extern const hs_keyword hs_replaced_force_keywords[];
@@ -41,6 +42,11 @@ HS_MUST_USE hs_status hs_replaced_force_create(hs_fix *fix, const hs_args *args,
 void hs_replaced_force_destroy(hs_fix *fix);
 /** Add up the forces before on atoms found[n], and n. */
 void hs_replaced_force_add(const hs_atoms *atoms, const int32_t *found, int n, hs_exact_sum *sums);
+/** All of their hooks but init and post_force. */
+#define HS_REPLACED_FORCE_HOOKS                                                                                        \
+    .state_size = sizeof(hs_replaced_force), .create = hs_replaced_force_create, .destroy = hs_replaced_force_destroy, \
+    .acts_in_minimize = true, .keep_state = hs_shown_keep_state, .vector = hs_shown_vector, .n_vector = 3,             \
+    .is_vector_extensive = true, .allows_dynamic_group = true
 
 /** Whether it acts on local atom i. */
 static inline bool hs_applied_force_acts(const hs_applied_force *force, const hs_fix *fix, int i)
