@@ -5,24 +5,12 @@
 
 #include "base/memory.h"
 #include "style/compute.h"
+#include "style/stress_parts.h"
 
 typedef struct pressure_state {
     char *temperature_id; /**< owned; NULL: no kinetic part */
-    bool has_ke, has_pair, has_fix;
+    hs_stress_parts parts;
 } pressure_state;
-
-static const hs_keyword keywords[] = {
-    {"ke", 0, "", "the kinetic part"},
-    {"pair", 0, "", "the virial of the pair style, with its long-range correction"},
-    {"virial", 0, "", "every part but the kinetic one"},
-    {"bond", 0, "", "the virial of bonds: 0, this version has none"},
-    {"angle", 0, "", "the virial of angles: 0"},
-    {"dihedral", 0, "", "the virial of dihedrals: 0"},
-    {"improper", 0, "", "the virial of impropers: 0"},
-    {"kspace", 0, "", "the virial of long-range Coulomb forces: 0"},
-    {"fix", 0, "", "the virial of the fixes that `fix_modify virial yes` was said for"},
-    {NULL, 0, NULL, NULL},
-};
 
 /** The compute that gives the temperature. */
 static hs_status find_temperature(const hs_compute *compute, hs_compute **temperature, hs_error *err)
@@ -41,15 +29,9 @@ static hs_status create(hs_compute *compute, const hs_args *args, hs_error *err)
                        "%s: the group must be all: the virial of a pair belongs to no single group", args->command);
     compute->n_vector = 6;
     HS_TRY(HS_ALLOC(compute->vector, 6, err));
-    state->has_ke = state->has_pair = state->has_fix = args->n == 1;
-    for (int i = 1; i < args->n; ++i) {
-        state->has_ke |= strcmp(args->word[i], "ke") == 0;
-        const bool is_virial = strcmp(args->word[i], "virial") == 0;
-        state->has_pair |= is_virial || strcmp(args->word[i], "pair") == 0;
-        state->has_fix |= is_virial || strcmp(args->word[i], "fix") == 0;
-    }
+    state->parts = hs_stress_parts_read(args, 1);
     if (strcmp(args->word[0], "NULL") != 0) HS_TRY(hs_memory_strdup(&state->temperature_id, args->word[0], err));
-    if (!state->has_ke) return HS_OK;
+    if (!state->parts.has_ke) return HS_OK;
     if (state->temperature_id == NULL)
         return hs_fail(err, HS_ERROR_INPUT,
                        "%s: NULL leaves out the kinetic part, so a keyword such as 'virial' must say which parts are "
@@ -78,7 +60,7 @@ static hs_status set_temperature(hs_compute *compute, const char *id, hs_error *
 static hs_status init(hs_compute *compute, hs_error *err)
 {
     hs_compute *temperature;
-    return ((pressure_state *)compute->state)->has_ke ? find_temperature(compute, &temperature, err) : HS_OK;
+    return ((pressure_state *)compute->state)->parts.has_ke ? find_temperature(compute, &temperature, err) : HS_OK;
 }
 
 static hs_status scalar(hs_compute *compute, double *value, hs_error *err)
@@ -87,18 +69,18 @@ static hs_status scalar(hs_compute *compute, double *value, hs_error *err)
     const hs_env *env = compute->env;
     const int dim = env->box->dimension;
     double kinetic = 0.0, virial = 0.0, tail = 0.0;
-    if (state->has_ke) {
+    if (state->parts.has_ke) {
         hs_compute *temperature;
         double t;
         HS_TRY(find_temperature(compute, &temperature, err));
         HS_TRY(hs_compute_scalar(temperature, &t, err));
         kinetic = temperature->n_dof * env->units->boltz * t;
     }
-    if (state->has_pair) {
+    if (state->parts.has_pair) {
         for (int k = 0; k < dim; ++k) virial += env->pair_virial[k];
         tail = env->tail_pressure;
     }
-    for (int k = 0; k < dim && state->has_fix; ++k) virial += env->fix_virial[k];
+    for (int k = 0; k < dim && state->parts.has_fix; ++k) virial += env->fix_virial[k];
     *value = (kinetic + virial) / (dim * hs_box_volume(env->box)) * env->units->nktv2p + tail;
     return HS_OK;
 }
@@ -114,15 +96,15 @@ static hs_status vector(hs_compute *compute, hs_error *err)
         double kinetic = 0.0;
         compute->vector[k] = 0.0;
         if (env->box->dimension == 2 && !is_planar[k]) continue;
-        if (state->has_ke) {
+        if (state->parts.has_ke) {
             hs_compute *temperature;
             HS_TRY(find_temperature(compute, &temperature, err));
             HS_TRY(hs_compute_vector(temperature, k, &kinetic, err));
         }
         const double virial =
-            (state->has_pair ? env->pair_virial[k] : 0.0) + (state->has_fix ? env->fix_virial[k] : 0.0);
+            (state->parts.has_pair ? env->pair_virial[k] : 0.0) + (state->parts.has_fix ? env->fix_virial[k] : 0.0);
         compute->vector[k] = (kinetic + virial) / volume * env->units->nktv2p;
-        if (state->has_pair && k < 3) compute->vector[k] += env->tail_pressure;
+        if (state->parts.has_pair && k < 3) compute->vector[k] += env->tail_pressure;
     }
     return HS_OK;
 }
@@ -133,7 +115,7 @@ const hs_compute_style hs_compute_style_pressure = {
          .syntax = {.usage = "<temperature-compute | NULL> [ke pair virial bond angle dihedral improper kspace fix]",
                     .n_min = 1,
                     .n_max = 1,
-                    .keywords = keywords},
+                    .keywords = hs_stress_parts_keywords},
          .summary = "pressure and pressure tensor",
          .details = "The scalar `c_ID` is (n_dof k T + virial) / (dim V), the vector `c_ID[1]` ... `c_ID[6]` the "
                     "tensor in the order xx, yy, zz, xy, xz, yz (pressure units; in two dimensions V is the area and "

@@ -8,25 +8,13 @@
 #include "style/compute.h"
 #include "style/fix.h"
 #include "style/pair_scan.h"
+#include "style/stress_parts.h"
 
 typedef struct stress_state {
     char *temperature_id; /**< owned; NULL: velocities count as they are */
-    bool has_ke, has_pair, has_fix;
+    hs_stress_parts parts;
     bool is_virial_user; /**< of env->virial_of_fixes */
 } stress_state;
-
-static const hs_keyword keywords[] = {
-    {"ke", 0, "", "the kinetic part"},
-    {"pair", 0, "", "the virial of the pair style"},
-    {"virial", 0, "", "every part but the kinetic one"},
-    {"bond", 0, "", "the virial of bonds: 0, this version has none"},
-    {"angle", 0, "", "the virial of angles: 0"},
-    {"dihedral", 0, "", "the virial of dihedrals: 0"},
-    {"improper", 0, "", "the virial of impropers: 0"},
-    {"kspace", 0, "", "the virial of long-range Coulomb forces: 0"},
-    {"fix", 0, "", "the virial of the fixes that `fix_modify virial yes` was said for"},
-    {NULL, 0, NULL, NULL},
-};
 
 static hs_status find_temperature(const hs_compute *compute, hs_compute **temperature, hs_error *err)
 {
@@ -47,14 +35,8 @@ static hs_status create(hs_compute *compute, const hs_args *args, hs_error *err)
     hs_compute *temperature;
     compute->may_need_energy = true;
     compute->n_atom_columns = 6;
-    state->has_ke = state->has_pair = state->has_fix = args->n == 1;
-    for (int i = 1; i < args->n; ++i) {
-        const bool is_virial = strcmp(args->word[i], "virial") == 0;
-        state->has_ke |= strcmp(args->word[i], "ke") == 0;
-        state->has_pair |= is_virial || strcmp(args->word[i], "pair") == 0;
-        state->has_fix |= is_virial || strcmp(args->word[i], "fix") == 0;
-    }
-    if (state->has_fix) {
+    state->parts = hs_stress_parts_read(args, 1);
+    if (state->parts.has_fix) {
         HS_TRY(hs_virial_of_fixes_want(compute->env, err));
         state->is_virial_user = true;
     }
@@ -123,15 +105,15 @@ static hs_status per_atom(hs_compute *compute, hs_error *err)
     virial_context context = {.scan = &scan};
     memset(compute->atoms, 0, 6 * n * sizeof *compute->atoms);
     env->view_pairs(env, &context.view);
-    if (context.view.pair != NULL && state->has_pair) {
+    if (context.view.pair != NULL && state->parts.has_pair) {
         hs_status status = hs_pair_scan_begin_at_forces(&scan, env, context.view.cutoff_max, err);
         if (status == HS_OK) status = hs_pair_scan_share(&scan, env, 6, false, share, &context, compute->atoms, err);
         hs_pair_scan_end(&scan);
         HS_TRY(status);
     }
-    for (size_t k = 0; k < 6 && state->has_fix; ++k)
+    for (size_t k = 0; k < 6 && state->parts.has_fix; ++k)
         for (size_t i = 0; i < n; ++i) compute->atoms[k * n + i] += env->virial_of_fixes[k][i];
-    if (state->has_ke) HS_TRY(add_kinetic(compute, err));
+    if (state->parts.has_ke) HS_TRY(add_kinetic(compute, err));
     for (size_t i = 0; i < n; ++i) {
         const bool is_member = (env->atoms->mask[i] & compute->mask) != 0;
         for (size_t k = 0; k < 6; ++k)
@@ -146,7 +128,7 @@ const hs_compute_style hs_compute_style_stress_atom = {
          .syntax = {.usage = "<temperature-compute | NULL> [ke pair virial bond angle dihedral improper kspace fix]",
                     .n_min = 1,
                     .n_max = 1,
-                    .keywords = keywords},
+                    .keywords = hs_stress_parts_keywords},
          .summary = "stress of each atom times its volume",
          .details =
              "The values per atom `c_ID[1]` ... `c_ID[6]` are -(m v_a v_b + sum over pairs (r_a F_b)/2 + W_ab), W the "
