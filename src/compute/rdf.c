@@ -115,8 +115,8 @@ static void count_atoms(const hs_compute *compute)
 typedef struct count_context {
     const hs_compute *compute;
     const hs_pair_scan *scan;
-    double
-        listed_r2; /**< distance^2: pairs that were nearer when the lists were made count, where scan->x_listed is there */
+    /** Distance^2: pairs that were nearer when the lists were made count, where scan->x_listed is there. */
+    double listed_r2;
     int64_t *counts; /**< [threads][n_pairs][n_bins] */
 } count_context;
 

@@ -23,8 +23,8 @@ typedef struct temp_chunk_state {
     size_t capacity;
     uint64_t motion_at; /**< env->revision of these; 0: none */
     double n_atoms;     /**< in all chunks, as of then */
-    hs_atom_vector
-        bias_of; /**< what was taken off each atom's velocity at the latest evaluation; thermostats use it later */
+    /** What was taken off each atom's velocity at the latest evaluation; thermostats use it later. */
+    hs_atom_vector bias_of;
 } temp_chunk_state;
 
 static const char *const columns[] = {"temp", "kecom", "internal", NULL};

@@ -97,8 +97,8 @@ typedef struct hs_atom_draws {
     int n;
     size_t capacity;
     int next; /**< draw that comes next */
-    double
-        *number; /**< owned [n][n_local], made at the first draw; draw k of local atom i is number[k * n_local + i] */
+    /** Owned [n][n_local], made at the first draw; draw k of local atom i is number[k * n_local + i]. */
+    double *number;
 } hs_atom_draws;
 
 /** Find out what a formula will draw. Not collective; the caller gives the draws to hs_atom_draws_fini. */

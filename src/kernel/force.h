@@ -82,8 +82,8 @@ typedef struct hs_force_job {
     const hs_cells *cells;
     const hs_clusters *clusters;
     const hs_chains *chains; /**< methods linked, incremental and hash only */
-    const hs_chains
-        *coarse; /**< the same: chains of large atoms, whose radii make the cutoffs; NULL: `chains` hold all atoms */
+    /** The same: chains of large atoms, whose radii make the cutoffs; NULL: `chains` hold all atoms. */
+    const hs_chains *coarse;
     const hs_evaluator *evaluator;
     hs_isa isa;
     hs_precision precision;
@@ -93,13 +93,13 @@ typedef struct hs_force_job {
     double cutoff_max;
     bool with_energy;
     bool is_added; /**< add to the forces that the atoms have, not overwrite them */
-    double
-        settling_unit; /**< fixed point: blocks of forces that are not open are settled, to multiples of this, as they are reduced;
-                               0: none are, more will be added */
+    /** Fixed point: blocks of forces that are not open are settled, to multiples of this, as they are reduced; 0: none are,
+     *  more will be added. */
+    double settling_unit;
     const hs_force_halo *halo;      /**< borrowed; NULL: the halo is there, and the caller sends its forces */
     const unsigned char *is_remote; /**< borrowed [n_halo]: halo atoms of other ranks; NULL: there are none */
-    struct hs_pair_counter
-        *counter; /**< borrowed: counts the distances of the pairs; see hs_force_can_count. NULL: no */
+    /** Borrowed: counts the distances of the pairs; see hs_force_can_count. NULL: no. */
+    struct hs_pair_counter *counter;
 } hs_force_job;
 
 /** Energy and virial of this rank's pairs. In fixed point they, and the atoms' forces, are integers: multiples of the grid

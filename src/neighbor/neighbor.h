@@ -56,8 +56,8 @@ typedef struct hs_neighbor_settings {
 /** Counters of the present run, for the log. */
 typedef struct hs_neighbor_counters {
     int64_t n_builds; /**< scheduled list builds, without the one of the set-up (as LAMMPS counts them) */
-    int64_t
-        n_dangerous; /**< builds with check yes at which an atom had moved half the skin as soon as one was allowed */
+    /** Builds with check yes at which an atom had moved half the skin as soon as one was allowed. */
+    int64_t n_dangerous;
     int64_t n_late_steps;    /**< steps on which an atom was more than half the skin from its listed place */
     int64_t first_late_step; /**< the first of them, -1 for none */
     int64_t n_pairs;         /**< pairs in this rank's lists of the last build; 0 for methods without lists */

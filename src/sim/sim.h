@@ -68,12 +68,12 @@ typedef struct hs_sim {
     hs_neighbor neighbor; /**< settings, cells, lists */
     hs_domain domain;     /**< the ranks' bricks */
     hs_halo halo;
-    hs_pair_table
-        *pair_table;   /**< for each part of the pair style, parameters of all pairs of kernel types; by hs_sim_setup */
+    /** For each part of the pair style, parameters of all pairs of kernel types; by hs_sim_setup. */
+    hs_pair_table *pair_table;
     int n_pair_tables; /**< owned [n_pair_tables] */
     int32_t *kernel_type; /**< atom field: type and exclusion class; NULL while no groups are excluded */
-    bool
-        *excluded; /**< owned [n_kernel_types^2]: pairs of kernel types that do not interact; NULL: none are excluded */
+    /** Owned [n_kernel_types^2]: pairs of kernel types that do not interact; NULL: none are excluded. */
+    bool *excluded;
     int n_kernel_types;
     hs_force_space forces;    /**< buffers of the pair kernels */
     uint64_t flat_generation; /**< in this generation of the atoms kernels have left f_z of the first n_flat alone, */
@@ -93,8 +93,8 @@ typedef struct hs_sim {
     hs_timer timer;
     hs_min_settings minimize; /**< of min_style and min_modify */
     bool is_minimizing;       /**< within hs_sim_minimize: only fixes that act in it are heard */
-    int64_t
-        n_minimized; /**< iterations since the last run: numbered as steps, but the next run does not count their time */
+    /** Iterations since the last run: numbered as steps, but the next run does not count their time. */
+    int64_t n_minimized;
 
     int64_t listed_step; /**< of the last scheduled list build */
     bool is_initialized; /**< a run has been set up since the last change of the system (run pre no is allowed) */

@@ -37,8 +37,8 @@ typedef struct hs_deform_start {
     double length; /**< that rates and factors refer to, distance */
     double time;   /**< since then */
     int k;         /**< final and delta: which of the numbers is its own */
-    int64_t
-        every; /**< steps between changes: as in LAMMPS the rate of trate is that of the value before the present change */
+    /** Steps between changes: as in LAMMPS the rate of trate is that of the value before the present change. */
+    int64_t every;
 } hs_deform_start;
 /** How much more it is at the present step than at the start of the run (or series of runs), and how fast that grows; 0
  *  for HS_DEFORM_NOT and HS_DEFORM_VOLUME. Collective. */

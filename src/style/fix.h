@@ -115,8 +115,8 @@ typedef struct hs_fix {
     int n_rows, n_columns; /**< of the array */
     int n_atom_columns;    /**< 0: one value per atom, f_ID; n: f_ID[1] ... f_ID[n] */
     bool is_extensive, is_vector_extensive, is_array_extensive, is_coupling;
-    const bool *
-        is_element_extensive; /**< borrowed [n_vector] from the style's state, where elements differ; NULL: all are alike */
+    /** Borrowed [n_vector] from the style's state, where elements differ; NULL: all are alike. */
+    const bool *is_element_extensive;
     bool has_variable_length; /**< the array gets more rows while it runs; rows beyond are 0. Set by create */
     /** What there is: at first what the style has functions for; create may clear some. */
     bool has_scalar, has_vector, has_array, has_atoms;

@@ -38,8 +38,8 @@ typedef struct hs_nose_hoover {
     double t_start, t_stop, t_rate; /**< temperature, and 1/damping time */
     double t_fixed;         /**< ptemp: sets the barostat's masses without a thermostat; 0: the first temperature */
     double t_target, t_now; /**< temperature */
-    double
-        kinetic_target; /**< twice the target's kinetic energy, with the degrees of freedom at the start of the step */
+    /** Twice the target's kinetic energy, with the degrees of freedom at the start of the step. */
+    double kinetic_target;
     double n_dof;
     double drag;
     hs_nh_chain chain;

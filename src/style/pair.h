@@ -58,8 +58,8 @@ typedef struct hs_pair {
     bool shift, tail;      /**< pair_modify */
     bool is_adapted;       /**< coefficients are no longer those of pair_coeff: checkpoints keep them */
     hs_mix_rule mix;
-    struct hs_pair *
-        *part; /**< whose forces are added: the sub-styles of a hybrid style, owned; else only the pair itself */
+    /** Whose forces are added: the sub-styles of a hybrid style, owned; else only the pair itself. */
+    struct hs_pair **part;
     int n_parts;
 } hs_pair;
 

@@ -18,10 +18,10 @@ typedef enum {
 typedef struct hs_pair_row {
     int64_t id[2]; /**< id[0] <= id[1]; equal: an atom and an image of itself */
     int32_t type[2];
-    double d
-        [3]; /**< r_0 - r_1, distance; of an atom and its image the one whose first component that is not 0 is positive */
-    double
-        force_over_r; /**< of the force on atom 0, which is force_over_r d: energy/distance^2; positive: the atoms repel each other */
+    /** Distance r_0 - r_1; of an atom and its image the one whose first component that is not 0 is positive. */
+    double d[3];
+    /** Of the force on atom 0, which is force_over_r d: energy/distance^2; positive: the atoms repel each other. */
+    double force_over_r;
     double energy;
 } hs_pair_row;
 

@@ -46,8 +46,8 @@ typedef void (*hs_pair_visit)(void *context, int thread, const hs_pair_batch *ba
 
 typedef struct hs_pair_scan {
     double range; /**< pairs closer than this */
-    hs_atoms
-        atoms; /**< owned: copies of local atoms (same indices), and the scan's own halo: x, id, mask, and kernel types in type */
+    /** Owned: copies of local atoms (same indices), and the scan's own halo: x, id, mask, and kernel types in type. */
+    hs_atoms atoms;
     hs_halo halo; /**< owned */
     int n_all;    /**< local and halo atoms */
     double lo[3], inv_edge[3];

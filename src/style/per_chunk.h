@@ -12,8 +12,8 @@ typedef struct hs_per_chunk {
     int64_t n;              /**< chunks, then */
     size_t capacity;
     double *value, *sum; /**< owned scratch: of the local atoms [n_local], of chunks [n] */
-    double *
-        center; /**< owned [n][4]: center of mass, unwrapped, and mass, by hs_per_chunk_find_centers; 0 without atoms */
+    /** Owned [n][4]: center of mass, unwrapped, and mass, by hs_per_chunk_find_centers; 0 without atoms. */
+    double *center;
     size_t capacity_atoms, capacity_center;
 } hs_per_chunk;
 
