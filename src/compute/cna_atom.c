@@ -83,24 +83,20 @@ static hs_status per_atom(hs_compute *compute, hs_error *err)
 }
 
 const hs_compute_style hs_compute_style_cna_atom = {
-    .about =
-        {.name = "cna/atom",
-         .syntax = {.usage = "<cutoff>", .n_min = 1, .n_max = 1},
-         .summary = "crystal that each atom is part of, by common neighbor analysis",
-         .details =
-             "The value per atom is 1 in fcc, 2 in hcp, 3 in bcc, 4 in an icosahedron, 5 elsewhere, and 0 outside of "
-             "the "
-             "group. Atoms closer than the cutoff (distance) are neighbors, of whatever group; an atom has a "
-             "crystal when it has 12 (bcc: 14) neighbors, and the neighbors that it has in common with each are bonded "
-             "as in that crystal. So the cutoff must lie between the first and the second shell of neighbors, for bcc "
-             "between the second and the third: with the lattice constant a that is 0.854 a in fcc, 1.207 a in bcc, "
-             "and "
-             "(with the ideal axis ratio) 1.207 a in hcp. Thermal motion makes atoms unknown; minimise, or average "
-             "places, before.",
-         .reference = "H. Tsuzuki, P. S. Branicio, J. P. Rino, Comput. Phys. Commun. 177, 518 (2007), "
-                      "doi:10.1016/j.cpc.2007.05.018",
-         .example =
-             "compute crystal all cna/atom 1.43\nvariable fcc atom c_crystal==1\ncompute n all reduce sum v_fcc"},
+    .about = {.name = "cna/atom",
+              .syntax = {.usage = "<cutoff>", .n_min = 1, .n_max = 1},
+              .summary = "crystal that each atom is part of, by common neighbor analysis",
+              .details = "The value per atom is 1 in fcc, 2 in hcp, 3 in bcc, 4 in an icosahedron, 5 elsewhere, and 0 "
+                         "outside of the group. Atoms closer than the cutoff (distance) are neighbors, of whatever "
+                         "group; an atom has a crystal when it has 12 (bcc: 14) neighbors, and the neighbors that it "
+                         "has in common with each are bonded as in that crystal. So the cutoff must lie between the "
+                         "first and the second shell of neighbors, for bcc between the second and the third: with the "
+                         "lattice constant a that is 0.854 a in fcc, 1.207 a in bcc, and (with the ideal axis ratio) "
+                         "1.207 a in hcp. Thermal motion makes atoms unknown; minimise, or average places, before.",
+              .reference = "H. Tsuzuki, P. S. Branicio, J. P. Rino, Comput. Phys. Commun. 177, 518 (2007), "
+                           "doi:10.1016/j.cpc.2007.05.018",
+              .example =
+                  "compute crystal all cna/atom 1.43\nvariable fcc atom c_crystal==1\ncompute n all reduce sum v_fcc"},
     .state_size = sizeof(double),
     .create = create,
     .per_atom = per_atom,

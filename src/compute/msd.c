@@ -121,11 +121,10 @@ const hs_compute_style hs_compute_style_msd = {
                   "The vector `c_ID[1]` ... `c_ID[4]` is the mean over the group's atoms of dx^2, dy^2, dz^2 and of "
                   "their sum (distance^2), with d the displacement from the place where the atom was when the compute "
                   "was defined, crossings of periodic faces included. With `average yes` it is the displacement from "
-                  "the mean "
-                  "of that place and those at all steps so far at which the compute was asked for; a step counts once, "
-                  "however many ask (in LAMMPS once for each of them). The slope of `c_ID[4]` against time is 2 dim D, "
-                  "with D the diffusion coefficient. Starting places travel with the atoms and are part of "
-                  "checkpoints; after `read_restart` a compute of the same ID goes on from them.",
+                  "the mean of that place and those at all steps so far at which the compute was asked for; a step "
+                  "counts once, however many ask (in LAMMPS once for each of them). The slope of `c_ID[4]` against "
+                  "time is 2 dim D, with D the diffusion coefficient. Starting places travel with the atoms and are "
+                  "part of checkpoints; after `read_restart` a compute of the same ID goes on from them.",
               .reference = "A. Einstein, Ann. Phys. 322, 549 (1905), doi:10.1002/andp.19053220806",
               .example =
                   "compute msd all msd com yes\nfix 9 all vector 10 c_msd[4]\nvariable D equal slope(f_9)/6/(10*dt)"},

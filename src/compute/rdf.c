@@ -278,14 +278,12 @@ const hs_compute_style hs_compute_style_rdf = {
              "ranges as in pair_coeff; without any, all atoms count. Only atoms of the group count.\n\n"
              "Without `cutoff` the pairs are those whose forces count, up to the pair style's cutoff; where "
              "`neigh_modify` lets lists come late, some of them may be missing, as in LAMMPS. With `cutoff` they are "
-             "all "
-             "that are there.\n\n"
+             "all that are there.\n\n"
              "Without `cutoff`, with one kind of pairs, method `cluster`, and at most 256 bins, the force kernel "
-             "counts "
-             "the pairs on its way where `fix ave/time` asks for them (double precision, steps without energies), else "
-             "the pairs of its list are counted, at a fraction of a timestep's cost. In all other cases, as for a "
-             "`cutoff` of any length, beyond half the box too, the pairs are found anew, which takes some timesteps' "
-             "time. `fix ave/time ... c_ID[*] mode vector` averages and writes it.",
+             "counts the pairs on its way where `fix ave/time` asks for them (double precision, steps without "
+             "energies), else the pairs of its list are counted, at a fraction of a timestep's cost. In all other "
+             "cases, as for a `cutoff` of any length, beyond half the box too, the pairs are found anew, which takes "
+             "some timesteps' time. `fix ave/time ... c_ID[*] mode vector` averages and writes it.",
          .reference = "M. P. Allen, D. J. Tildesley, Computer Simulation of Liquids, 2nd ed. (2017), section 8.2",
          .example = "compute myRDF all rdf 50\nfix 2 all ave/time 100 10 1000 c_myRDF[*] file tmp.rdf mode vector"},
     .state_size = sizeof(rdf_state),

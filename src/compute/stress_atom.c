@@ -132,12 +132,12 @@ const hs_compute_style hs_compute_style_stress_atom = {
          .summary = "stress of each atom times its volume",
          .details =
              "The values per atom `c_ID[1]` ... `c_ID[6]` are -(m v_a v_b + sum over pairs (r_a F_b)/2 + W_ab), W the "
-             "virial of fixes with `fix_modify virial yes`, in the order "
-             "xx, yy, zz, xy, xz, yz (pressure times volume; the volume of an atom is not known); atoms outside the "
-             "group have 0. Minus their sum over all atoms divided by the volume is the pressure tensor. The first "
-             "word names a temperature compute, whose bias (as the motion of the center of mass in temp/com) is taken "
-             "off the velocities; NULL takes them as they are. Without keywords every part counts; with keywords only "
-             "the parts they name. The pairs are found anew for each evaluation, which takes some timesteps' time.",
+             "virial of fixes with `fix_modify virial yes`, in the order xx, yy, zz, xy, xz, yz (pressure times "
+             "volume; the volume of an atom is not known); atoms outside the group have 0. Minus their sum over all "
+             "atoms divided by the volume is the pressure tensor. The first word names a temperature compute, whose "
+             "bias (as the motion of the center of mass in temp/com) is taken off the velocities; NULL takes them as "
+             "they are. Without keywords every part counts; with keywords only the parts they name. The pairs are "
+             "found anew for each evaluation, which takes some timesteps' time.",
          .reference =
              "A. P. Thompson, S. J. Plimpton, W. Mattson, J. Chem. Phys. 131, 154107 (2009), doi:10.1063/1.3245303",
          .example = "compute s all stress/atom NULL\ncompute p all reduce sum c_s[1] c_s[2] c_s[3]"},

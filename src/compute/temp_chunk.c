@@ -299,9 +299,8 @@ const hs_compute_style hs_compute_style_temp_chunk = {
              "`cdof -3` then takes its degrees of freedom off. `bias` takes off first what another temperature compute "
              "(temp/ramp, say) takes off. As the temperature of a thermostat (`fix_modify ... temp ID`) only what is "
              "left is changed; in LAMMPS of 29 Sep 2021 such a thermostat does nothing. Where atoms were moved between "
-             "runs, the "
-             "chunks' velocities are those of the atoms that are in them now from the first row on; LAMMPS's are of "
-             "before.",
+             "runs, the chunks' velocities are those of the atoms that are in them now from the first row on; LAMMPS's "
+             "are of before.",
          .example = "compute slabs all chunk/atom bin/1d z lower 0.05 units reduced\n"
                     "compute t all temp/chunk slabs temp com yes cdof -3\n"
                     "fix t all ave/time 10 100 1000 c_t[1] mode vector file slabs.txt"},

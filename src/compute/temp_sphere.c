@@ -110,12 +110,10 @@ const hs_compute_style hs_compute_style_temp_sphere = {
          .summary = "temperature of spheres that move and turn",
          .details =
              "The scalar `c_ID` is (sum(m v^2) + sum(I omega^2)) / (n_dof k), with I = (2/5) m R^2. Spheres have 6 "
-             "degrees "
-             "of freedom (3 in two dimensions), points 3 (2), less those of the center of mass; with `dof rotate` the "
-             "rotation alone counts, with 3 (1) of each sphere. The vector is the tensor sum(m v_a v_b + I omega_a "
-             "omega_b) in the order xx, yy, zz, xy, xz, yz (energy). As in LAMMPS a pressure that takes its "
-             "temperature "
-             "from here, as that of `fix npt/sphere` does, counts the rotation as if it pushed the walls.",
+             "degrees of freedom (3 in two dimensions), points 3 (2), less those of the center of mass; with `dof "
+             "rotate` the rotation alone counts, with 3 (1) of each sphere. The vector is the tensor sum(m v_a v_b + I "
+             "omega_a omega_b) in the order xx, yy, zz, xy, xz, yz (energy). As in LAMMPS a pressure that takes its "
+             "temperature from here, as that of `fix npt/sphere` does, counts the rotation as if it pushed the walls.",
          .example = "compute t all temp/sphere\ncompute r all temp/sphere dof rotate"},
     .state_size = sizeof(temp_sphere_state),
     .create = create,

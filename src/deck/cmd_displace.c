@@ -188,8 +188,7 @@ const hs_command hs_commands_displace[] = {
                            "which are those of LAMMPS, on any number of ranks.\n\n"
                            "`rotate <Px> <Py> <Pz> <Rx> <Ry> <Rz> <theta>` turns them by theta degrees about the axis "
                            "R through the point P: as in LAMMPS from their unwrapped places, so that what crosses a "
-                           "face stays in "
-                           "one piece.\n\n"
+                           "face stays in one piece.\n\n"
                            "Lengths are in lattice spacings unless `units box` is said. Atoms that leave a periodic "
                            "box come back on the other side; nothing keeps atoms from being moved onto one another.\n",
                 .example = "displace_atoms top move 0 -5 0 units box\ndisplace_atoms all random 0.1 0.1 0.1 4711\n"

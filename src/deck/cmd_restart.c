@@ -181,8 +181,7 @@ const hs_command hs_commands_restart[] = {
                .summary = "Write checkpoints every N steps, by LAMMPS's word",
                .details = "A `*` in the name becomes the step; without one, `.*` is added. With two names the files "
                           "take turns. A command with one name and a command with two hold side by side; 0 ends both. "
-                          "The files are "
-                          "those of `checkpoint`; LAMMPS cannot read them.",
+                          "The files are those of `checkpoint`; LAMMPS cannot read them.",
                .example = "restart 1000 run.restart\nrestart 500 a.restart b.restart\nrestart 0"},
      .run = restart_run,
      .check = restart_check},

@@ -321,8 +321,7 @@ const hs_command hs_commands_script[] = {
                 .syntax = {"<variable> ...", 1, -1, NULL},
                 .summary = "Give variables their next values",
                 .details = "All must be of one style: `index`, `loop`, `file`, `atomfile`, or `universe` and `uloop`. "
-                           "When one has no further value, all "
-                           "of them are deleted and the\nnext `jump` is skipped.\n",
+                           "When one has no further value, all of them are deleted and the\nnext `jump` is skipped.\n",
                 .example = "variable T index 0.7 0.8 0.9\nlabel loop\nprint \"T = $T\"\nnext T\njump SELF loop",
             },
         .run = next_run,

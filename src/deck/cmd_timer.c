@@ -43,8 +43,8 @@ const hs_command hs_commands_timer[] = {
                .syntax = {.usage = "<keyword> ...", .n_min = 0, .n_max = 0, .keywords = keywords},
                .summary = "Detail of LAMMPS's timing table, accepted without effect",
                .details = "Halfshell times its phases at every run, which costs nothing that could be measured. A "
-                          "limit of wall time (`timeout 1:00:00`) is refused: `fix halt ... "
-                          "tlimit` ends runs by it, and the option `-walltime` stops with a checkpoint.",
+                          "limit of wall time (`timeout 1:00:00`) is refused: `fix halt ... tlimit` ends runs by it, "
+                          "and the option `-walltime` stops with a checkpoint.",
                .example = "timer full"},
      .run = run,
      .check = check},

@@ -90,8 +90,7 @@ const hs_command hs_commands_variable[] = {
                 .name = "variable",
                 .syntax = {"<name> "
                            "index|loop|file|string|format|getenv|equal|vector|atom|atomfile|internal|universe|uloop|"
-                           "world|delete "
-                           "<words>",
+                           "world|delete <words>",
                            2, -1, NULL},
                 .summary = "Define a variable",
                 .details =

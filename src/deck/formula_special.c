@@ -161,8 +161,7 @@ const hs_word_function hs_special_functions[] = {
     {"grmask", 2, 2, NULL, do_masks, "grmask(group,region)", "1 for atoms of the group in the region (per atom)"},
     {"next", 1, 1, do_next, do_next_atoms, "next(name)",
      "present value of a file-style variable, or in atom-style formulas values of an atomfile-style one, which then "
-     "goes "
-     "on to the next; it is deleted when there is none"},
+     "goes on to the next; it is deleted when there is none"},
     {"is_defined", 2, 2, do_is_defined, NULL, "is_defined(category,ID)",
      "whether a compute, dump, fix, group, region or variable exists"},
     {"is_available", 2, 2, do_is_available, NULL, "is_available(category,name)",

@@ -294,8 +294,7 @@ static void warn_of_step(hs_dump *dump)
     self->is_irregular = true;
     hs_warn(dump->env->out,
             "dump '%s': frame %d of '%s' is of step %lld, and readers of dcd files take it for one of step %lld: they "
-            "count "
-            "from the first frame (step %d) in equal intervals (%d). A new dump into another file, defined after "
+            "count from the first frame (step %d) in equal intervals (%d). A new dump into another file, defined after "
             "reset_timestep, or without 'first yes', has the steps right",
             dump->id, (int)head->n_frames, dump->file, (long long)step, (long long)told, (int)head->first_step,
             (int)head->every);
@@ -343,22 +342,17 @@ const hs_dump_style hs_dump_style_dcd = {
          .summary = "positions in the binary DCD format of CHARMM and NAMD, which most viewers read",
          .details =
              "One file for all frames, read by VMD, OVITO, MDAnalysis (`format=\"LAMMPS\"`), mdtraj and others: x, y "
-             "and "
-             "z of the group's atoms as 32-bit floats in distance units, in the order of ids, and the box's edges and "
-             "angles with each frame. `dump_modify unwrap yes` writes unwrapped places, `pbc yes` those in the box; "
-             "else "
-             "places are as they are between wraps. What the format has no room for is refused: another number of "
-             "atoms "
-             "than in the first frame, steps beyond 2^31 - 1, another interval between frames, compressed files. "
-             "Tilted "
-             "boxes lose their lower corner, as every box does in this format; `dump h5md` keeps it, and doubles.\n\n"
+             "and z of the group's atoms as 32-bit floats in distance units, in the order of ids, and the box's edges "
+             "and angles with each frame. `dump_modify unwrap yes` writes unwrapped places, `pbc yes` those in the "
+             "box; else places are as they are between wraps. What the format has no room for is refused: another "
+             "number of atoms than in the first frame, steps beyond 2^31 - 1, another interval between frames, "
+             "compressed files. Tilted boxes lose their lower corner, as every box does in this format; `dump h5md` "
+             "keeps it, and doubles.\n\n"
              "A frame is added to the file as a whole, and the number of frames in the file's head follows. Steps of "
-             "frames "
-             "are not in the file: readers count from that of the first one. A warning says so where they do not fit "
-             "(`reset_timestep`, `dump_modify first yes` between multiples of N). With "
-             "`dump_modify append yes` frames go behind those of a file that is there, if they are of as many atoms "
-             "and "
-             "as many steps apart. Other keywords of `dump_modify` are `delay`, `every`, `first` and `sort id`.",
+             "frames are not in the file: readers count from that of the first one. A warning says so where they do "
+             "not fit (`reset_timestep`, `dump_modify first yes` between multiples of N). With `dump_modify append "
+             "yes` frames go behind those of a file that is there, if they are of as many atoms and as many steps "
+             "apart. Other keywords of `dump_modify` are `delay`, `every`, `first` and `sort id`.",
          .example = "dump d all dcd 1000 run.dcd\ndump_modify d unwrap yes"},
     .state_size = sizeof(dcd_dump),
     .check = check,

@@ -383,38 +383,30 @@ static hs_status keep_state(hs_fix *fix, hs_state *kept, hs_error *err)
 }
 
 const hs_fix_style hs_fix_style_atom_swap = {
-    .about =
-        {.name = "atom/swap",
-         .syntax = {.usage = "<N> <X> <seed> <T> types <type> <type> ... [keyword values ...]",
-                    .n_min = 4,
-                    .n_max = 4,
-                    .keywords = keywords},
-         .summary = "Monte Carlo of types, for mixtures at equilibrium",
-         .details =
-             "Every N steps X moves are tried, by Metropolis's rule at the temperature T. An atom of the first type "
-             "and one of "
-             "the second swap their types (at fixed numbers, which mixes and unmixes much faster than diffusion does), "
-             "or, "
-             "with `semi-grand yes`, an atom gets another of the `types`, so that numbers follow the chemical "
-             "potentials `mu` "
-             "(energy), of which only differences matter. Only atoms of the group take part, with `region` only those "
-             "in "
-             "it. Places stay; with `ke yes` (default) velocities are scaled where masses differ, so that the kinetic "
-             "energy "
-             "stays, too.\n\n"
-             "The first moves come at the step after the fix was defined. Energies are those of the pairs that a move "
-             "changes, whole and exact, long-range corrections of `pair_modify tail` included; the box must be thicker "
-             "than "
-             "the cutoff where it is periodic, and the pair style must not go by diameters. Moves and random numbers "
-             "are the "
-             "same on any ranks and threads. Other than in LAMMPS no atom is moved twice in a batch of 256 moves; "
-             "that, too, "
-             "leaves the distribution as it is.\n\n"
-             "The vector: `f_ID[1]` the moves tried so far, `f_ID[2]` those accepted.",
-         .reference = "N. Metropolis et al., J. Chem. Phys. 21, 1087 (1953), doi:10.1063/1.1699114; D. A. Kofke, E. D. "
-                      "Glandt, Mol. Phys. 64, 1105 (1988), doi:10.1080/00268978800100743",
-         .example = "fix mix all atom/swap 10 20 29494 1.0 types 1 2\n"
-                    "fix sg all atom/swap 10 100 29494 1.0 semi-grand yes types 1 2 mu 0.0 -0.35"},
+    .about = {.name = "atom/swap",
+              .syntax = {.usage = "<N> <X> <seed> <T> types <type> <type> ... [keyword values ...]",
+                         .n_min = 4,
+                         .n_max = 4,
+                         .keywords = keywords},
+              .summary = "Monte Carlo of types, for mixtures at equilibrium",
+              .details =
+                  "Every N steps X moves are tried, by Metropolis's rule at the temperature T. An atom of the first "
+                  "type and one of the second swap their types (at fixed numbers, which mixes and unmixes much faster "
+                  "than diffusion does), or, with `semi-grand yes`, an atom gets another of the `types`, so that "
+                  "numbers follow the chemical potentials `mu` (energy), of which only differences matter. Only atoms "
+                  "of the group take part, with `region` only those in it. Places stay; with `ke yes` (default) "
+                  "velocities are scaled where masses differ, so that the kinetic energy stays, too.\n\n"
+                  "The first moves come at the step after the fix was defined. Energies are those of the pairs that a "
+                  "move changes, whole and exact, long-range corrections of `pair_modify tail` included; the box must "
+                  "be thicker than the cutoff where it is periodic, and the pair style must not go by diameters. Moves "
+                  "and random numbers are the same on any ranks and threads. Other than in LAMMPS no atom is moved "
+                  "twice in a batch of 256 moves; that, too, leaves the distribution as it is.\n\n"
+                  "The vector: `f_ID[1]` the moves tried so far, `f_ID[2]` those accepted.",
+              .reference =
+                  "N. Metropolis et al., J. Chem. Phys. 21, 1087 (1953), doi:10.1063/1.1699114; D. A. Kofke, E. D. "
+                  "Glandt, Mol. Phys. 64, 1105 (1988), doi:10.1080/00268978800100743",
+              .example = "fix mix all atom/swap 10 20 29494 1.0 types 1 2\n"
+                         "fix sg all atom/swap 10 100 29494 1.0 semi-grand yes types 1 2 mu 0.0 -0.35"},
     .state_size = sizeof(swap_state),
     .create = create,
     .destroy = destroy,

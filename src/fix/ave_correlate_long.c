@@ -120,24 +120,23 @@ static hs_status keep_state(hs_fix *fix, hs_state *kept, hs_error *err)
 }
 
 const hs_fix_style hs_fix_style_ave_correlate_long = {
-    .about =
-        {.name = "ave/correlate/long",
-         .syntax = {.usage = "<Nevery> <Nfreq> <value> ... [keyword value ...]",
-                    .n_min = 3,
-                    .n_max = -1,
-                    .keywords = keywords},
-         .summary = "time correlations of numbers over very long times, with LAMMPS's words",
-         .details =
-             "As `fix ave/correlate/fft Nevery 16 Nfreq <value> ... levels 20`: sixteen lags on each of twenty grids, "
-             "each twice as coarse as the one before, whose samples are means of two. `nlen` and `ncorr` change these "
-             "numbers; the longest lag is (nlen - 1) 2^(ncorr - 1) samples.\n\n"
-             "Every Nfreq steps the file gets the step and a row for each lag that has samples: the lag as a time, and "
-             "one column for each pair of values (`type`); with `overwrite` it holds the last output only. `error "
-             "yes` adds standard errors and inefficiencies. The array `f_ID[i][j]` has the columns lag in steps, "
-             "number "
-             "of samples, and those of the pairs. The group has no meaning.",
-         .reference = "J. Ramirez et al., J. Chem. Phys. 133, 154103 (2010), doi:10.1063/1.3491098",
-         .example = "variable pxy equal pxy\nfix S all ave/correlate/long 5 100000 v_pxy file stress.corr overwrite"},
+    .about = {.name = "ave/correlate/long",
+              .syntax = {.usage = "<Nevery> <Nfreq> <value> ... [keyword value ...]",
+                         .n_min = 3,
+                         .n_max = -1,
+                         .keywords = keywords},
+              .summary = "time correlations of numbers over very long times, with LAMMPS's words",
+              .details =
+                  "As `fix ave/correlate/fft Nevery 16 Nfreq <value> ... levels 20`: sixteen lags on each of twenty "
+                  "grids, each twice as coarse as the one before, whose samples are means of two. `nlen` and `ncorr` "
+                  "change these numbers; the longest lag is (nlen - 1) 2^(ncorr - 1) samples.\n\n"
+                  "Every Nfreq steps the file gets the step and a row for each lag that has samples: the lag as a "
+                  "time, and one column for each pair of values (`type`); with `overwrite` it holds the last output "
+                  "only. `error yes` adds standard errors and inefficiencies. The array `f_ID[i][j]` has the columns "
+                  "lag in steps, number of samples, and those of the pairs. The group has no meaning.",
+              .reference = "J. Ramirez et al., J. Chem. Phys. 133, 154103 (2010), doi:10.1063/1.3491098",
+              .example =
+                  "variable pxy equal pxy\nfix S all ave/correlate/long 5 100000 v_pxy file stress.corr overwrite"},
     .state_size = sizeof(long_state),
     HS_CORRELATION_HOOKS,
 };

@@ -261,39 +261,38 @@ static hs_status keep_state(hs_fix *fix, hs_state *kept, hs_error *err)
 }
 
 const hs_fix_style hs_fix_style_deform = {
-    .about = {.name = "deform",
-              .syntax = {.usage = "<N> <x|y|z|xy|xz|yz> <style> <numbers> [<x|y|z|xy|xz|yz> ...] [keyword value ...]",
-                         .n_min = 1,
-                         .n_max = 1,
-                         .keywords = keywords},
-              .summary = "change the lengths and tilts of the box during a run",
-              .details =
-                  "At multiples of N steps the box gets the lengths and tilts that the styles of its axes give; axes "
-                  "that are not named keep theirs. Over the run (or from `run start` to `stop`) `final <lo> <hi>` "
-                  "brings the bounds to these places, `delta <dlo> <dhi>` moves them by so much, `scale <factor>` "
-                  "multiplies the length. At constant velocity `vel <V>` makes the box longer by V a unit of time; "
-                  "`erate <R>` by R times the first length, `trate <R>` by R times the present length; `wiggle <A> "
-                  "<Tp>` by A sin(2 pi t/Tp); `variable v_name v_rate` by the value of an equal-style variable "
-                  "(distance units), the second of which is its rate. `volume` makes up for the others that the fix "
-                  "changes, so that the "
-                  "volume stays; two such axes share that. All but final and delta keep the middle of the box.\n\n"
-                  "Tilts need a tilted (triclinic) box, which may have tilts of 0: of `create_box` with a prism, of "
-                  "`read_data`, or of `change_box all triclinic`. `xy` has the styles `final <tilt>`, `delta <dtilt>`, "
-                  "`vel <V>`, `erate <R>` (the tilt grows by R times the box's first length in y a unit of time: R is "
-                  "the shear rate), `trate <R>` (by R times the tilt), `wiggle` and `variable`; so have `xz` and `yz`. "
-                  "A tilt of more than half of the length in x (`yz`: in y) gives way to an equivalent one with the "
-                  "next neighbor lists, unless `flip no` is said.\n\n"
-                  "With `remap x` the atoms of the group go along, each keeping its fractions of the box: velocities "
-                  "stay. With `remap v` atoms of the group that cross a periodic face take the velocity of their "
-                  "image: right for flows, with `fix nvt/sllod` or `compute temp/deform`. With `remap none` nothing "
-                  "happens to them, and new pairs come about at periodic faces. The fix moves nothing else: use it "
-                  "with `fix nve` or another integrator; a barostat may act on the axes that it leaves alone. "
-                  "docs/shear-flow.md has an example. A deck has one fix deform.\n\nThe box changes at the end of a "
-                  "step, when "
-                  "its forces are known: energies and virials of the step, also those of `pe/atom`, `stress/atom` and "
-                  "fixes, are of the places before, as in LAMMPS.",
-              .example = "fix 2 all deform 1 x erate 0.001 y volume z volume\nfix 3 all deform 10 z scale 0.5 units "
-                         "box\nfix 4 all deform 1 xy erate 0.05 remap v"},
+    .about =
+        {.name = "deform",
+         .syntax = {.usage = "<N> <x|y|z|xy|xz|yz> <style> <numbers> [<x|y|z|xy|xz|yz> ...] [keyword value ...]",
+                    .n_min = 1,
+                    .n_max = 1,
+                    .keywords = keywords},
+         .summary = "change the lengths and tilts of the box during a run",
+         .details =
+             "At multiples of N steps the box gets the lengths and tilts that the styles of its axes give; axes that "
+             "are not named keep theirs. Over the run (or from `run start` to `stop`) `final <lo> <hi>` brings the "
+             "bounds to these places, `delta <dlo> <dhi>` moves them by so much, `scale <factor>` multiplies the "
+             "length. At constant velocity `vel <V>` makes the box longer by V a unit of time; `erate <R>` by R times "
+             "the first length, `trate <R>` by R times the present length; `wiggle <A> <Tp>` by A sin(2 pi t/Tp); "
+             "`variable v_name v_rate` by the value of an equal-style variable (distance units), the second of which "
+             "is its rate. `volume` makes up for the others that the fix changes, so that the volume stays; two such "
+             "axes share that. All but final and delta keep the middle of the box.\n\n"
+             "Tilts need a tilted (triclinic) box, which may have tilts of 0: of `create_box` with a prism, of "
+             "`read_data`, or of `change_box all triclinic`. `xy` has the styles `final <tilt>`, `delta <dtilt>`, `vel "
+             "<V>`, `erate <R>` (the tilt grows by R times the box's first length in y a unit of time: R is the shear "
+             "rate), `trate <R>` (by R times the tilt), `wiggle` and `variable`; so have `xz` and `yz`. A tilt of more "
+             "than half of the length in x (`yz`: in y) gives way to an equivalent one with the next neighbor lists, "
+             "unless `flip no` is said.\n\n"
+             "With `remap x` the atoms of the group go along, each keeping its fractions of the box: velocities stay. "
+             "With `remap v` atoms of the group that cross a periodic face take the velocity of their image: right for "
+             "flows, with `fix nvt/sllod` or `compute temp/deform`. With `remap none` nothing happens to them, and new "
+             "pairs come about at periodic faces. The fix moves nothing else: use it with `fix nve` or another "
+             "integrator; a barostat may act on the axes that it leaves alone. docs/shear-flow.md has an example. A "
+             "deck has one fix deform.\n\nThe box changes at the end of a step, when its forces are known: energies "
+             "and virials of the step, also those of `pe/atom`, `stress/atom` and fixes, are of the places before, as "
+             "in LAMMPS.",
+         .example = "fix 2 all deform 1 x erate 0.001 y volume z volume\nfix 3 all deform 10 z scale 0.5 units "
+                    "box\nfix 4 all deform 1 xy erate 0.05 remap v"},
     .state_size = sizeof(deform_state),
     .create = create,
     .destroy = destroy,

@@ -235,23 +235,23 @@ static hs_status keep_state(hs_fix *fix, hs_state *kept, hs_error *err)
 }
 
 const hs_fix_style hs_fix_style_deposit = {
-    .about = {.name = "deposit",
-              .syntax = {.usage = "<N> <type> <M> <seed> region <region-ID> [keyword values ...]",
-                         .n_min = 4,
-                         .n_max = 4,
-                         .keywords = keywords},
-              .summary = "add atoms one by one at random places of a region",
-              .details =
-                  "Every M steps an atom of the type is put at a random place in the region, until N have been added. "
-                  "It belongs to group all and to the fix's group, so that other fixes of that group act on it. A "
-                  "place is taken when no atom is nearer than `near`; after `attempt` places in vain (a warning says "
-                  "so) the next try is M steps later. Velocities are even between the bounds of `vx`, `vy` and `vz`. "
-                  "The first atom comes at the step that follows the fix's definition, if that is one of the next run. "
-                  "Random numbers, and "
-                  "so places and velocities, are those of LAMMPS with the same seed, whatever the number of ranks.\n\n"
-                  "The scalar `f_ID` is the number of atoms added. Temperatures of groups that grow need "
-                  "`compute_modify dynamic/dof yes`.",
-              .example = "fix 4 adatoms deposit 100 2 100 12345 region slab near 1.0 vz -1.0 -1.0"},
+    .about =
+        {.name = "deposit",
+         .syntax = {.usage = "<N> <type> <M> <seed> region <region-ID> [keyword values ...]",
+                    .n_min = 4,
+                    .n_max = 4,
+                    .keywords = keywords},
+         .summary = "add atoms one by one at random places of a region",
+         .details =
+             "Every M steps an atom of the type is put at a random place in the region, until N have been added. It "
+             "belongs to group all and to the fix's group, so that other fixes of that group act on it. A place is "
+             "taken when no atom is nearer than `near`; after `attempt` places in vain (a warning says so) the next "
+             "try is M steps later. Velocities are even between the bounds of `vx`, `vy` and `vz`. The first atom "
+             "comes at the step that follows the fix's definition, if that is one of the next run. Random numbers, and "
+             "so places and velocities, are those of LAMMPS with the same seed, whatever the number of ranks.\n\n"
+             "The scalar `f_ID` is the number of atoms added. Temperatures of groups that grow need `compute_modify "
+             "dynamic/dof yes`.",
+         .example = "fix 4 adatoms deposit 100 2 100 12345 region slab near 1.0 vz -1.0 -1.0"},
     .state_size = sizeof(deposit_state),
     .create = create,
     .destroy = destroy,

@@ -60,11 +60,10 @@ const hs_fix_style hs_fix_style_enforce2d = {
     .about = {.name = "enforce2d",
               .syntax = {.usage = "", .n_min = 0, .n_max = 0},
               .summary = "keep a two-dimensional system flat",
-              .details =
-                  "Sets the z velocity and the z force of the group's atoms to 0 at every step, after all forces, "
-                  "and angular velocities of spheres about x and y. "
-                  "Define it after fixes that may add forces along z. Halfshell's pair forces and noise have no z "
-                  "part in two dimensions, so it is needed only where a deck itself gives atoms one.",
+              .details = "Sets the z velocity and the z force of the group's atoms to 0 at every step, after all "
+                         "forces, and angular velocities of spheres about x and y. Define it after fixes that may add "
+                         "forces along z. Halfshell's pair forces and noise have no z part in two dimensions, so it is "
+                         "needed only where a deck itself gives atoms one.",
               .example = "fix flat all enforce2d"},
     .create = create,
     .setup = setup,

@@ -403,27 +403,18 @@ const hs_fix_style hs_fix_style_gcmc = {
          .summary = "grand canonical Monte Carlo: the number of atoms follows a chemical potential",
          .details =
              "Every N steps X exchanges with a reservoir (insertions and deletions in equal shares) and M moves are "
-             "tried, in "
-             "random order, of atoms of the type in the fix's group. T is the temperature, mu the chemical potential "
-             "(energy), "
-             "k T ln(Lambda^3 n) in an ideal gas of number density n; in `units lj` Lambda is 1. `pressure` gives the "
-             "reservoir by its pressure instead. A move takes an atom to an even place within `displace`; exchanges "
-             "alone do "
-             "where other fixes move the atoms, whose thermostat must hold the same T. New atoms get velocities of T "
-             "and join "
-             "group all, the fix's, and that of `group`.\n\n"
+             "tried, in random order, of atoms of the type in the fix's group. T is the temperature, mu the chemical "
+             "potential (energy), k T ln(Lambda^3 n) in an ideal gas of number density n; in `units lj` Lambda is 1. "
+             "`pressure` gives the reservoir by its pressure instead. A move takes an atom to an even place within "
+             "`displace`; exchanges alone do where other fixes move the atoms, whose thermostat must hold the same T. "
+             "New atoms get velocities of T and join group all, the fix's, and that of `group`.\n\n"
              "The first attempts come at the step after the fix was defined. Energies are those with all atoms within "
-             "the "
-             "cutoff, long-range corrections of `pair_modify tail` included (thermo output counts atoms for these when "
-             "a run "
-             "begins); the box must be thicker than the cutoff where it is periodic. Random numbers and results are "
-             "the same "
-             "on any ranks and threads. Temperatures need `compute_modify thermo_temp dynamic/dof yes`. Regions, "
-             "molecules and "
-             "two dimensions are not supported.\n\n"
+             "the cutoff, long-range corrections of `pair_modify tail` included (thermo output counts atoms for these "
+             "when a run begins); the box must be thicker than the cutoff where it is periodic. Random numbers and "
+             "results are the same on any ranks and threads. Temperatures need `compute_modify thermo_temp dynamic/dof "
+             "yes`. Regions, molecules and two dimensions are not supported.\n\n"
              "The vector `f_ID[i]`: moves tried (1) and accepted (2), insertions (3, 4), deletions (5, 6), rotations "
-             "(7, 8: "
-             "none).",
+             "(7, 8: none).",
          .reference = "D. Frenkel, B. Smit, Understanding Molecular Simulation, 2nd ed. (2002), section 5.6",
          .example =
              "fix 1 all nvt temp 1.5 1.5 0.5\ncompute_modify thermo_temp dynamic/dof yes\n"

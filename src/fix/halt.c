@@ -104,18 +104,15 @@ const hs_fix_style hs_fix_style_halt = {
                     .n_max = 4,
                     .keywords = keywords},
          .summary = "end a run when a condition holds",
-         .details =
-             "At steps that are multiples of N, the equal-style variable, or the seconds since the run began "
-             "(`tlimit`), "
-             "is compared with the value; the operator is one of `<`, `>`, `<=`, `>=`, `==`, `!=`, `|^` (one of "
-             "them is 0, the other is not). When that holds, the run ends after the step, and the deck goes on after "
-             "the run.\n\n"
-             "With `error soft`, the default, further runs and minimisations of the deck are skipped, while all other "
-             "commands are carried out, such as write_data. With `error continue` they are not: `unfix` the fix, or "
-             "they "
-             "may end at once, too. `error hard` ends all with an error. `message no` leaves out the line that tells "
-             "of "
-             "it. There is no row of thermo output at the last step unless one is due. The group has no meaning.",
+         .details = "At steps that are multiples of N, the equal-style variable, or the seconds since the run began "
+                    "(`tlimit`), is compared with the value; the operator is one of `<`, `>`, `<=`, `>=`, `==`, `!=`, "
+                    "`|^` (one of them is 0, the other is not). When that holds, the run ends after the step, and the "
+                    "deck goes on after the run.\n\n"
+                    "With `error soft`, the default, further runs and minimisations of the deck are skipped, while all "
+                    "other commands are carried out, such as write_data. With `error continue` they are not: `unfix` "
+                    "the fix, or they may end at once, too. `error hard` ends all with an error. `message no` leaves "
+                    "out the line that tells of it. There is no row of thermo output at the last step unless one is "
+                    "due. The group has no meaning.",
          .example =
              "variable T equal temp\nfix stop all halt 100 v_T < 0.5\nfix hour all halt 10 tlimit > 3600 message no"},
     .state_size = sizeof(halt_state),

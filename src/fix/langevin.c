@@ -330,10 +330,9 @@ const hs_fix_style hs_fix_style_langevin = {
              "the potential energy. `zero yes` takes the mean off the random forces, so that they do not push the "
              "group as a whole. `angmom` and `gjf` are known and only `no` is supported.\n\n"
              "`omega yes` does the same to the rotation of spheres, which `fix nve/sphere` or `nvt/sphere` then move: "
-             "their "
-             "angular velocities are forgotten in (3/10) damp, the time of a sphere in a fluid that sticks to it, and "
-             "noise holds the energy of rotation at k T / 2 for each direction. In two dimensions spheres turn about z "
-             "alone.\n\n"
+             "their angular velocities are forgotten in (3/10) damp, the time of a sphere in a fluid that sticks to "
+             "it, and noise holds the energy of rotation at k T / 2 for each direction. In two dimensions spheres turn "
+             "about z alone.\n\n"
              "After `fix_modify temp` only the thermal part of the velocities in that temperature feels friction, and "
              "components that it leaves out altogether (atoms outside of the region of temp/region, axes of "
              "temp/partial) feel neither friction nor noise.",

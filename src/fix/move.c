@@ -284,17 +284,14 @@ const hs_fix_style hs_fix_style_move = {
              "`linear` moves them with the velocity V: r = r0 + V t. `wiggle` lets them swing: r = r0 + A sin(2 pi "
              "t/period). `rotate` turns them about the axis through the point P along R, by the right-hand rule, once "
              "in a period; spheres get that angular velocity. `variable` takes displacements r - r0 and velocities "
-             "from "
-             "six equal-style or atom-style variables, evaluated at the start of each step.\n\n"
+             "from six equal-style or atom-style variables, evaluated at the start of each step.\n\n"
              "In linear and wiggle, NULL leaves a direction free: it follows the forces, as in `fix nve`. In variable, "
              "a direction is free where both are NULL; without the velocity alone, the velocity stays as it is; "
-             "without "
-             "the displacement alone, places follow from the velocity. In two dimensions atoms stay in the plane.\n\n"
+             "without the displacement alone, places follow from the velocity. In two dimensions atoms stay in the "
+             "plane.\n\n"
              "`f_ID[1]` to `f_ID[3]` of an atom are r0. Of an atom that is created later it is where that was; define "
-             "the fix after "
-             "all atoms are there. Forces on the atoms are computed as ever, and can be measured; to compute "
-             "temperatures "
-             "without them, use a group of the others.",
+             "the fix after all atoms are there. Forces on the atoms are computed as ever, and can be measured; to "
+             "compute temperatures without them, use a group of the others.",
          .example = "fix shear upper move linear 0.1 NULL NULL units box\nfix stir blade move rotate 0 0 0 0 0 1 "
                     "25.0\nfix shake floor move wiggle 0 0 0.2 1.5"},
     .state_size = sizeof(move_state),

@@ -82,23 +82,20 @@ static hs_status per_atom(hs_fix *fix, int column, double *values, hs_error *err
 }
 
 const hs_fix_style hs_fix_style_numdiff = {
-    .about = {.name = "numdiff",
-              .syntax = {.usage = "<N> <delta>", .n_min = 2, .n_max = 2},
-              .summary = "forces as differences of energies",
-              .details =
-                  "The values per atom `f_ID[1]`, `f_ID[2]`, `f_ID[3]` are the forces that the pair style's energy "
-                  "gives: minus its "
-                  "change, as the atom is moved by delta (distance units) forward and back along an axis, over 2 "
-                  "delta. Compared "
-                  "with fx, fy and fz they show whether a potential's forces are those of its energy. They are there "
-                  "at multiples "
-                  "of N steps, for atoms of the group; others have 0. What fixes add to forces is not in them.\n\n"
-                  "delta should be some 1e-4 to 1e-5 of the distance of atoms: smaller ones leave rounding errors of "
-                  "the energy over "
-                  "delta, larger ones errors of the order of delta^2. Where the energy jumps at the cutoff "
-                  "(`pair_modify shift no`) "
-                  "a pair that delta takes across it shows as a force of the jump over 2 delta.",
-              .example = "fix n all numdiff 100 1e-5\nvariable d atom abs(f_n[1]-fx)\ncompute d all reduce max v_d"},
+    .about =
+        {.name = "numdiff",
+         .syntax = {.usage = "<N> <delta>", .n_min = 2, .n_max = 2},
+         .summary = "forces as differences of energies",
+         .details =
+             "The values per atom `f_ID[1]`, `f_ID[2]`, `f_ID[3]` are the forces that the pair style's energy gives: "
+             "minus its change, as the atom is moved by delta (distance units) forward and back along an axis, over 2 "
+             "delta. Compared with fx, fy and fz they show whether a potential's forces are those of its energy. They "
+             "are there at multiples of N steps, for atoms of the group; others have 0. What fixes add to forces is "
+             "not in them.\n\n"
+             "delta should be some 1e-4 to 1e-5 of the distance of atoms: smaller ones leave rounding errors of the "
+             "energy over delta, larger ones errors of the order of delta^2. Where the energy jumps at the cutoff "
+             "(`pair_modify shift no`) a pair that delta takes across it shows as a force of the jump over 2 delta.",
+         .example = "fix n all numdiff 100 1e-5\nvariable d atom abs(f_n[1]-fx)\ncompute d all reduce max v_d"},
     .state_size = sizeof(numdiff_state),
     .create = create,
     .destroy = destroy,

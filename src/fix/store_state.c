@@ -124,23 +124,19 @@ static hs_status keep_state(hs_fix *fix, hs_state *kept, hs_error *err)
 }
 
 const hs_fix_style hs_fix_style_store_state = {
-    .about =
-        {.name = "store/state",
-         .syntax = {.usage = "<N> <value> ... [com yes|no]", .n_min = 2, .n_max = -1, .keywords = keywords},
-         .summary = "remember values of each atom",
-         .details =
-             "A value is an attribute of atoms, as in `compute property/atom` (`id`, `type`, `mass`, `x`, `xs`, `xu`, "
-             "`xsu`, `ix`, `vx`, `fx` ...), or a value per atom: `c_ID`, `c_ID[i]`, `f_ID`, `f_ID[i]`, `v_name`; "
-             "ranges as in "
-             "`c_ID[*]` are several. Attributes are stored when the fix is defined, the others at the start of the "
-             "first run; "
-             "with N > 0 all are stored anew at each step that is a multiple of N. `com yes` stores `xu`, `yu`, `zu` "
-             "from the center of mass of the group.\n\n"
-             "`f_ID` (with several values `f_ID[1]`, `f_ID[2]` ...) is what is stored, 0 outside of the group. It "
-             "stays with "
-             "its atom, and is part of checkpoints.",
-         .example = "fix start all store/state 0 xu yu zu\nvariable gone atom "
-                    "sqrt((xu-f_start[1])^2+(yu-f_start[2])^2)"},
+    .about = {.name = "store/state",
+              .syntax = {.usage = "<N> <value> ... [com yes|no]", .n_min = 2, .n_max = -1, .keywords = keywords},
+              .summary = "remember values of each atom",
+              .details =
+                  "A value is an attribute of atoms, as in `compute property/atom` (`id`, `type`, `mass`, `x`, `xs`, "
+                  "`xu`, `xsu`, `ix`, `vx`, `fx` ...), or a value per atom: `c_ID`, `c_ID[i]`, `f_ID`, `f_ID[i]`, "
+                  "`v_name`; ranges as in `c_ID[*]` are several. Attributes are stored when the fix is defined, the "
+                  "others at the start of the first run; with N > 0 all are stored anew at each step that is a "
+                  "multiple of N. `com yes` stores `xu`, `yu`, `zu` from the center of mass of the group.\n\n"
+                  "`f_ID` (with several values `f_ID[1]`, `f_ID[2]` ...) is what is stored, 0 outside of the group. It "
+                  "stays with its atom, and is part of checkpoints.",
+              .example = "fix start all store/state 0 xu yu zu\nvariable gone atom "
+                         "sqrt((xu-f_start[1])^2+(yu-f_start[2])^2)"},
     .state_size = sizeof(store_state),
     .create = create,
     .destroy = destroy,

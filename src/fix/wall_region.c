@@ -158,23 +158,21 @@ static hs_status vector(hs_fix *fix, int i, double *value, hs_error *err)
 }
 
 const hs_fix_style hs_fix_style_wall_region = {
-    .about =
-        {.name = "wall/region",
-         .syntax = {.usage = "<region-ID> lj93|lj126|lj1043|harmonic <epsilon> <sigma> <cutoff>",
-                    .n_min = 5,
-                    .n_max = 5},
-         .summary = "the surface of a region as a wall",
-         .details =
-             "Atoms of the group, which must be inside of the region (outside of the shape with `side out`), are "
-             "pushed by the potential of `wall/lj93`, `wall/lj126`, `wall/lj1043` or `wall/harmonic` at their distance "
-             "r from "
-             "the surface, when r is below the cutoff. In a corner every face within reach pushes. Regions of "
-             "style block, cylinder, plane and sphere can be walls; faces at INF are open. An atom on the surface "
-             "or outside stops the run. A wall that moves (`move`, `rotate` and `v_name` of regions) must not pass "
-             "an atom in a step; friction it has none.\n\n"
-             "The scalar `f_ID` is the wall's energy, `f_ID[1]` ... `f_ID[3]` the force on it. `fix_modify energy "
-             "yes` adds the energy to the potential energy, `virial yes` the virial to the pressure.",
-         .example = "region drop sphere 0 0 0 10 units box\nfix wall all wall/region drop lj126 1.0 1.0 1.12"},
+    .about = {.name = "wall/region",
+              .syntax = {.usage = "<region-ID> lj93|lj126|lj1043|harmonic <epsilon> <sigma> <cutoff>",
+                         .n_min = 5,
+                         .n_max = 5},
+              .summary = "the surface of a region as a wall",
+              .details =
+                  "Atoms of the group, which must be inside of the region (outside of the shape with `side out`), are "
+                  "pushed by the potential of `wall/lj93`, `wall/lj126`, `wall/lj1043` or `wall/harmonic` at their "
+                  "distance r from the surface, when r is below the cutoff. In a corner every face within reach "
+                  "pushes. Regions of style block, cylinder, plane and sphere can be walls; faces at INF are open. An "
+                  "atom on the surface or outside stops the run. A wall that moves (`move`, `rotate` and `v_name` of "
+                  "regions) must not pass an atom in a step; friction it has none.\n\n"
+                  "The scalar `f_ID` is the wall's energy, `f_ID[1]` ... `f_ID[3]` the force on it. `fix_modify energy "
+                  "yes` adds the energy to the potential energy, `virial yes` the virial to the pressure.",
+              .example = "region drop sphere 0 0 0 10 units box\nfix wall all wall/region drop lj126 1.0 1.0 1.12"},
     .state_size = sizeof(region_wall_state),
     .create = create,
     .destroy = destroy,

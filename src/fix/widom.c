@@ -18,8 +18,8 @@ typedef struct widom_state {
     hs_where where;
     int64_t first, next;
     double factor, volume; /**< of the latest step: mean of exp(-u / kT), volume of box or region */
-    int64_t n_places,
-        n_hits; /**< random places so far, and those in the region; of the latest step, if the region changes */
+    /** Random places so far, and those in the region; of the latest step, if the region changes. */
+    int64_t n_places, n_hits;
     hs_series_set series; /**< owned; V exp(-u / kT), with the weights V */
 } widom_state;
 
@@ -214,32 +214,29 @@ static hs_status keep_state(hs_fix *fix, hs_state *kept, hs_error *err)
 }
 
 const hs_fix_style hs_fix_style_widom = {
-    .about =
-        {.name = "widom",
-         .syntax =
-             {.usage = "<N> <M> <type> <seed> <T> [keyword values ...]", .n_min = 5, .n_max = 5, .keywords = keywords},
-         .summary = "chemical potential by test particles, with its error",
-         .details =
-             "Every N steps M atoms of the type are put at random places, one at a time, and taken away again; their "
-             "energies u with the atoms give the excess chemical potential mu_ex = -k T ln <exp(-u / k T)> (energy; of "
-             "box "
-             "volumes that change, -k T ln (<V exp(-u / k T)> / <V>)). The full one is k T ln(Lambda^d n) + mu_ex at "
-             "the "
-             "number density n. T is the temperature of the atoms. The first test comes at the step after the fix was "
-             "defined. With `region` test particles are put in the region alone, and mu_ex is the local one.\n\n"
-             "The vector: `f_ID[1]` mu_ex of the latest tests alone, `f_ID[2]` the mean of exp(-u / k T) of these, "
-             "`f_ID[3]` "
-             "the volume of box or region (of the latter by the random places that were in it, of the latest tests if "
-             "the region moves). Beyond LAMMPS: "
-             "`f_ID[4]` "
-             "mu_ex from all tests of the fix, and `f_ID[5]` its standard error, by blocking; after a run both are "
-             "printed. Trust them where the fluid is not dense: the mean rests on places that are free by chance.\n\n"
-             "Energies include long-range corrections (`pair_modify tail`). The box must be thicker than the cutoff "
-             "where "
-             "it is periodic, and the pair style must not go by diameters. Results are the same on any ranks and "
-             "threads.",
-         .reference = "B. Widom, J. Chem. Phys. 39, 2808 (1963), doi:10.1063/1.1734110",
-         .example = "fix w all widom 10 1000 1 29494 1.2\nthermo_style custom step temp f_w[4] f_w[5]"},
+    .about = {.name = "widom",
+              .syntax = {.usage = "<N> <M> <type> <seed> <T> [keyword values ...]",
+                         .n_min = 5,
+                         .n_max = 5,
+                         .keywords = keywords},
+              .summary = "chemical potential by test particles, with its error",
+              .details =
+                  "Every N steps M atoms of the type are put at random places, one at a time, and taken away again; "
+                  "their energies u with the atoms give the excess chemical potential mu_ex = -k T ln <exp(-u / k T)> "
+                  "(energy; of box volumes that change, -k T ln (<V exp(-u / k T)> / <V>)). The full one is k T "
+                  "ln(Lambda^d n) + mu_ex at the number density n. T is the temperature of the atoms. The first test "
+                  "comes at the step after the fix was defined. With `region` test particles are put in the region "
+                  "alone, and mu_ex is the local one.\n\n"
+                  "The vector: `f_ID[1]` mu_ex of the latest tests alone, `f_ID[2]` the mean of exp(-u / k T) of "
+                  "these, `f_ID[3]` the volume of box or region (of the latter by the random places that were in it, "
+                  "of the latest tests if the region moves). Beyond LAMMPS: `f_ID[4]` mu_ex from all tests of the fix, "
+                  "and `f_ID[5]` its standard error, by blocking; after a run both are printed. Trust them where the "
+                  "fluid is not dense: the mean rests on places that are free by chance.\n\n"
+                  "Energies include long-range corrections (`pair_modify tail`). The box must be thicker than the "
+                  "cutoff where it is periodic, and the pair style must not go by diameters. Results are the same on "
+                  "any ranks and threads.",
+              .reference = "B. Widom, J. Chem. Phys. 39, 2808 (1963), doi:10.1063/1.1734110",
+              .example = "fix w all widom 10 1000 1 29494 1.2\nthermo_style custom step temp f_w[4] f_w[5]"},
     .state_size = sizeof(widom_state),
     .create = create,
     .destroy = destroy,

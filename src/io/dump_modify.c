@@ -37,8 +37,7 @@ const hs_keyword hs_dump_modify_keywords[] = {
     {"sort", 1, "<off | id | N | -N>", "order of rows: in memory, by id (default), or by column N up or down"},
     {"thresh", -1, "<attribute> <comparison> <value>|LAST | none",
      "only atoms that meet the condition, and all other ones; LAST: what the attribute was for this atom in the "
-     "snapshot "
-     "before (in the first one: what it is)"},
+     "snapshot before (in the first one: what it is)"},
     {"time", 1, "yes|no", "write the simulated time (default no)"},
     {"units", 1, "yes|no", "write the unit system at the head of a file (default no)"},
     {"unwrap", 1, "yes|no", "style dcd: places unwrapped by the atoms' images (default no)"},

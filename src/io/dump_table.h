@@ -127,7 +127,8 @@ void hs_dump_fini_column(hs_dump_column *column);
 bool hs_dump_is_int(const hs_dump_column *column);
 /** Its name without brackets, c_s_1 for c_s[1], for headers in which they mean something else. */
 HS_MUST_USE hs_status hs_dump_write_name(const hs_dump_column *column, hs_writer *writer, hs_error *err);
-/** Value of an attribute of atom i, or of row i of local values; positions and images wrapped into the box when dump_modify pbc asks for it. */
+/** Value of an attribute of atom i, or of row i of local values; positions and images wrapped into the box when dump_modify pbc
+ *  asks for it. */
 double hs_dump_value(const hs_dump *dump, const hs_dump_column *column, int i);
 /** What row k of a snapshot is sorted by; context is the dump. */
 hs_row_key hs_dump_key(const void *context, int64_t k);

@@ -28,15 +28,13 @@ const hs_pair_style hs_pair_style_lj_class2 = {
     .about = {.name = "lj/class2",
               .syntax = {.usage = "<cutoff>", .n_min = 1, .n_max = 1},
               .summary = "Lennard-Jones 9-6 potential of class 2 force fields, without charges",
-              .details = "U(r) = epsilon [2 (sigma/r)^9 - 3 (sigma/r)^6] for r < cutoff, 0 beyond: the minimum is "
-                         "-epsilon, at sigma.\n\n"
-                         "`pair_coeff I J <epsilon> <sigma> [<cutoff>]`: energy, and the distance of the minimum. "
-                         "Pairs of different types "
-                         "that are not given are mixed from their like pairs: epsilon and sigma always by the sixth "
-                         "power, the cutoff as "
-                         "`pair_modify mix` says. `pair_modify shift yes` makes the energy zero at the cutoff; "
-                         "`pair_modify tail yes` adds "
-                         "the long-range part to energy and pressure.",
+              .details =
+                  "U(r) = epsilon [2 (sigma/r)^9 - 3 (sigma/r)^6] for r < cutoff, 0 beyond: the minimum is -epsilon, "
+                  "at sigma.\n\n"
+                  "`pair_coeff I J <epsilon> <sigma> [<cutoff>]`: energy, and the distance of the minimum. Pairs of "
+                  "different types that are not given are mixed from their like pairs: epsilon and sigma always by the "
+                  "sixth power, the cutoff as `pair_modify mix` says. `pair_modify shift yes` makes the energy zero at "
+                  "the cutoff; `pair_modify tail yes` adds the long-range part to energy and pressure.",
               .reference = "H. Sun, J. Phys. Chem. B 102, 7338 (1998), doi:10.1021/jp980939v",
               .example = "pair_style lj/class2 2.5\npair_coeff * * 1.0 1.0\npair_modify tail yes"},
     .coeff_syntax = {.usage = "<epsilon> <sigma> [<cutoff>]", .n_min = 2, .n_max = 3},

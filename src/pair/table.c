@@ -194,8 +194,7 @@ static void warn_of_forces(const hs_pair *pair, const hs_tabulated *data, const 
     if (n_bad > MAY_BE_EXTREMES)
         hs_warn(pair->env->out,
                 "%s: %d of %d forces in section '%s' of '%s' (the first in row %d) are not between the slopes of the "
-                "energy "
-                "on both sides; energy will not be conserved",
+                "energy on both sides; energy will not be conserved",
                 args->command, n_bad, data->n, args->word[1], args->word[0], first);
 }
 
@@ -299,11 +298,11 @@ const hs_pair_style hs_pair_style_table = {
          .summary = "tabulated potential, read from a file",
          .details =
              "Energy and force come from a table of N points, equally spaced in r^2, which is made from the rows of a "
-             "file: `lookup` takes the values in the middle between two points, `linear` a straight line between "
-             "them, `spline` cubic splines. All three are equally fast; `spline` needs the fewest points.\n\n"
-             "`pair_coeff I J <file> <section> [<cutoff>]`: the section of the file, and a cutoff within it "
-             "(distance; default the last distance of the section). Every pair of types must be given; a pair_style "
-             "given again forgets them.\n\n"
+             "file: `lookup` takes the values in the middle between two points, `linear` a straight line between them, "
+             "`spline` cubic splines. All three are equally fast; `spline` needs the fewest points.\n\n"
+             "`pair_coeff I J <file> <section> [<cutoff>]`: the section of the file, and a cutoff within it (distance; "
+             "default the last distance of the section). Every pair of types must be given; a pair_style given again "
+             "forgets them.\n\n"
              "A file (plain or compressed by gzip) has any number of sections, each of the form\n\n"
              "    NAME\n"
              "    N 500 R 0.8 2.5\n\n"
@@ -311,14 +310,13 @@ const hs_pair_style hs_pair_style_table = {
              "    2 0.80340681 40.5 770.2\n"
              "    ...\n\n"
              "with number, distance, energy and force (-dU/dr) in each row, in the units of the deck. `R <first> "
-             "<last>` "
-             "or `RSQ <first> <last>` give the distances instead, equally spaced in r or r^2; those of the rows are "
-             "then not read. `FPRIME <first> <last>` are the slopes dF/dr at both ends (default: of the first and the "
-             "last two rows). Between the rows, energy and force are cubic splines in r. A comment begins with `#`. "
-             "`pair_write` writes such files.\n\n"
-             "Atoms closer than the first distance of the table end the run. Force and energy of the file are taken "
-             "as they are: where one is not the slope of the other, energy is not conserved. LAMMPS's style `bitmap` "
-             "is not supported, and data files hold no tables: give them in the deck.",
+             "<last>` or `RSQ <first> <last>` give the distances instead, equally spaced in r or r^2; those of the "
+             "rows are then not read. `FPRIME <first> <last>` are the slopes dF/dr at both ends (default: of the first "
+             "and the last two rows). Between the rows, energy and force are cubic splines in r. A comment begins with "
+             "`#`. `pair_write` writes such files.\n\n"
+             "Atoms closer than the first distance of the table end the run. Force and energy of the file are taken as "
+             "they are: where one is not the slope of the other, energy is not conserved. LAMMPS's style `bitmap` is "
+             "not supported, and data files hold no tables: give them in the deck.",
          .example = "pair_style table spline 2000\npair_coeff * * potentials.table LJ_12_6 2.5"},
     .coeff_syntax = {.usage = "<file> <section> [<cutoff>]", .n_min = 2, .n_max = 3},
     .state_size = sizeof(table_state),

@@ -1,8 +1,8 @@
 /** The energy of an atom at a place, with all other atoms: what Monte Carlo moves and test particles ask for.
  *
- *  Every rank sums over its own atoms near any periodic image of the place, and the parts are put together exactly, so the bits depend on no order. No list, halo or neighbor method is used: atoms may be anywhere, before they are
- *  wrapped and sent to other ranks, too; only the types may change meanwhile. Pairs within their cutoff count at their present
- *  distance, whatever the lists say. */
+ *  Every rank sums over its own atoms near any periodic image of the place, and the parts are put together exactly, so the bits depend
+ *  on no order. No list, halo or neighbor method is used: atoms may be anywhere, before they are wrapped and sent to other ranks, too;
+ *  only the types may change meanwhile. Pairs within their cutoff count at their present distance, whatever the lists say. */
 #ifndef HS_STYLE_LOCAL_ENERGY_H
 #define HS_STYLE_LOCAL_ENERGY_H
 
