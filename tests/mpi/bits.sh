@@ -25,6 +25,19 @@ liquid='pair_style lj/cut 2.5
 pair_coeff * * 1.0 1.0 2.5
 neighbor 0.3 bin'
 
+# fluid REGION: atoms of one type in such a box, in motion, and their pair style.
+fluid() {
+    cat <<D
+lattice fcc 0.7
+region box $*
+create_box 1 box
+create_atoms 1 box
+mass 1 1.0
+velocity all create 1.5 12345
+$liquid
+D
+}
+
 # bits DECK RANKS THREADS WORDS...: the same bits as on one rank, which runs first and without mpirun.
 bits() {
     local deck=$1 n=$2 threads=$3 file

@@ -29,13 +29,7 @@ fix h two ave/histo 2 3 10 0 12 7 c_p[1] c_c vx mode vector ave running error ye
 fix w all ave/histo/weight 2 2 10 0 12 7 x c_k mode vector
 D
     system read 20 'c_q v_s v_h[3] v_e f_h[3] f_h[2][2]' 'v_q' <<D
-lattice fcc 0.7
-region box block 0 6 0 5 0 4
-create_box 1 box
-create_atoms 1 box
-mass 1 1.0
-velocity all create 1.5 12345
-$liquid
+$(fluid block 0 6 0 5 0 4)
 neigh_modify every 5 delay 0 check no
 print 3 file set.txt
 print "480 3" append set.txt
@@ -59,13 +53,7 @@ run 10
 next q
 D
     system vessels 30 'v_ves_in v_ves_out c_t c_v f_w' 'vx' <<D
-lattice fcc 0.7
-region box block 0 6 0 5 0 5
-create_box 1 box
-create_atoms 1 box
-mass 1 1.0
-velocity all create 1.5 12345
-$liquid
+$(fluid block 0 6 0 5 0 5)
 neigh_modify every 5 delay 0 check no
 variable ves_d equal 0.02*step
 variable ves_r equal 3.5-0.02*step
@@ -137,13 +125,7 @@ fix 1 all brownian/sphere 1.0 777 gamma_t 1.0 gamma_r 1.0
 timestep 0.0001
 D
     system drying 30 'atoms f_d c_t' 'vx' <<D
-lattice fcc 0.7
-region box block 0 6 0 5 0 4
-create_box 1 box
-create_atoms 1 box
-mass 1 1.0
-velocity all create 1.5 12345
-$liquid
+$(fluid block 0 6 0 5 0 4)
 neigh_modify every 5 delay 0 check no
 region r block 1.1 5.1 INF INF INF INF
 compute t all temp
@@ -154,13 +136,7 @@ dump l all custom 4 faster.dump id vx
 dump_modify l sort id thresh vx > LAST
 D
     system changing 30 'c_t c_te f_s f_f[1] c_cm[1]' 'vx' <<D
-lattice fcc 0.7
-region box block 0 6 0 5 0 4
-create_box 1 box
-create_atoms 1 box
-mass 1 1.0
-velocity all create 1.5 12345
-$liquid
+$(fluid block 0 6 0 5 0 4)
 neigh_modify every 5 delay 0 check no
 region r block 1.1 3.1 INF INF INF INF
 variable fast atom vx*vx>1.0
@@ -175,13 +151,7 @@ fix f e addforce 0.1 0 0
 fix s d spring tether 0.5 NULL NULL 4.0 0
 D
     system dragged 20 'f_d f_d[1] f_r c_h[1] c_h[6]' <<D
-lattice fcc 0.7
-region box prism 0 6 0 5 0 4 1 0.5 0
-create_box 1 box
-create_atoms 1 box
-mass 1 1.0
-velocity all create 1.5 12345
-$liquid
+$(fluid prism 0 6 0 5 0 4 1 0.5 0)
 neigh_modify every 5 delay 0 check no
 group few id 1:150
 fix 1 all nve
@@ -193,13 +163,7 @@ compute g few gyration
 compute h all gyration/shape g
 D
     system squeezed 30 'f_1' <<D
-lattice fcc 0.7
-region box block 0 6 0 5 0 4
-create_box 1 box
-create_atoms 1 box
-mass 1 1.0
-velocity all create 1.5 12345
-$liquid
+$(fluid block 0 6 0 5 0 4)
 neigh_modify every 5 delay 0 check no
 fix 1 all npt temp 1.0 1.0 0.5 x 8.0 8.0 0.2 y 1.0 1.0 0.5 z -1 -1 0.5
 D
@@ -256,13 +220,7 @@ compute r all reduce sum f_a[1] f_a[2] f_b f_s[1] f_s[2]
 D
     # flips at step 10 or so
     system tilting 30 'xy xz yz f_1' <<D
-lattice fcc 0.7
-region box prism 0 5 0 4 0 4 2.3 0 0.5
-create_box 1 box
-create_atoms 1 box
-mass 1 1.0
-velocity all create 1.5 12345
-$liquid
+$(fluid prism 0 5 0 4 0 4 2.3 0 0.5)
 neigh_modify every 5 delay 0 check no
 fix 1 all npt temp 1.0 1.0 0.5 x 8.0 8.0 0.2 y 1.0 1.0 0.5 xy -15 -15 0.1 yz 3 3 0.3
 D
@@ -332,26 +290,14 @@ compute m all reduce sum d_w v_w
 fix 1 all nve
 D
     system flowing 20 'f_g f_g[1] f_g[2] c_m[2]' <<D
-lattice fcc 0.7
-region box block 0 5 0 4 0 4
-create_box 1 box
-create_atoms 1 box
-mass 1 1.0
-velocity all create 1.5 12345
-$liquid
+$(fluid block 0 5 0 4 0 4)
 group half id <= 150
 compute m half momentum
 fix 1 all nve
 fix g half flow/gauss 1 1 0 energy yes
 D
     system stretched 30 'c_e c_s[*] c_g f_t c_r[8][2] f_r[8][2]' 'c_p c_v[4] f_n[1]' <<D
-lattice fcc 0.7
-region box block 0 5 0 4 0 4
-create_box 1 box
-create_atoms 1 box
-mass 1 1.0
-velocity all create 1.5 12345
-$liquid
+$(fluid block 0 5 0 4 0 4)
 neigh_modify every 6 delay 0 check no
 group half id <= 150
 fix 1 all nve
@@ -367,25 +313,13 @@ fix r all ave/time 7 1 7 c_r[*] mode vector
 fix n half numdiff 5 1e-4
 D
     system sheared 30 'xy xz yz c_1_temp f_1' <<D
-lattice fcc 0.7
-region box prism 0 5 0 4 0 4 2 -1 0.5
-create_box 1 box
-create_atoms 1 box
-mass 1 1.0
-velocity all create 1.5 12345
-$liquid
+$(fluid prism 0 5 0 4 0 4 2 -1 0.5)
 neigh_modify every 6 delay 0 check no
 fix 1 all nvt/sllod temp 1.0 1.0 0.5
 fix 2 all deform 1 xy erate 1.0 xz vel -3 yz wiggle 20 1 remap v
 D
     system heated 20 'f_h f_l' <<D
-lattice fcc 0.7
-region box block 0 5 0 4 0 4
-create_box 1 box
-create_atoms 1 box
-mass 1 1.0
-velocity all create 1.5 12345
-$liquid
+$(fluid block 0 5 0 4 0 4)
 region hot block INF INF INF INF 0 1.03
 compute t all temp/region hot
 fix 1 all nve
