@@ -1,9 +1,7 @@
 #!/bin/bash
 # Method `auto` tries its candidates in the run, says what it chose and why, and changes no bit of the result.
 set -eu
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-cd "$folder"
+. "$PROJECT_ROOT/tests/support/folder.sh"
 cat >in.deck <<'DECK'
 units lj
 lattice fcc 0.8442

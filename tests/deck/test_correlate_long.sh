@@ -2,14 +2,7 @@
 # fix ave/correlate/long: the numbers of ave/correlate/fft with levels, lags as times, and only those that have samples; a file that
 # grows or is overwritten; the same after a run was resumed.
 set -u
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-cd "$folder" || exit 1
-
-fail() {
-    echo "test_correlate_long: $*" >&2
-    exit 1
-}
+. "$PROJECT_ROOT/tests/support/folder.sh"
 
 cat >in.long <<'D'
 units lj

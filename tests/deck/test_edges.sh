@@ -2,14 +2,7 @@
 # Corners of decks that LAMMPS does not survive or answers otherwise: chunks of a fix that goes in the midst of its window, chunks that
 # become others.
 set -u
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-cd "$folder" || exit 1
-
-fail() {
-    echo "test_edges: $*" >&2
-    exit 1
-}
+. "$PROJECT_ROOT/tests/support/folder.sh"
 
 cat >in.base <<'D'
 units lj

@@ -2,14 +2,7 @@
 # Sums that fixes put together when they are read: the same at steps without output as where output reads them at every step, read
 # once or twice, on any number of threads; and forces on all atoms add up to nothing.
 set -u
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-cd "$folder" || exit 1
-
-fail() {
-    echo "test_late_sums: $*" >&2
-    exit 1
-}
+. "$PROJECT_ROOT/tests/support/folder.sh"
 
 deck() { # EVERY: steps of the output
     cat <<D

@@ -2,10 +2,7 @@
 # Regions that move are brought to the step by each who asks them for atoms: what fixes do must not hang on whether something else,
 # such as a column of thermo output, has asked at the same step.
 set -eu
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-cd "$folder"
-fail() { echo "FAILED: $*" >&2; exit 1; }
+. "$PROJECT_ROOT/tests/support/folder.sh"
 
 # deck STEPS-BETWEEN-ROWS COLUMN
 deck() {

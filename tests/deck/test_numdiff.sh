@@ -2,10 +2,7 @@
 # fix numdiff: differences of energies are the forces of the pair style, also where fix deform has changed the box at the step's end; the
 # values are there at its steps, for its group.
 set -u
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-cd "$folder" || exit 1
-fail() { echo "FAILED: $*" >&2; exit 1; }
+. "$PROJECT_ROOT/tests/support/folder.sh"
 
 cat >in <<'D'
 units lj

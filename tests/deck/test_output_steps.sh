@@ -2,14 +2,7 @@
 # Steps at which files are written: dumps that follow a variable, restart files of both kinds at once; resumed, too. The line "Loop
 # time of" ends every table, and names of LAMMPS's variants mean the styles themselves; shell mkdir.
 set -u
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-cd "$folder" || exit 1
-
-fail() {
-    echo "test_output_steps: $*" >&2
-    exit 1
-}
+. "$PROJECT_ROOT/tests/support/folder.sh"
 
 is() { # WHAT GIVEN EXPECTED
     [ "$2" = "$3" ] || fail "$1: '$2' instead of '$3'"

@@ -2,9 +2,7 @@
 # Two dimensions: where nothing can leave the plane z, v_z and f_z are left alone (env->is_planar). A fix that could push along z, but
 # does not, forbids that: dumps and rows must have the same bytes. And what pushes along z is seen, from whichever step on.
 set -eu
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-cd "$folder"
+. "$PROJECT_ROOT/tests/support/folder.sh"
 cat >in.deck <<'DECK'
 units lj
 dimension 2

@@ -3,10 +3,7 @@
 # are killed: test_kills.sh.
 # shellcheck disable=SC2012,SC2015,SC2059
 set -eu
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-cd "$folder"
-fail() { echo "FAILED: $*" >&2; exit 1; }
+. "$PROJECT_ROOT/tests/support/folder.sh"
 
 # Loops, `if` and `run every` around the runs; lists on a lax schedule; a dump that must be cut back.
 printf 'one\ntwo\nthree\n' >words.txt

@@ -2,10 +2,7 @@
 # Every fix with a history of its own: a run resumed from a checkpoint in its midst ends in the same bits as the run left
 # alone, and its files are the same.
 set -eu
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-cd "$folder"
-fail() { echo "FAILED: $*" >&2; exit 1; }
+. "$PROJECT_ROOT/tests/support/folder.sh"
 
 # check NAME [BOX]: lines of the deck on standard input; the checkpoint is made between multiples of what averages and fixes go by.
 check() {

@@ -3,10 +3,7 @@
 # read, and a data file, are refused or taken, with a message and without a crash, a hang, or a file of which more is lost.
 # HALFSHELL_FLIPS=N takes N places of each file (a study; the test takes few).
 set -eu
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-cd "$folder"
-fail() { echo "FAILED: $*" >&2; exit 1; }
+. "$PROJECT_ROOT/tests/support/folder.sh"
 n_places=${HALFSHELL_FLIPS:-8}
 
 cat >system.in <<'END'

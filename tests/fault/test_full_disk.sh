@@ -3,12 +3,10 @@
 # run goes on where it was as soon as there is room, to the bits of the run that was never held up. On a file system of 20 MB where
 # one can be mounted (as root), and always by a library that says "no space left" in write(2).
 set -eu
-folder=$(mktemp -d)
+. "$PROJECT_ROOT/tests/support/folder.sh"
 mounted=
 trap '[ -z "$mounted" ] || umount "$folder/small"; rm -rf "$folder"' EXIT
-cd "$folder"
 mkdir small
-fail() { echo "FAILED: $*" >&2; exit 1; }
 
 cat >head.in <<'END'
 units lj

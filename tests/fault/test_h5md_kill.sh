@@ -3,9 +3,7 @@
 # file's making and first frames, and all about the moment when the index of frames grows a level), and by the clock.
 set -eu
 . "$PROJECT_ROOT/tests/support/h5py.sh"
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-cd "$folder"
+. "$PROJECT_ROOT/tests/support/folder.sh"
 
 cat >run.in <<END
 units lj

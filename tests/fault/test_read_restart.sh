@@ -2,10 +2,7 @@
 # read_restart in another deck: fixes and computes of the same ID and style go on from their states (starting places of springs and of
 # mean squared displacements, running averages, thermostats), to the bits of the run that was not interrupted; what does not fit is told and begins anew.
 set -eu
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-cd "$folder"
-fail() { echo "FAILED: $*" >&2; exit 1; }
+. "$PROJECT_ROOT/tests/support/folder.sh"
 
 cat >fixes.in <<'END'
 fix move all nve

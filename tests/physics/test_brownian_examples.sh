@@ -4,10 +4,7 @@
 set -eu
 examples=/usr/share/lammps/examples/PACKAGES/brownian
 [ -d "$examples" ] || { echo "the package lammps-examples is not installed"; exit 77; }
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-cd "$folder"
-fail() { echo "FAILED: $*" >&2; exit 1; }
+. "$PROJECT_ROOT/tests/support/folder.sh"
 
 # msd DECK: runs it, and prints the last row's c_msd[4] (column 7: after the step, two energies or so, and c_msd[1..3]) and the atoms.
 msd() {

@@ -1,10 +1,7 @@
 #!/bin/bash
 # bench kernels: every form of an instruction set is in the table and in the CSV, with numbers that can be; bad options are refused.
 set -eu
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-cd "$folder"
-fail() { echo "FAILED: $*" >&2; exit 1; }
+. "$PROJECT_ROOT/tests/support/folder.sh"
 
 "$HALFSHELL" bench kernels -size 4 -repeat 1 -isa portable -out csv >out 2>err || fail "$(cat err)"
 [ "$(grep -c '^portable ' out)" = 6 ] || fail "not six lines: $(cat out)"

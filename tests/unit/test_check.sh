@@ -1,9 +1,7 @@
 #!/bin/bash
 # `halfshell check` goes through a whole deck, says what it would do, and writes no file; a mistake is still found.
 set -eu
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-cd "$work"
+. "$PROJECT_ROOT/tests/support/folder.sh"
 cat >deck.in <<'END'
 units lj
 lattice fcc 0.8

@@ -7,9 +7,7 @@ for python in /usr/bin/python3 python3; do
     python=
 done
 [ -n "$python" ] || { echo "skipped: no Python with MDAnalysis"; exit 77; }
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-cd "$folder"
+. "$PROJECT_ROOT/tests/support/folder.sh"
 
 cat >run.in <<END
 units lj

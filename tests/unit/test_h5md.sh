@@ -2,9 +2,7 @@
 # The trajectory of dump h5md as h5py, h5dump and MDAnalysis see it: equal to the text dump of the same steps.
 set -eu
 . "$PROJECT_ROOT/tests/support/h5py.sh"
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-cd "$folder"
+. "$PROJECT_ROOT/tests/support/folder.sh"
 
 cat >run.in <<END
 units lj

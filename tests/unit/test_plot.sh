@@ -3,14 +3,7 @@
 # drawn is refused with a reason.
 set -u
 command -v gnuplot >/dev/null 2>&1 || exit 77
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-cd "$work" || exit 1
-n_wrong=0
-wrong() {
-    echo "$*" >&2
-    n_wrong=$((n_wrong + 1))
-}
+. "$PROJECT_ROOT/tests/support/folder.sh"
 plot() { "$HALFSHELL" plot "$@" >out 2>err; }
 # draws N PART COMMAND...: the SVG has N curves and the text.
 draws() {
@@ -81,7 +74,7 @@ plot log.a -out '|touch pwned;.svg' || wrong "a bar in the name of a picture"
 [ -s '|touch pwned;.svg' ] || wrong "the picture is not where it should be"
 [ ! -e pwned ] || wrong "a text was carried out"
 printf "plot 'touch pwned'\n" >.gnuplot
-HOME=$work draws 1 '>step<' log.a -y Temp
+HOME=$folder draws 1 '>step<' log.a -y Temp
 
 refuses "no file given" -y Temp
 refuses "'nothing' cannot be read: No such file" nothing
@@ -97,5 +90,5 @@ printf '# x\n# TimeStep a\n0 1\n10 2\n' >series
 refuses "the timestep is not known" series -x time
 refuses "has no column 'time'; its columns are: method threads" scaling.csv -x time
 for tool in grep cat; do ln -s "$(command -v $tool)" $tool; done
-PATH=$work refuses "gnuplot, which draws the plots, is not on the PATH" log.a
+PATH=$folder refuses "gnuplot, which draws the plots, is not on the PATH" log.a
 [ "$n_wrong" -eq 0 ]

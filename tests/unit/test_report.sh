@@ -2,14 +2,7 @@
 # halfshell report: one page with all there is, which asks no other host for anything and carries out nothing.
 set -u
 command -v gnuplot >/dev/null 2>&1 || exit 77
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-cd "$work" || exit 1
-n_wrong=0
-wrong() {
-    echo "$*" >&2
-    n_wrong=$((n_wrong + 1))
-}
+. "$PROJECT_ROOT/tests/support/folder.sh"
 has() { grep -qF -- "$1" "${2:-page.html}" || wrong "the page has no: $1"; }
 has_not() { ! grep -qF -- "$1" page.html || wrong "the page has: $1"; }
 
@@ -84,21 +77,21 @@ refuses "'run' and 'empty' are two runs" run empty
 
 # Without gnuplot the page tells so in place of the plots, and on the terminal.
 mkdir bin
-PATH=$work/bin "$HALFSHELL" report run -out plain.html >out 2>err || wrong "no report without gnuplot: $(cat err)"
+PATH=$folder/bin "$HALFSHELL" report run -out plain.html >out 2>err || wrong "no report without gnuplot: $(cat err)"
 has "the page lacks plots: gnuplot, which draws the plots, is not on the PATH" err
 has "apt-get install gnuplot-nox" plain.html
 has '<th scope="row">TotEng</th>' plain.html
 printf '#!/bin/sh\nexit 3\n' >bin/gnuplot
 chmod +x bin/gnuplot
-PATH=$work/bin "$HALFSHELL" report run -out plain.html >out 2>err || wrong "no report with a broken gnuplot: $(cat err)"
+PATH=$folder/bin "$HALFSHELL" report run -out plain.html >out 2>err || wrong "no report with a broken gnuplot: $(cat err)"
 has "the page lacks plots: gnuplot ended with exit code 3" err
 
 # A browser, where there is one, finds the same, and the page makes it ask no other host. What the browser asks its maker for
 # on its own account does not count.
 if command -v chromium >/dev/null 2>&1; then
     timeout 60 chromium --headless=new --no-sandbox --disable-gpu --disable-background-networking --disable-component-update \
-        --disable-sync --no-first-run --user-data-dir="$work/profile" --log-net-log="$work/net.json" --dump-dom \
-        "file://$work/page.html" >dom 2>/dev/null && {
+        --disable-sync --no-first-run --user-data-dir="$folder/profile" --log-net-log="$folder/net.json" --dump-dom \
+        "file://$folder/page.html" >dom 2>/dev/null && {
         [ "$(grep -o '<svg' dom | wc -l)" -eq 3 ] || wrong "the browser has not three plots"
         [ "$(grep -o '<path\|<polyline' dom | wc -l)" -ge 20 ] || wrong "the browser's plots are empty"
         [ "$(grep -o '<tr>' dom | wc -l)" -ge 6 ] || wrong "the browser has no table"

@@ -1,0 +1,17 @@
+# shellcheck shell=bash
+# Shared by the tests in shell: a directory of its own, which goes at the end, and how a test fails. Sourced with $PROJECT_ROOT set; goes
+# into the directory, $folder.
+# shellcheck disable=SC2034 # who sources it may not need all
+
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cd "$folder" || exit 1
+
+fail() { echo "FAILED: $*" >&2; exit 1; }
+
+# wrong WORDS...: say it and go on; n_wrong counts.
+n_wrong=0
+wrong() {
+    echo "$*" >&2
+    n_wrong=$((n_wrong + 1))
+}
