@@ -9,7 +9,7 @@ typedef struct hs_halo_layers {
     int below, above;
     /** Owned [below + 1 + above]: of coordinates sent to layer j (hs_box_upright), at shift[j + below]. */
     double *shift;
-    int *image; /**< owned: the same in edges of the box */
+    int *image;    /**< owned: the same in edges of the box */
     double *limit; /**< owned: layers j < 0 need x + shift < limit, layers j > 0 x + shift >= limit */
 } hs_halo_layers;
 

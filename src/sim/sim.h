@@ -68,19 +68,21 @@ typedef struct hs_sim {
     hs_neighbor neighbor; /**< settings, cells, lists */
     hs_domain domain;     /**< the ranks' bricks */
     hs_halo halo;
-    /** For each part of the pair style, parameters of all pairs of kernel types; by hs_sim_setup. */
+    /** Owned [n_pair_tables]: for each part of the pair style, parameters of all pairs of kernel types; by hs_sim_setup. */
     hs_pair_table *pair_table;
-    int n_pair_tables; /**< owned [n_pair_tables] */
+    int n_pair_tables;
     int32_t *kernel_type; /**< atom field: type and exclusion class; NULL while no groups are excluded */
     /** Owned [n_kernel_types^2]: pairs of kernel types that do not interact; NULL: none are excluded. */
     bool *excluded;
     int n_kernel_types;
-    hs_force_space forces;    /**< buffers of the pair kernels */
-    uint64_t flat_generation; /**< in this generation of the atoms kernels have left f_z of the first n_flat alone, */
-    int64_t n_flat;           /**< which were cleared: while env.is_planar they are 0 */
-    hs_cluster_list list;     /**< method cluster: pairs of the last scheduled build */
-    hs_verlet_list verlet;    /**< method verlet: the same */
-    hs_tuner tuner;           /**< method auto */
+    hs_force_space forces; /**< buffers of the pair kernels */
+    /** In flat_generation of the atoms the forces along z of the first n_flat were cleared; kernels leave them alone, so while
+     *  env.is_planar they are 0. */
+    uint64_t flat_generation;
+    int64_t n_flat;
+    hs_cluster_list list;  /**< method cluster: pairs of the last scheduled build */
+    hs_verlet_list verlet; /**< method verlet: the same */
+    hs_tuner tuner;        /**< method auto */
     hs_force_places force_places;
     bool has_moved; /**< since the latest forces, of whose places the halo still is */
     hs_isa isa;

@@ -31,7 +31,7 @@ run() {
     local name=$1
     shift
     "$HALFSHELL" -in in.deck -log log "$@" >/dev/null
-    sed -n '/^ *Step /,/^Loop time/p' log | grep -v Loop >"$name.rows"
+    table log >"$name.rows"
     mv out.dump "$name.dump"
 }
 same() {

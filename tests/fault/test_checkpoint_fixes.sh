@@ -503,7 +503,7 @@ D
 "$HALFSHELL" in -log none >out 2>&1 || fail "table: $(tail -3 out)"
 "$HALFSHELL" resume checkpoint.33.h5 -log none >resumed 2>&1 || fail "table, resumed: $(tail -3 resumed)"
 for file in out resumed; do
-    awk '$1 == "Step" { rows = 1; next } /^Loop/ { rows = 0 } rows && $1 > 33' $file >$file.rows
+    table $file | awk '$1 > 33' >$file.rows
     sed -n '/^Means of/,/^Drift/p' $file >$file.means
 done
 [ "$(wc -l <out.rows)" -eq 9 ] || fail "table: $(wc -l <out.rows) rows" # 36, 42, ... 78, and the last step

@@ -31,7 +31,7 @@ deck gzip 'dump d all custom 2 small/run.dump.gz id x y z vx vy vz' 'dump_modify
 deck h5md 'dump d all h5md 2 small/run.h5 position velocity force image' ''
 deck dcd 'dump d all dcd 2 small/run.dcd' ''
 deck files 'dump d all custom 2 small/run.*.dump id x y z vx vy vz' 'dump_modify d format float %.17g'
-rows() { awk '/^ *Step /{on=1;next} /^Loop time/{on=0} on && /^ *[0-9]/' "$1" | sort -n | uniq; }
+rows() { table "$1" | sort -n | uniq; }
 
 # The runs that nothing holds up.
 for kind in text gzip h5md dcd files; do

@@ -44,7 +44,7 @@ write_restart middle.h5
 run 60
 END
 printf 'read_restart middle.h5\ninclude fixes.in\nrun 60\n' >second.in
-rows() { awk '/^ *Step /{++on;next} /^Loop time/{on=0} on && /^ *[0-9]/ && $1 >= 100' "$1" | tail -7; }
+rows() { table "$1" | awk '$1 >= 100' | tail -7; }
 
 "$HALFSHELL" first.in -log first.log >/dev/null
 "$HALFSHELL" second.in -log second.log >out 2>err || fail "$(cat err)"

@@ -1,20 +1,18 @@
 #!/bin/bash
 # Shared by the tests in this folder: run a deck on several ranks, and compare tables of numbers.
-# Sourced with $HALFSHELL set; works in a directory of its own, which goes at the end.
+# Sourced with $HALFSHELL and $PROJECT_ROOT set; works in a directory of its own, which goes at the end.
 
 command -v mpirun >/dev/null 2>&1 || { echo "no mpirun here"; exit 77; }
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
 export OMPI_MCA_hwloc_base_binding_policy=none OMPI_MCA_mpi_yield_when_idle=1
-work=$(mktemp -d)
+# shellcheck source=tests/support/folder.sh
+. "$PROJECT_ROOT/tests/support/folder.sh"
 # Nothing that was started stays behind: neither a launcher in the background, nor one that hangs (see ranks).
-trap 'kill $(jobs -p) 2>/dev/null || true; rm -rf "$work"' EXIT
+trap 'kill $(jobs -p) 2>/dev/null || true; rm -rf "$folder"' EXIT
 trap 'exit 1' HUP INT TERM
-cd "$work" || exit 1
 
 # A run of a second takes minutes when eight ranks share two cores with other programs: the limit ends what hangs.
 patience_s=240
-
-fail() { echo "FAILED: $*" >&2; exit 1; }
 
 # ranks N WORDS...: the program on N ranks; N = 0 is one rank without mpirun.
 ranks() {
@@ -29,9 +27,6 @@ ranks() {
 
 # A build without MPI cannot run these.
 if ranks 2 --version 2>&1 | grep -q 'built without MPI'; then echo "built without MPI"; exit 77; fi
-
-# table LOG: the rows of all thermo tables of a log.
-table() { awk '/^ *Step /{on=1;next} /^Loop time/{on=0} on && /^ *[0-9]/' "$1"; }
 
 # same_numbers A B TOLERANCE: tables of as many rows, and numbers that differ by no more than the tolerance times
 # (1 + their size); words that are no numbers must be equal.

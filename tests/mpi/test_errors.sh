@@ -12,7 +12,7 @@ now_ms() { echo $((${EPOCHREALTIME/[.,]/} / 1000)); }
 is_left() {
     local process
     for process in /proc/[0-9]*; do
-        [ "$(readlink "$process/cwd" 2>/dev/null)" != "$work" ] ||
+        [ "$(readlink "$process/cwd" 2>/dev/null)" != "$folder" ] ||
             [ "$(readlink "$process/exe" 2>/dev/null)" != "$(readlink -f "$HALFSHELL")" ] || return 0
     done
     return 1
@@ -106,7 +106,7 @@ expect 2 "/dev/full" 4 ranks 4 in.full -log none
 { cat in.good; echo 'write_data /dev/full'; } >in.data
 expect 2 "/dev/full" 2 ranks 2 in.data -log none
 small_disk() { # on four ranks, the first of which finds the disk full in mid-run
-    timeout -k 5 "$patience_s" mpirun --oversubscribe -np 1 env LD_PRELOAD=./full.so FULL_NAME="$work/small" FULL_BYTES=500000 \
+    timeout -k 5 "$patience_s" mpirun --oversubscribe -np 1 env LD_PRELOAD=./full.so FULL_NAME="$folder/small" FULL_BYTES=500000 \
         "$HALFSHELL" "$@" : -np 3 "$HALFSHELL" "$@"
 }
 for format in "custom 2 small id x y z" "h5md 2 small position velocity"; do

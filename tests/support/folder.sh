@@ -9,6 +9,9 @@ cd "$folder" || exit 1
 
 fail() { echo "FAILED: $*" >&2; exit 1; }
 
+# table LOG: the rows of all thermo tables of a log.
+table() { awk '/^ *Step /{on=1;next} /^Loop time/{on=0} on && /^ *[0-9]/' "$1"; }
+
 # wrong WORDS...: say it and go on; n_wrong counts.
 n_wrong=0
 wrong() {
