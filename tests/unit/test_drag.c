@@ -11,6 +11,7 @@ static const char beginning[] = "units lj\nregion b prism 0 10 0 8 0 6 2 0 0\ncr
 static void check_force(hs_deck *deck, void *context)
 {
     const double *expected = context;
+    /* a few roundings of numbers up to 10 */
     for (int axis = 0; axis < 3; ++axis) ck_assert_double_eq_tol(deck->sim->atoms.f[axis][0], expected[axis], 1e-14);
 }
 

@@ -30,6 +30,7 @@ static void check_shape(hs_deck *deck, void *context)
 {
     const shape *expected = context;
     const double *values = shape_of(deck);
+    /* a few dozen roundings, of the turns of the axes, of numbers up to 9; places are rounded to 2^-46 or so */
     for (int k = 0; k < 6; ++k) ck_assert_double_eq_tol(values[k], expected->values[k], 1e-13);
 }
 
@@ -74,6 +75,7 @@ static void check_invariants(hs_deck *deck, void *context)
     const double determinant =
         t[0] * (t[1] * t[2] - t[5] * t[5]) - t[3] * (t[3] * t[2] - t[5] * t[4]) + t[4] * (t[3] * t[5] - t[1] * t[4]);
     (void)context;
+    /* tolerances: the roundings of the eigenvalues, relative to the largest */
     ck_assert(s[0] > s[1] && s[1] > s[2] && s[2] > 0.0);
     ck_assert_double_eq_tol(s[0] + s[1] + s[2], trace, 1e-14 * trace);
     ck_assert_double_eq_tol(s[0] * s[1] * s[2], determinant, 1e-13 * trace * trace * trace);
