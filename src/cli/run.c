@@ -10,18 +10,23 @@
 #include "base/text.h"
 #include "base/timer.h"
 #include "cli/cli.h"
+#include "deck/source.h"
 #include "sim/saving.h"
 
 enum { SECONDS_A_MINUTE = 60, SECONDS_AN_HOUR = 3600 };
 
 /** Open the file of -log or -screen on rank 0; "none" and other ranks give NULL. */
-static hs_status open_output(const hs_cli *cli, const char *option, const char *name, FILE **stream, hs_error *err)
+static hs_status open_output(const hs_cli *cli, const char *option, const char *name, const char *deck, FILE **stream,
+                             hs_error *err)
 {
     *stream = NULL;
     if (strcmp(name, "none") == 0) return HS_OK;
     if (cli->parallel->rank == 0) {
-        *stream = fopen(name, "w");
-        if (*stream == NULL)
+        const bool is_deck = hs_source_is_same(name, deck);
+        *stream = is_deck ? NULL : fopen(name, "w");
+        if (is_deck)
+            (void)hs_fail(err, HS_ERROR_INPUT, "%s: '%s' is the deck itself, which would be overwritten", option, name);
+        else if (*stream == NULL)
             (void)hs_fail(err, HS_ERROR_IO, "%s: cannot write '%s': %s", option, name, strerror(errno));
     }
     return hs_parallel_agree(cli->parallel, err);
@@ -83,7 +88,7 @@ static hs_status prepare(const hs_cli *cli, const hs_cli_settings *settings, hs_
     HS_TRY(hs_cli_set_variables(cli, HS_CLI_RUN, deck, err));
     HS_TRY(hs_deck_check(deck, settings->deck, err));
     const char *const log = settings->log != NULL ? settings->log : "log.halfshell";
-    HS_TRY(open_output(cli, "-log", log, &deck->log_opened, err));
+    HS_TRY(open_output(cli, "-log", log, settings->deck, &deck->log_opened, err));
     HS_TRY(hs_memory_strdup(&deck->log_name, log, err));
     deck->out->log = deck->log_opened; /* the deck closes it, and the deck's own `log` may replace it */
     greet(cli, settings, deck->out);
@@ -125,7 +130,7 @@ hs_status hs_cli_run(const hs_cli *cli, int *exit_code, hs_error *err)
         settings.deck = "-";
     }
     FILE *file = NULL;
-    HS_TRY(open_output(cli, "-screen", settings.screen != NULL ? settings.screen : "none", &file, err));
+    HS_TRY(open_output(cli, "-screen", settings.screen != NULL ? settings.screen : "none", settings.deck, &file, err));
     hs_sink out = {.screen = settings.screen != NULL    ? file
                              : cli->parallel->rank == 0 ? stdout
                                                         : NULL,

@@ -173,10 +173,45 @@ static hs_status check_print(checker *c, const hs_args *args)
     return HS_OK;
 }
 
+/** Whether two names are of one file (collective). */
+static bool are_same(const hs_deck *deck, const char *one, const char *other)
+{
+    double same = deck->sim->parallel.rank == 0 && hs_source_is_same(one, other);
+    hs_parallel_sum_double(&deck->sim->parallel, &same, 1);
+    return same > 0.0;
+}
+
+/** A command that would write its file over the deck, or over one that includes this line. */
+static hs_status check_overwriting(checker *c, const file *f, const hs_args *args)
+{
+    static const struct {
+        const char *command;
+        int word;            /**< which is the file, or ... */
+        const char *keyword; /**< ... the word before it */
+    } writers[] = {
+        {"dump", 4, NULL},          {"write_dump", 2, NULL},  {"log", 0, NULL},        {"write_data", 0, NULL},
+        {"write_restart", 0, NULL}, {"write_coeff", 0, NULL}, {"pair_write", 6, NULL}, {"fix", -1, "file"},
+        {"print", -1, "file"},      {"print", -1, "append"},
+    };
+    for (size_t k = 0; k < sizeof writers / sizeof writers[0]; ++k) {
+        if (strcmp(args->command, writers[k].command) != 0) continue;
+        int at = writers[k].word;
+        for (int i = 1; i + 1 < args->n && at < 0; ++i)
+            if (strcmp(args->word[i], writers[k].keyword) == 0) at = i + 1;
+        if (at < 0 || at >= args->n || is_open(args->word[at])) continue;
+        for (const file *above = f; above != NULL; above = above->above)
+            if (are_same(c->deck, args->word[at], above->name))
+                return hs_fail(c->err, HS_ERROR_INPUT, "%s: '%.400s' is the deck itself, which would be overwritten",
+                               args->command, args->word[at]);
+    }
+    return HS_OK;
+}
+
 /** What a command tells about others: variables, files, labels, commands within it. */
 static hs_status check_meaning(checker *c, file *f, const hs_args *args)
 {
     const bool is_certain = f->is_certain && c->nesting == 0;
+    HS_TRY(check_overwriting(c, f, args));
     if (strcmp(args->command, "jump") == 0 || strcmp(args->command, "quit") == 0) f->may_end = true;
     if (strcmp(args->command, "if") == 0) return check_if(c, f, args);
     if (strcmp(args->command, "run") == 0) return check_run(c, f, args);

@@ -57,6 +57,8 @@ mkfifo pipe.in
 expect 0 "" "$HALFSHELL" empty.in -log none
 expect 0 "" "$HALFSHELL" no_newline.in -log none
 expect 0 "" "$HALFSHELL" -log none
+(printf '\357\273\277'; cat good.in) >marked.in # as some editors write
+expect 0 "" "$HALFSHELL" marked.in -log none
 expect 1 "nul.in:1: error: line 1 holds a NUL byte" "$HALFSHELL" nul.in
 expect 1 "utf16.in:1: error: " "$HALFSHELL" utf16.in
 expect 1 "packed.in:1: error: " "$HALFSHELL" packed.in
@@ -71,6 +73,16 @@ fi
 [ ! -e log.halfshell ] || { wrong "a refused deck leaves a log"; rm log.halfshell; }
 cat good.in >pipe.in &
 expect 0 "" "$HALFSHELL" pipe.in -log none
+
+# The deck itself is not written over.
+expect 1 "error: -log: './good.in' is the deck itself" "$HALFSHELL" good.in -log ./good.in
+expect 1 "error: -screen: 'good.in' is the deck itself" "$HALFSHELL" good.in -screen good.in
+grep -q velocity good.in || wrong "the deck is gone" good.in
+
+# Two integrators of the same atoms.
+sed 's/^thermo 5/fix 2 all nvt temp 1 1 0.5\nthermo 5/' good.in >twice.in
+expect 0 "" "$HALFSHELL" twice.in -log none
+grep -q "WARNING: fix 1 (nve) and fix 2 (nvt) both move atoms, 256 of them the same" out || wrong "no warning" twice.in
 
 # Files that cannot be written.
 expect 2 "cannot write 'folder'" "$HALFSHELL" good.in -log folder
