@@ -59,6 +59,28 @@ static hs_status check_dynamic_groups(const hs_sim *sim, hs_error *err)
                    kind, id, style, sim->groups.name[group], sim->groups.name[group]);
 }
 
+/** Fixes b > a that move atoms in common are nearly always a mistake: such atoms go twice as far in a step. LAMMPS warns,
+ *  too. Collective. */
+static void warn_of_two_integrators(hs_sim *sim)
+{
+    const hs_atoms *atoms = &sim->atoms;
+    for (int b = 1; b < sim->n_fixes; ++b)
+        for (int a = 0; a < b; ++a) {
+            if (!sim->fix[a]->style->is_integrator || !sim->fix[b]->style->is_integrator) continue;
+            int64_t n = 0;
+            for (int i = 0; i < atoms->n_local; ++i)
+                n += (atoms->mask[i] & sim->fix[a]->mask) && (atoms->mask[i] & sim->fix[b]->mask);
+            hs_parallel_sum_int64(&sim->parallel, &n, 1);
+            if (n > 0)
+                hs_warn(&*sim->env.out,
+                        "fix %s (%s) and fix %s (%s) both move atoms, %lld of them the same: these go twice as far in "
+                        "a step; "
+                        "unfix one of the two",
+                        sim->fix[a]->id, sim->fix[a]->style->about.name, sim->fix[b]->id,
+                        sim->fix[b]->style->about.name, (long long)n);
+        }
+}
+
 static hs_status init_styles(hs_sim *sim, hs_error *err)
 {
     int n_integrators = 0;
@@ -69,6 +91,7 @@ static hs_status init_styles(hs_sim *sim, hs_error *err)
     }
     if (n_integrators == 0 && !sim->is_rerunning && !sim->is_minimizing)
         hs_warn(&*sim->env.out, "no fix moves the atoms: a time integrator such as 'fix nve' is missing");
+    if (n_integrators > 1 && !sim->is_rerunning && !sim->is_minimizing) warn_of_two_integrators(sim);
     hs_env_changed(&sim->env);
     for (int k = 0; k < sim->n_computes; ++k) {
         if (sim->compute[k]->style->init != NULL) HS_TRY(sim->compute[k]->style->init(sim->compute[k], err));
