@@ -54,7 +54,9 @@ hs_status hs_groups_add(hs_groups *groups, const char *name, int *bit, hs_error 
     if (name[0] == '\0' || strpbrk(name, "()[],$&#'\"*") != NULL || has_blank(name))
         return hs_fail(
             err, HS_ERROR_INPUT,
-            "the group name '%s' may not be empty or have blanks, quotes, brackets, commas or any of $ & # *", name);
+            "the group name '%s' may not be empty or have blanks, quotes, brackets, commas, any of $ & # *, or letters "
+            "other than a to z and A to Z",
+            name);
     for (int i = 0; i < HS_GROUPS_MAX; ++i) {
         if (groups->name[i] != NULL) continue;
         *bit = i;

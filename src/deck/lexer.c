@@ -28,6 +28,8 @@ hs_status hs_lexer_line(const char *data, size_t size, hs_cursor *cursor, hs_tex
     *first = cursor->n_lines_read + 1;
     *found = false;
     size_t n_kept = 0; /* up to the last line break within triple quotes */
+    /* Some editors begin each file with a mark of its encoding. */
+    if (cursor->at == 0 && size >= 3 && memcmp(data, "\xEF\xBB\xBF", 3) == 0) cursor->at = 3;
     while (cursor->at < size) {
         *found = true;
         const char *begin = data + cursor->at;
@@ -81,6 +83,28 @@ void hs_lexer_strip_comment(char *line)
     }
 }
 
+/** Signs that look like those of a keyboard and are none: what word processors, web pages and PDF files make of them. A deck
+ *  with one outside of quotes is not what its reader sees. */
+static hs_status refuse_lookalikes(const char *word, hs_error *err)
+{
+    static const struct {
+        const char *bytes, *what;
+    } lookalikes[] = {
+        {"\xC2\xA0", "a blank that cannot be broken (U+00A0) is no blank"},
+        {"\xE2\x80\xAF", "a narrow blank (U+202F) is no blank"},
+        {"\xE2\x80\x89", "a thin blank (U+2009) is no blank"},
+        {"\xE2\x80\x8B", "it holds a blank without width (U+200B)"},
+        {"\xEF\xBB\xBF", "it holds a mark of byte order (U+FEFF)"},
+        {"\xE2\x88\x92", "the sign of minus in print (U+2212) is not the keyboard's -"},
+        {"\xE2\x80\x9C", "a quotation mark of print (U+201C) is not the keyboard's \""},
+        {"\xE2\x80\x9D", "a quotation mark of print (U+201D) is not the keyboard's \""},
+    };
+    for (size_t k = 0; k < sizeof lookalikes / sizeof lookalikes[0]; ++k)
+        if (strstr(word, lookalikes[k].bytes) != NULL)
+            return hs_fail(err, HS_ERROR_INPUT, "'%.60s': %s; type it anew", word, lookalikes[k].what);
+    return HS_OK;
+}
+
 /** Take the word at *at (not a blank); ends it with a NUL and moves *at behind it. */
 static hs_status take_word(char **at, const char **word, bool *was_quoted, hs_error *err)
 {
@@ -90,7 +114,7 @@ static hs_status take_word(char **at, const char **word, bool *was_quoted, hs_er
         *word = *at;
         *at += strcspn(*at, blanks);
         if (**at != '\0') *(*at)++ = '\0';
-        return HS_OK;
+        return refuse_lookalikes(*word, err);
     }
     const char *end = hs_lexer_quote_end(*at + n_mark, **at, n_mark);
     if (end == NULL)

@@ -13,7 +13,8 @@ typedef struct hs_cursor {
 } hs_cursor;
 
 /** Read the next logical line: `&` at the end of a physical line (blanks may follow it) joins the next one, and so does
- *  an odd number of triple quotes, which keeps the line break. Both hold inside comments too, as in LAMMPS.
+ *  an odd number of triple quotes, which keeps the line break. Both hold inside comments too, as in LAMMPS. A mark of
+ *  byte order at the beginning of the text is passed over.
  *  @param[out] line   the line without its end; untouched quotes, comments and variables
  *  @param[out] first  number of its first physical line, from 1
  *  @param[out] found  false at the end of the text
@@ -38,8 +39,8 @@ typedef struct hs_words {
 } hs_words;
 
 /** Split a line (comment and variables already done) into words at blanks. A word that begins with '…', "…" or
- *  """…""" is what stands between the marks; after the closing mark a blank or the end must follow. Zero @p words
- *  first; free with hs_words_fini. */
+ *  """…""" is what stands between the marks; after the closing mark a blank or the end must follow. Signs of print
+ *  that look like a keyboard's are refused in other words. Zero @p words first; free with hs_words_fini. */
 HS_MUST_USE hs_status hs_words_split(hs_words *words, const char *line, hs_error *err);
 void hs_words_fini(hs_words *words);
 

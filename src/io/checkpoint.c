@@ -85,8 +85,11 @@ static hs_status check_head(const hs_checkpoint *self, int fd, hs_error *err)
     if (fstat(fd, &info) != 0 || !S_ISREG(info.st_mode)) return damaged(self, "it is not a file", err);
     if (pread(fd, head, HEAD_SIZE, 0) != HEAD_SIZE) return damaged(self, "it is too short", err);
     if (strncmp(head, magic, sizeof magic - 1) != 0)
-        return hs_fail(err, HS_ERROR_INPUT, "'%s' was not written by write_restart or checkpoint of this program",
-                       self->path);
+        return hs_fail(
+            err, HS_ERROR_INPUT,
+            "'%s' was not written by write_restart or checkpoint of this program. From a restart file of LAMMPS "
+            "atoms come by way of a data file: write_data there, read_data here",
+            self->path);
     if (sscanf(head + sizeof magic - 1, "format %d\nbytes %lld\ncrc32 %x", &format, &size, &wanted) != 3 || format < 1)
         return damaged(self, "its first lines are damaged", err);
     if (format > HS_CHECKPOINT_FORMAT)

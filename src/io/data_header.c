@@ -120,6 +120,10 @@ static hs_status read_line(hs_data_reader *reader, hs_error *err)
                            header_lines[k].n_numbers, header_lines[k].n_numbers == 1 ? "" : "s", n_numbers);
         return take_line(reader, header_lines[k].kind, text, err);
     }
+    if (text[0] == '\0')
+        return hs_fail(
+            err, HS_ERROR_INPUT,
+            "the header has a line of numbers without a word such as 'atoms' or 'xlo xhi': is this a data file?");
     const char *nearest = hs_text_nearest(text, names, N_HEADER_LINES);
     return hs_fail(err, HS_ERROR_INPUT, "unknown line '%s' in the header%s%s%s", text,
                    nearest != NULL ? "; did you mean '" : "", nearest != NULL ? nearest : "",

@@ -22,8 +22,9 @@ hs_status hs_precision_get(const char *name, hs_precision *precision, hs_error *
             return HS_OK;
         }
     const char *nearest = hs_text_nearest(name, hs_precision_names, n);
-    return hs_fail(err, HS_ERROR_INPUT, "there is no precision '%s'; %s'%s'", name,
-                   nearest != NULL ? "did you mean " : "expected double or ", nearest != NULL ? nearest : "mixed");
+    return hs_fail(err, HS_ERROR_INPUT, "there is no precision '%s'; %s%s%s", name,
+                   nearest != NULL ? "did you mean '" : "expected double or mixed", nearest != NULL ? nearest : "",
+                   nearest != NULL ? "'?" : "");
 }
 
 static bool has_isa(hs_isa isa)
