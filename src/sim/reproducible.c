@@ -6,6 +6,8 @@
 
 /* A pair's force may grow by this factor before a run must go over to a coarser grid. */
 static const double headroom = 8.0;
+/* By this power of two a run's grid may be coarser than its forces need, before it goes over to a finer one at any step. */
+enum { COARSE_BITS = 10 };
 /* Forces and energies from here on have no grid (and are none that a run could go on with). */
 static const double too_large = 1e250;
 /* Where the search for the grid starts: good for energies and lengths of order one. */
@@ -126,7 +128,13 @@ hs_status hs_sim_fit_grid(hs_sim *sim, const hs_force_result *result, bool *fits
         sim->grid.energy = hs_fixed_exponent(peak[1] * headroom, HS_FIXED_BITS);
         *fits = false;
     }
-    /* A run goes over to a finer grid at scheduled list builds only, which do not depend on ranks, threads or method. The
+    /* On a grid that a collision has left behind the forces after it would be rounded away. */
+    if (*fits && sim->grid.force - needed > COARSE_BITS) {
+        sim->force_exponent = needed;
+        hs_sim_begin_grid(sim);
+        *fits = false;
+    }
+    /* Else a run goes over to a finer grid at scheduled list builds only, which do not depend on ranks, threads or method. The
        first forces of all start on it. */
     if (*fits && sim->neighbor.ago == 0) {
         const bool is_first = !sim->is_initialized && needed < sim->grid.force;

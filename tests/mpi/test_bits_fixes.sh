@@ -256,6 +256,16 @@ pair_style lj/cut 2.5
 pair_coeff * * 1.0 1.0
 fix 1 all nve/limit 0.02
 D
+    system overlapping 20 <<D
+region box block 0 9 0 8 0 7
+create_box 1 box
+create_atoms 1 random 400 4711 box
+mass 1 1.0
+velocity all create 1.0 12345
+$liquid
+neigh_modify every 10 delay 0 check no
+fix 1 all nve/limit 0.03
+D
     system indented 10 'f_i f_i[2] c_r c_j[1] c_j[5]' <<D
 lattice fcc 0.8442
 region box block 0 4 0 4 0 5
