@@ -34,6 +34,7 @@ static hs_status bring_neighbors_up_to_date(hs_sim *sim, hs_error *err)
                               &sim->is_stopping, err));
     if (sim->parallel.n_ranks > 1) hs_timer_add_comm(&sim->timer, HS_COMM_AGREE);
     is_due = is_due || is_wanted(sim);
+    sim->env.has_new_lists = is_due;
     if (is_due) {
         ++sim->neighbor.counters.n_builds;
         hs_tuner_at_build(sim);

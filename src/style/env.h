@@ -65,6 +65,7 @@ typedef struct hs_env {
     bool dry_run; /**< halfshell check: nothing may open, write or remove a file */
 
     int64_t step;        /**< number of the present timestep */
+    bool has_new_lists;  /**< neighbor lists were due, and made, at this step: the same with any method */
     int64_t first_step;  /**< step at which the present (or next) run began */
     int64_t last_step;   /**< step at which it ends */
     int64_t ramp_start;  /**< step at which a series of runs began (run start); else first_step */

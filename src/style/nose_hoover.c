@@ -197,7 +197,11 @@ hs_status hs_nose_hoover_final_integrate(hs_fix *fix, hs_error *err)
 {
     hs_nose_hoover *nh = fix->state;
     hs_nose_hoover_kick(fix);
-    if (nh->has_barostat) HS_TRY(hs_nose_hoover_strain_velocities(fix, err));
+    if (nh->has_barostat) {
+        /* LAMMPS's order: the bias is that of the step's first half, but for steps with new lists */
+        if (fix->env->has_new_lists) HS_TRY(measure_temperature(fix, err));
+        HS_TRY(hs_nose_hoover_strain_velocities(fix, err));
+    }
     HS_TRY(measure_temperature(fix, err));
     if (nh->has_barostat) {
         HS_TRY(hs_nose_hoover_measure_pressure(fix, err));
