@@ -39,7 +39,6 @@ static const hs_keyword keywords[] = {
 static hs_status find_region(const hs_fix *fix, hs_error *err)
 {
     deposit_state *state = fix->state;
-    const hs_box *box = fix->env->box;
     HS_TRY(hs_where_find(&state->where, fix->env, "fix", fix->id, "deposit", err));
     const hs_region *region = state->where.region;
     if (region->is_varying)
@@ -50,6 +49,14 @@ static hs_status find_region(const hs_fix *fix, hs_error *err)
         return hs_fail(err, HS_ERROR_INPUT,
                        "fix '%s' (deposit): the region '%s' has no bounds, so that no places can be drawn in it",
                        fix->id, region->id);
+    return HS_OK;
+}
+
+/** When the fix is defined the region is within the box, whose faces may move past it later. */
+static hs_status check_extent(const hs_fix *fix, hs_error *err)
+{
+    const hs_box *box = fix->env->box;
+    const hs_region *region = ((const deposit_state *)fix->state)->where.region;
     double lo[3], hi[3];
     hs_box_bounds(box, lo, hi);
     for (int axis = 0; axis < box->dimension; ++axis) {
@@ -117,7 +124,8 @@ static hs_status create(hs_fix *fix, const hs_args *args, hs_error *err)
     state->last_id = hs_atoms_max_id(env->atoms);
     hs_parallel_max_int64(env->parallel, &state->last_id, 1);
     state->first = state->next = env->step + 1;
-    return find_region(fix, err);
+    HS_TRY(find_region(fix, err));
+    return env->is_resuming ? HS_OK : check_extent(fix, err);
 }
 
 static void destroy(hs_fix *fix) { hs_where_fini(&((deposit_state *)fix->state)->where); }

@@ -331,6 +331,16 @@ fix 4 all ehex 2 5 region hot
 fix p all print 10 "$(f_2:%.17g) $(f_3:%.17g) $(f_4:%.17g) $(c_s:%.17g)" file p.txt screen no
 D
 
+# the box shrinks onto its atoms, so that the region reaches out of it when the run is resumed
+check deposit_above <<'D'
+change_box all boundary p p s
+region most block 0 4 0 4 0 3.5
+region upper block INF INF INF INF 2.2 INF
+fix 1 all nve
+fix 2 all deposit 30 2 9 4711 region most near 0.6
+delete_atoms region upper
+D
+
 check deposit <<'D'
 region all block 0 4 0 4 0 4
 region small block 1 3 1 3 1 3
