@@ -84,6 +84,10 @@ def own_fix_choices(deck):
     choices = [f"ave/self {deck.pick(1, 2)} 4 {deck.pick(4, 8)} {deck.pick('msd vacf', 'msd alpha2', 'isf ' + n(1, 7, '1/length') + ' msd')} origins {deck.pick(1, 2)} error yes file self.ave",
                f"ave/spectrum 1 4 4 c_thermo_temp c_thermo_press[1] file spectrum.ave", f"evaporate {steps} 2 {more_regions(deck)} {seed}",
                f"widom {steps} 40 1 {seed} {warm}{deck.pick('', ' region ' + live_region(deck))}", f"numdiff {steps} {deck.value(1e-4, 'length')}"]
+    middle = [f"{x * deck.spacing * deck.scales['length']:.6g}" for x in deck.middle()]
+    choices += [f"drag {middle[0]} {deck.pick('NULL', middle[1])} NULL {n(-1, 1, 'force')} {n(0, 1, 'length')}",
+                f"spring/rg {n(1, 10, 'stiffness')} {deck.pick('NULL', n(1, 4, 'length'))}",
+                f"oneway {steps} {live_region(deck)} {deck.pick('x', 'y', '-x', '-y')}"]
     if deck.n_types > 1:
         potentials = " ".join(n(-1, 1, "energy") for _ in range(deck.n_types))
         types = " ".join(str(kind + 1) for kind in range(deck.n_types))
@@ -245,9 +249,10 @@ def add_own_fix(deck):
     if deck.has(rf"fix \S+ \S+ {style}\b"):
         return
     name = deck.name("o")
-    deck.add(f"fix {name} {deck.group() if style in ('evaporate', 'gcmc', 'atom/swap', 'ave/self') else 'all'} {words}")
+    deck.add(f"fix {name} {deck.group() if style in ('evaporate', 'gcmc', 'atom/swap', 'ave/self', 'drag', 'spring/rg', 'oneway') else 'all'} {words}")
     deck.columns += {"widom": [f"f_{name}[2]", f"f_{name}[3]"], "atom/swap": [f"f_{name}[1]", f"f_{name}[2]"], "evaporate": [f"f_{name}"],
-                     "gcmc": [f"f_{name}[2]", f"f_{name}[4]", f"f_{name}[6]"], "deposit": [f"f_{name}"], "rhok": [f"f_{name}", f"f_{name}[3]"]}.get(style, [])
+                     "gcmc": [f"f_{name}[2]", f"f_{name}[4]", f"f_{name}[6]"], "deposit": [f"f_{name}"], "rhok": [f"f_{name}", f"f_{name}[3]"],
+                     "drag": [f"f_{name}[1]", f"f_{name}[3]"]}.get(style, [])
 
 
 def add_fix(deck):

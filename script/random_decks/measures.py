@@ -57,6 +57,8 @@ def add_computes(deck):
         add_pair_energy(deck)
     if deck.chance(0.15):
         add_local_values(deck)
+    if deck.is_alone and deck.chance(0.3):
+        add_own_measures(deck)
     if deck.chance(0.2):
         add_vectors(deck)
     if deck.chance(0.1):
@@ -99,6 +101,28 @@ def add_local_values(deck):
     replace = " replace 1 2" if modes in ("min", "max") and deck.chance(0.5) else ""
     deck.add(f"compute {total} all reduce {modes} c_{name}[1] c_{name}[2] c_{name}[3]{replace}")
     deck.columns += [f"c_{total}[{column}]" for column in (1, 2, 3)]
+
+
+def add_own_measures(deck):
+    """Rows of pairs, and shapes, which not every lmp has or which it writes in the order of its lists."""
+    pairs, ids, listed, gyration, shape, total = (deck.name(prefix) for prefix in ("l", "l", "l", "c", "c", "c"))
+    group = deck.group()
+    cutoff = deck.pick("", "", " cutoff radius") if deck.is_sphere() else ""
+    deck.add(f"compute {pairs} {group} pair/local dist dx dy dz eng force fx fy fz{cutoff}",
+             f"compute {ids} {group} property/local patom1 patom2 ptype1 ptype2{cutoff}",
+             f"compute {listed} {deck.group()} property/local natom1 ntype2",
+             f"compute {gyration} {group} gyration", f"compute {shape} {group} gyration/shape {gyration}",
+             f"compute {total} all reduce {deck.pick('sum', 'max', 'ave')} c_{listed}[1] c_{listed}[2]")
+    deck.columns += [f"c_{shape}[{deck.random.randint(1, 6)}]", f"c_{total}[1]"]
+    if deck.chance(0.7):
+        dump = deck.name("d")
+        deck.add(f"dump {dump} all local {deck.pick(1, 4, 5)} {dump}.{deck.pick('', '*.')}dump index c_{ids}[*] c_{pairs}[*]",
+                 deck.pick("", f"dump_modify {dump} sort {deck.random.randint(2, 9)}", f"dump_modify {dump} label PAIRS format float %.12g"))
+    if deck.chance(0.3):
+        name = deck.name("f")
+        far = deck.value(2, "length")
+        deck.add(deck.pick(f"fix {name} all ave/histo 2 2 4 0 {far} 6 c_{pairs}[1] mode vector kind local file h{name}.ave",
+                           f"fix {name} all ave/histo/weight 1 3 3 0 {far} 5 c_{pairs}[1] c_{pairs}[5] mode vector kind local file h{name}.ave"))
 
 
 def add_vectors(deck):
