@@ -165,7 +165,7 @@ static hs_status number_raw(hs_compute *compute, hs_error *err)
     const hs_env *env = compute->env;
     const hs_atoms *atoms = env->atoms;
     double *id = compute->atoms;
-    HS_TRY(hs_where_find(&state->where, compute->env, "compute", compute->id, "chunk/atom", err));
+    HS_TRY(hs_where_find(&state->where, compute->env, hs_compute_who(compute).text, err));
     HS_TRY(hs_where_update(&state->where, err));
     if (state->kind == BY_VALUE) HS_TRY(hs_value_atoms(compute->env, &state->value, id, err));
 #pragma omp parallel for schedule(static)

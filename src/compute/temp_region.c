@@ -9,8 +9,7 @@ typedef struct region_state {
 
 static hs_status find_region(hs_compute *compute, hs_error *err)
 {
-    return hs_where_find(&((region_state *)compute->state)->where, compute->env, "compute", compute->id, "temp/region",
-                         err);
+    return hs_where_find(&((region_state *)compute->state)->where, compute->env, hs_compute_who(compute).text, err);
 }
 
 static hs_status create(hs_compute *compute, const hs_args *args, hs_error *err)

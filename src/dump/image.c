@@ -226,7 +226,7 @@ static hs_status init(hs_dump *dump, hs_error *err)
         return hs_fail(err, HS_ERROR_INPUT,
                        "dump '%s': every picture is a file of its own: the name '%s' needs a *, which becomes the step",
                        dump->id, dump->file);
-    return hs_where_find(&state->table.where, dump->env, "dump", dump->id, "image", err);
+    return hs_where_find(&state->table.where, dump->env, hs_dump_who(dump).text, err);
 }
 
 static hs_status write_picture(hs_dump *dump, hs_writer *writer, hs_error *err)

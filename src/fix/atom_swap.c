@@ -125,7 +125,7 @@ static hs_status create(hs_fix *fix, const hs_args *args, hs_error *err)
     HS_TRY(check_words(state, args, err));
     HS_TRY(hs_fix_noise(fix, seed, &state->noise, err));
     state->first = state->next = fix->env->step + 1;
-    return hs_where_find(&state->where, fix->env, "fix", fix->id, "atom/swap", err);
+    return hs_where_find(&state->where, fix->env, hs_fix_who(fix).text, err);
 }
 
 static void destroy(hs_fix *fix)
@@ -140,7 +140,7 @@ static hs_status init(hs_fix *fix, hs_error *err)
 {
     swap_state *state = fix->state;
     state->next = state->first + (fix->env->step - state->first + state->every) / state->every * state->every;
-    return hs_where_find(&state->where, fix->env, "fix", fix->id, "atom/swap", err);
+    return hs_where_find(&state->where, fix->env, hs_fix_who(fix).text, err);
 }
 
 static int64_t next_exchange(const hs_fix *fix) { return ((const swap_state *)fix->state)->next; }

@@ -39,7 +39,7 @@ static const hs_keyword keywords[] = {
 static hs_status find_region(const hs_fix *fix, hs_error *err)
 {
     deposit_state *state = fix->state;
-    HS_TRY(hs_where_find(&state->where, fix->env, "fix", fix->id, "deposit", err));
+    HS_TRY(hs_where_find(&state->where, fix->env, hs_fix_who(fix).text, err));
     const hs_region *region = state->where.region;
     if (region->is_varying)
         return hs_fail(err, HS_ERROR_INPUT,

@@ -33,7 +33,7 @@ static hs_status create(hs_fix *fix, const hs_args *args, hs_error *err)
     HS_TRY(hs_where_set(&state->where, args->word[2], err));
     HS_TRY(hs_arg_int(args, 3, 1, INT64_MAX, &seed, err));
     HS_TRY(hs_fix_noise(fix, seed, &state->noise, err));
-    return hs_where_find(&state->where, fix->env, "fix", fix->id, "evaporate", err);
+    return hs_where_find(&state->where, fix->env, hs_fix_who(fix).text, err);
 }
 
 static void destroy(hs_fix *fix) { hs_where_fini(&((evaporate_state *)fix->state)->where); }
@@ -42,7 +42,7 @@ static hs_status init(hs_fix *fix, hs_error *err)
 {
     evaporate_state *state = fix->state;
     state->next = (fix->env->step / state->every + 1) * state->every;
-    return hs_where_find(&state->where, fix->env, "fix", fix->id, "evaporate", err);
+    return hs_where_find(&state->where, fix->env, hs_fix_who(fix).text, err);
 }
 
 static int64_t next_exchange(const hs_fix *fix) { return ((const evaporate_state *)fix->state)->next; }

@@ -60,13 +60,14 @@ static hs_status init(hs_fix *fix, hs_error *err)
     dynamic_state *state = fix->state;
     const hs_env *env = fix->env;
     const char *const name = env->groups->name[state->group];
-    HS_TRY(hs_where_find(&state->where, fix->env, "group", name, "dynamic", err));
+    hs_who who;
+    snprintf(who.text, sizeof who.text, "group '%.80s' (dynamic)", name);
+    HS_TRY(hs_where_find(&state->where, fix->env, who.text, err));
     if (state->variable == NULL) return HS_OK;
     const hs_variable_kind kind = hs_env_variable_kind(env, state->variable);
     if (kind == HS_NUMBER_VARIABLE || kind == HS_ATOM_VARIABLE) return HS_OK;
-    return hs_fail(err, HS_ERROR_INPUT,
-                   "group '%s' (dynamic): there is no variable '%s' that has a value, or one for each atom", name,
-                   state->variable);
+    return hs_fail(err, HS_ERROR_INPUT, "%s: there is no variable '%s' that has a value, or one for each atom",
+                   who.text, state->variable);
 }
 
 static hs_status choose(hs_fix *fix, hs_error *err)

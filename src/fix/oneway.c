@@ -14,7 +14,7 @@ typedef struct oneway_state {
 static hs_status find_region(hs_fix *fix, hs_error *err)
 {
     oneway_state *state = fix->state;
-    return hs_where_find(&state->where, fix->env, "fix", fix->id, fix->style->about.name, err);
+    return hs_where_find(&state->where, fix->env, hs_fix_who(fix).text, err);
 }
 
 static hs_status create(hs_fix *fix, const hs_args *args, hs_error *err)

@@ -27,7 +27,7 @@ static inline void thermal_destroy(hs_fix *fix)
 
 static inline hs_status thermal_find_region(hs_fix *fix, hs_error *err)
 {
-    return hs_where_find(&((thermal_state *)fix->state)->where, fix->env, "fix", fix->id, fix->style->about.name, err);
+    return hs_where_find(&((thermal_state *)fix->state)->where, fix->env, hs_fix_who(fix).text, err);
 }
 
 static inline hs_status thermal_init(hs_fix *fix, hs_error *err)

@@ -19,7 +19,7 @@ static const wall_energy energies[] = {wall_lj93, wall_lj126, wall_lj1043, wall_
 static hs_status find_region(hs_fix *fix, hs_error *err)
 {
     region_wall_state *state = fix->state;
-    HS_TRY(hs_where_find(&state->where, fix->env, "fix", fix->id, "wall/region", err));
+    HS_TRY(hs_where_find(&state->where, fix->env, hs_fix_who(fix).text, err));
     if (state->where.region->style->surfaces != NULL) return HS_OK;
     return hs_fail(err, HS_ERROR_INPUT,
                    "fix '%s' (wall/region): region '%s' (%s) cannot be a wall; block, cylinder, plane and sphere can",

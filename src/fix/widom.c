@@ -44,7 +44,7 @@ static hs_status create(hs_fix *fix, const hs_args *args, hs_error *err)
     HS_TRY(hs_fix_noise(fix, seed, &state->noise, err));
     state->series.n_series = 1;
     state->first = state->next = fix->env->step + 1;
-    return hs_where_find(&state->where, fix->env, "fix", fix->id, "widom", err);
+    return hs_where_find(&state->where, fix->env, hs_fix_who(fix).text, err);
 }
 
 static void destroy(hs_fix *fix)
@@ -59,7 +59,7 @@ static hs_status init(hs_fix *fix, hs_error *err)
     widom_state *state = fix->state;
     state->kt = fix->env->units->boltz * state->temperature;
     state->next = state->first + (fix->env->step - state->first + state->every) / state->every * state->every;
-    return hs_where_find(&state->where, fix->env, "fix", fix->id, "widom", err);
+    return hs_where_find(&state->where, fix->env, hs_fix_who(fix).text, err);
 }
 
 /** Where places are drawn: the box, or in an orthogonal one what the region's bounds leave of it. */
@@ -154,7 +154,7 @@ static hs_status end_of_step(hs_fix *fix, hs_error *err)
     double sum = 0.0;
     if (fix->env->step != state->next) return HS_OK;
     state->next += state->every;
-    HS_TRY(hs_where_find(&state->where, fix->env, "fix", fix->id, "widom", err));
+    HS_TRY(hs_where_find(&state->where, fix->env, hs_fix_who(fix).text, err));
     HS_TRY(hs_where_update(&state->where, err));
     if (state->where.region != NULL && state->where.region->is_varying) state->n_places = state->n_hits = 0;
     hs_status status = hs_local_energy_begin(&local, fix, 1e12 * state->kt, err);

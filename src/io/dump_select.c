@@ -92,7 +92,7 @@ static hs_status select_atoms(hs_dump *dump, hs_error *err)
     const hs_atoms *atoms = dump->env->atoms;
     for (int k = 0; k < table->n_columns; ++k) HS_TRY(fill_variable(dump, &table->column[k], err));
     for (int k = 0; k < table->n_conditions; ++k) HS_TRY(fill_variable(dump, &table->condition[k].column, err));
-    HS_TRY(hs_where_find(&table->where, dump->env, "dump", dump->id, dump->style->about.name, err));
+    HS_TRY(hs_where_find(&table->where, dump->env, hs_dump_who(dump).text, err));
     HS_TRY(hs_where_update(&table->where, err));
     HS_TRY(HS_RESERVE(table->order, table->capacity_order, (size_t)atoms->n_local, err));
     table->n_rows = 0;

@@ -165,7 +165,7 @@ hs_status hs_dump_table_init(hs_dump *dump, hs_error *err)
 {
     hs_dump_table *table = dump->state;
     const hs_env *env = dump->env;
-    HS_TRY(hs_where_find(&table->where, dump->env, "dump", dump->id, dump->style->about.name, err));
+    HS_TRY(hs_where_find(&table->where, dump->env, hs_dump_who(dump).text, err));
     if (table->n_elements > 0 && table->n_elements != env->atoms->n_types)
         return hs_fail(err, HS_ERROR_INPUT, "dump '%s': dump_modify element gave %d names, but there are %d atom types",
                        dump->id, table->n_elements, env->atoms->n_types);

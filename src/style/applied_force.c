@@ -21,7 +21,7 @@ hs_status hs_applied_force_create(hs_applied_force *force, const hs_args *args, 
 
 static hs_status find_region(hs_applied_force *force, const hs_fix *fix, hs_error *err)
 {
-    return hs_where_find(&force->where, fix->env, "fix", fix->id, fix->style->about.name, err);
+    return hs_where_find(&force->where, fix->env, hs_fix_who(fix).text, err);
 }
 
 hs_status hs_applied_force_region(hs_applied_force *force, const hs_fix *fix, const hs_args *args, int i, hs_error *err)

@@ -68,7 +68,7 @@ HS_MUST_USE hs_status hs_name_check(const char *command, const char *what, const
 HS_MUST_USE hs_status hs_arg_refuse(const hs_args *args, int i, const char *expected, const char *const *choices,
                                     hs_error *err);
 
-/** "fix 'ID' (style)" or "compute 'ID' (style)": how messages name one that is there already (hs_fix_who, hs_compute_who). */
+/** "fix 'ID' (style)" or "compute 'ID' (style)": how messages name one that is there already (hs_fix_who, hs_compute_who, hs_dump_who). */
 typedef struct hs_who {
     char text[192];
 } hs_who;

@@ -4,6 +4,13 @@
 
 #include "base/memory.h"
 
+hs_who hs_dump_who(const hs_dump *dump)
+{
+    hs_who who;
+    snprintf(who.text, sizeof who.text, "dump '%.80s' (%.80s)", dump->id, dump->style->about.name);
+    return who;
+}
+
 hs_status hs_dump_read_every(hs_dump *dump, const hs_args *args, hs_error *err)
 {
     if (strncmp(args->word[1], "v_", 2) == 0) return hs_memory_replace(&dump->every_variable, args->word[1] + 2, err);

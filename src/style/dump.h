@@ -44,6 +44,9 @@ typedef struct hs_dump {
 /** dump_modify every <N>|v_<name>: the value is word 1. */
 HS_MUST_USE hs_status hs_dump_read_every(hs_dump *dump, const hs_args *args, hs_error *err);
 
+/** How messages name it: dump 'ID' (style). */
+hs_who hs_dump_who(const hs_dump *dump);
+
 /** All dump styles, ended by NULL; made by the build. */
 extern const hs_dump_style *const hs_dump_styles[];
 

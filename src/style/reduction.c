@@ -36,7 +36,7 @@ static hs_status add_replacement(hs_reduction *state, const hs_args *args, int i
 static hs_status find_region(hs_compute *compute, hs_error *err)
 {
     hs_where *where = &((hs_reduction *)compute->state)->where;
-    return hs_where_find(where, compute->env, "compute", compute->id, compute->style->about.name, err);
+    return hs_where_find(where, compute->env, hs_compute_who(compute).text, err);
 }
 
 /** Rows of local values are in no region. */

@@ -30,17 +30,12 @@ void hs_where_fini(hs_where *where)
     where->region = NULL;
 }
 
-hs_status hs_where_find(hs_where *where, hs_env *env, const char *what, const char *who_id, const char *style,
-                        hs_error *err)
+hs_status hs_where_find(hs_where *where, hs_env *env, const char *who, hs_error *err)
 {
     if (where->id == NULL) return HS_OK;
-    char who[192];
     where->region = env->find_region(env, where->id);
-    if (where->region == NULL)
-        return hs_fail(err, HS_ERROR_INPUT, "%s '%s' (%s): there is no region '%s'", what, who_id, style, where->id);
-    if (!where->region->is_varying) return HS_OK;
-    snprintf(who, sizeof who, "%.40s '%.80s' (%.40s)", what, who_id, style);
-    return hs_region_check_variables(where->region, who, err);
+    if (where->region == NULL) return hs_fail(err, HS_ERROR_INPUT, "%s: there is no region '%s'", who, where->id);
+    return where->region->is_varying ? hs_region_check_variables(where->region, who, err) : HS_OK;
 }
 
 void hs_region_touch(const double d[3], double cutoff, hs_contact *contact, int *n)

@@ -97,9 +97,8 @@ typedef struct hs_where {
 HS_MUST_USE hs_status hs_where_set(hs_where *where, const char *id, hs_error *err);
 /** Everywhere again. */
 void hs_where_fini(hs_where *where);
-/** Find the region as it is now. When there is none, the message names who asks for it, such as: fix 'h' (heat). */
-HS_MUST_USE hs_status hs_where_find(hs_where *where, hs_env *env, const char *what, const char *who_id,
-                                    const char *style, hs_error *err);
+/** Find the region as it is now. When there is none, the message names @p who asks for it (hs_fix_who and the like). */
+HS_MUST_USE hs_status hs_where_find(hs_where *where, hs_env *env, const char *who, hs_error *err);
 /** Bring the region to the present step: before atoms are looked for (collective). */
 static inline hs_status hs_where_update(const hs_where *where, hs_error *err)
 {
