@@ -1,8 +1,6 @@
 #include "comm/balance.h"
 
 #include <math.h>
-#include <stdlib.h>
-#include <string.h>
 
 #include "base/memory.h"
 

@@ -1,6 +1,6 @@
 /* Center of mass of each chunk. */
-#include "style/moments.h"
 #include "style/per_chunk.h"
+#include "style/places.h"
 
 static double place(const hs_compute *compute, int i, int64_t c, const void *axis)
 {

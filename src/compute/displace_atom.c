@@ -3,7 +3,7 @@
 
 #include "style/atom_vector.h"
 #include "style/compute.h"
-#include "style/moments.h"
+#include "style/places.h"
 
 typedef struct displace_state {
     hs_atom_vector origin; /**< unwrapped places at the start */

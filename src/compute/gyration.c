@@ -6,6 +6,7 @@
 #include "style/atom_sum.h"
 #include "style/compute.h"
 #include "style/moments.h"
+#include "style/places.h"
 
 typedef struct gyration_context {
     const hs_compute *compute;

@@ -4,6 +4,7 @@
 #include "style/atom_vector.h"
 #include "style/compute.h"
 #include "style/moments.h"
+#include "style/places.h"
 
 typedef struct nongauss_state {
     hs_atom_vector origin; /**< unwrapped places at the start, with com relative to the center of mass */

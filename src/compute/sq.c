@@ -2,7 +2,6 @@
  * transform (core/fourier.h), averaged over shells of |q| or vector by vector.
  * Source: J.-P. Hansen, I. R. McDonald, Theory of Simple Liquids, 4th ed. (2013), section 4.1. */
 #include <math.h>
-#include <stdio.h>
 #include <string.h>
 
 #include "base/memory.h"

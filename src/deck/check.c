@@ -13,7 +13,6 @@
 #include "deck/printed.h"
 #include "deck/source.h"
 #include "deck/substitute.h"
-#include "deck/variables.h"
 
 enum { NESTING_MAX = 32 };
 

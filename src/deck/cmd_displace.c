@@ -6,7 +6,7 @@
 #include "core/random.h"
 #include "deck/command.h"
 #include "deck/place_atoms.h"
-#include "style/moments.h"
+#include "style/places.h"
 #include "style/unit_vector.h"
 
 typedef enum { DISPLACE_MOVE, DISPLACE_RAMP, DISPLACE_RANDOM, DISPLACE_ROTATE } displace_style;

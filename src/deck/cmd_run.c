@@ -4,7 +4,6 @@
 #include "deck/command.h"
 #include "deck/frames.h"
 #include "sim/report.h"
-#include "sim/thermo.h"
 
 /** Steps are counted well within 64 bits, so that sums of them never overflow. */
 static const int64_t step_max = INT64_C(1) << 60;

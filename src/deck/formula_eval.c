@@ -1,6 +1,5 @@
 /** Evaluation of formulas: node by node, operands first. */
 #include <math.h>
-#include <stdio.h>
 #include <string.h>
 
 #include "base/memory.h"

@@ -1,6 +1,5 @@
 /** From a formula's text to its nodes. */
 #include <ctype.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "base/memory.h"

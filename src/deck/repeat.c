@@ -5,7 +5,6 @@
 #include "base/memory.h"
 #include "comm/domain.h"
 #include "deck/command.h"
-#include "deck/interpreter.h"
 #include "deck/saved.h"
 #include "sim/saving.h"
 

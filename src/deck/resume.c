@@ -3,7 +3,6 @@
 #include <string.h>
 
 #include "base/memory.h"
-#include "comm/domain.h"
 #include "deck/command.h"
 #include "deck/interpreter.h"
 #include "deck/printed.h"
@@ -11,7 +10,6 @@
 #include "deck/source.h"
 #include "io/checkpoint.h"
 #include "io/part_file.h"
-#include "sim/restored.h"
 #include "sim/saving.h"
 
 /* ---- Variables ---- */

@@ -3,9 +3,8 @@
 
 #include "base/memory.h"
 #include "style/applied_force.h"
-#include "style/moments.h"
+#include "style/places.h"
 #include "style/shown_sums.h"
-#include "style/varying.h"
 
 typedef struct addforce_state {
     hs_late_sums sums; /**< first, for shown_sums.h: of the forces before, and energy, of the latest step it acted */

@@ -8,6 +8,7 @@
 #include "style/atom_sum.h"
 #include "style/atom_vector.h"
 #include "style/moments.h"
+#include "style/places.h"
 
 typedef enum { OF_MSD, OF_VACF, OF_ALPHA2, OF_ISF } self_kind;
 

@@ -5,7 +5,7 @@
 #include "core/atom_style.h"
 #include "style/atom_sum.h"
 #include "style/fix.h"
-#include "style/moments.h"
+#include "style/places.h"
 
 typedef struct momentum_state {
     int64_t every;

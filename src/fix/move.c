@@ -10,7 +10,7 @@
 #include "core/lattice.h"
 #include "style/applied_force.h"
 #include "style/atom_vector.h"
-#include "style/moments.h"
+#include "style/places.h"
 #include "style/unit_vector.h"
 
 typedef enum { LINEAR, WIGGLE, ROTATE, VARIABLE } path;

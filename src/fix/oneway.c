@@ -1,6 +1,4 @@
 /* Atoms in a region move one way only: velocities against it are turned round. */
-#include <string.h>
-
 #include "style/fix.h"
 #include "style/region.h"
 

@@ -5,6 +5,7 @@
 #include "core/lattice.h"
 #include "style/fix.h"
 #include "style/moments.h"
+#include "style/places.h"
 
 typedef struct recenter_state {
     bool is_held[3];    /**< NULL: this direction is free */

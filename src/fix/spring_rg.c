@@ -6,6 +6,7 @@
 #include "style/atom_sum.h"
 #include "style/fix.h"
 #include "style/moments.h"
+#include "style/places.h"
 
 typedef struct spring_state {
     double k;      /**< energy/distance^2 */

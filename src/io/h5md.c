@@ -1,5 +1,4 @@
 /* H5MD files: adding frames, and going on with a file that is there. h5md_make.c makes new ones. */
-#include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,7 +1,4 @@
 /* Method `linked`: cells with head and next, built anew at every step. */
-#include <string.h>
-
-#include "base/memory.h"
 #include "neighbor/chains.h"
 
 hs_status hs_linked_build(hs_chains *chains, const hs_atoms *atoms, hs_error *err)

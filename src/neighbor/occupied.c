@@ -1,7 +1,6 @@
 #include "neighbor/occupied.h"
 
 #include <math.h>
-#include <string.h>
 
 #include "base/memory.h"
 #include "base/wide.h"

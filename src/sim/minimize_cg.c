@@ -6,7 +6,6 @@
  * Source: E. Polak, G. Ribiere, Rev. Fr. Inform. Rech. Oper. 3, 35 (1969); J. Nocedal, S. J. Wright, Numerical Optimization (2006),
  * chapter 5, doi:10.1007/978-0-387-40065-5. */
 #include <math.h>
-#include <string.h>
 
 #include "sim/minimizer.h"
 

@@ -6,7 +6,6 @@
  * Source: J. Guenole et al., Comput. Mater. Sci. 175, 109584 (2020), doi:10.1016/j.commatsci.2020.109584, algorithm 2;
  * E. Bitzek et al., Phys. Rev. Lett. 97, 170201 (2006), doi:10.1103/PhysRevLett.97.170201. */
 #include <math.h>
-#include <string.h>
 
 #include "core/atom_style.h"
 #include "sim/minimizer.h"

@@ -1,8 +1,6 @@
 /* The simulation object: making it, and the styles it owns. */
 #include "sim/methods.h"
 
-#include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "base/memory.h"

@@ -1,8 +1,6 @@
 /* Thermodynamic output: settings, and the rows of the table. */
 #include "sim/thermo.h"
 
-#include <string.h>
-
 #include "base/memory.h"
 #include "base/text.h"
 #include "sim/thermo_internal.h"

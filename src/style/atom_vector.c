@@ -2,7 +2,7 @@
 
 #include "base/memory.h"
 #include "base/text.h"
-#include "style/moments.h"
+#include "style/places.h"
 
 hs_status hs_atom_vector_add(hs_atoms *atoms, hs_atom_vector *vector, const char *kind, const char *id,
                              const char *what, hs_error *err)

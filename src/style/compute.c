@@ -1,7 +1,5 @@
 #include "style/compute.h"
 
-#include <string.h>
-
 #include "base/memory.h"
 #include "base/text.h"
 

@@ -2,7 +2,6 @@
 
 #include "style/atom_sum.h"
 #include "style/compute.h"
-#include "style/moments.h"
 #include "style/shared_fields.h"
 
 hs_who hs_fix_who(const hs_fix *fix)

@@ -1,4 +1,5 @@
 #include "style/moments.h"
+#include "style/places.h"
 
 #include "base/wide.h"
 #include "core/atom_style.h"

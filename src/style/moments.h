@@ -2,7 +2,7 @@
 #ifndef HS_STYLE_MOMENTS_H
 #define HS_STYLE_MOMENTS_H
 
-#include "style/places.h"
+#include "style/env.h"
 
 /** Total mass of the atoms with a bit of @p mask; center of mass from unwrapped places, or its velocity; 0 without
  *  atoms. Either may be NULL. Collective. */

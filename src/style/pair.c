@@ -1,7 +1,6 @@
 #include "style/pair.h"
 
 #include <math.h>
-#include <string.h>
 
 #include "base/memory.h"
 #include "base/text.h"

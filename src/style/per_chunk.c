@@ -1,7 +1,5 @@
 #include "style/per_chunk.h"
 
-#include <stdio.h>
-
 #include "base/memory.h"
 #include "core/atom_style.h"
 

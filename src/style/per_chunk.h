@@ -3,7 +3,7 @@
 #define HS_STYLE_PER_CHUNK_H
 
 #include "style/chunks.h"
-#include "style/moments.h"
+#include "style/places.h"
 
 /** The state of such a compute begins with this. */
 typedef struct hs_per_chunk {

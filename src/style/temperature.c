@@ -4,7 +4,6 @@
 
 #include "base/memory.h"
 #include "core/atom_style.h"
-#include "core/group.h"
 #include "style/atom_sum.h"
 
 hs_status hs_temperature_create(hs_compute *compute, int n_axes, hs_error *err)

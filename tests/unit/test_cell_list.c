@@ -2,7 +2,6 @@
 #include <halfshell/cells.h>
 #include <math.h>
 #include <stdio.h>
-#include <string.h>
 
 #include "support/harness.h"
 

@@ -1,6 +1,5 @@
 /* Transforms against the direct sums. */
 #include <math.h>
-#include <stdio.h>
 
 #include "base/memory.h"
 #include "core/multi_tau.h"

@@ -1,7 +1,6 @@
 /* Counter-based noise: Philox's published answers, the same bits from every instruction set, and the distribution. */
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "core/noise_formulas.h"
 #include "kernel/noise_fill.h"

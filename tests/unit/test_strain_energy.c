@@ -1,7 +1,5 @@
 /* Strain energy of boxes: forces are its derivatives, and in the reference box they are those of the stress asked
  * for. */
-#include <math.h>
-
 #include "style/strain_energy.h"
 #include "support/harness.h"
 
