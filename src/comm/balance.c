@@ -137,9 +137,9 @@ static double weight_below(const drawers *d, double place)
     return weight;
 }
 
-/** One plane on its way: it is between lo and hi, with so much work below them. */
+/** One plane on its way: it is between lo and hi, with so much work below lo. */
 typedef struct bracket {
-    double lo, hi, work_lo, work_hi;
+    double lo, hi, work_lo;
 } bracket;
 
 /** The planes of one axis on their way. */
@@ -169,7 +169,7 @@ static void narrow(search *s, const hs_parallel *parallel)
             const double place = before.lo + (before.hi - before.lo) * (t + 1) / (N_TRIES + 1);
             const double work = s->work[k * N_TRIES + t];
             if (work <= wanted && place > b->lo) b->lo = place, b->work_lo = work;
-            if (work > wanted && place < b->hi) b->hi = place, b->work_hi = work;
+            if (work > wanted && place < b->hi) b->hi = place;
         }
     }
 }
@@ -212,7 +212,7 @@ static hs_status shift_axis(const hs_balance *balance, hs_domain *domain, const 
     if (hs_parallel_agree(parallel, err) == HS_OK) {
         s.total = s.place.below[s.place.n_drawers];
         hs_parallel_sum_double(parallel, &s.total, 1);
-        for (int k = 0; k < s.n_planes; ++k) s.plane[k] = (bracket){.hi = 1.0, .work_hi = s.total};
+        for (int k = 0; k < s.n_planes; ++k) s.plane[k] = (bracket){.hi = 1.0};
         for (int iteration = 0; iteration < balance->n_iterations; ++iteration) {
             narrow(&s, parallel);
             ++*n_iterations;

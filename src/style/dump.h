@@ -35,7 +35,7 @@ typedef struct hs_dump {
     char *every_variable; /**< owned by hs_sim; gives the step of the next snapshot in place of every; NULL: none */
     int64_t next_due;     /**< by that variable */
     int64_t last_written; /**< step, -1 for never: a step is written once */
-    bool sort_by_id, write_first, append, flush, wrap; /**< dump_modify sort id, first, append, flush, pbc */
+    bool write_first, append, flush, wrap; /**< dump_modify first, append, flush, pbc */
     bool is_resumed;   /**< the run goes on from a checkpoint: what was written of later steps is to be dropped */
     int64_t resume_at; /**< of text files then: bytes to be kept, -1: all */
     bool is_single;    /**< write_dump: one snapshot, a file that appears whole */
