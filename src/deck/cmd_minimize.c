@@ -87,7 +87,11 @@ static hs_status check_style(const hs_args *args, bool has_variables, hs_error *
 
 static hs_status run_style(hs_deck *deck, const hs_args *args, hs_error *err)
 {
-    return find_style(args, &deck->sim->minimize.style, err);
+    const hs_min_style *style;
+    HS_TRY(find_style(args, &style, err));
+    hs_min_settings_init(&deck->sim->minimize);
+    deck->sim->minimize.style = style;
+    return HS_OK;
 }
 
 /* ---- min_modify ---- */
@@ -236,7 +240,8 @@ const hs_command hs_commands_minimize[] = {
                 .details = "`cg` (default): conjugate gradients in the form of Polak and Ribiere, with line searches. "
                            "`sd`: steepest descent, each line along the forces. `fire`: damped dynamics (FIRE 2.0), "
                            "with the masses and, at first, the timestep of the deck. Settings are those of "
-                           "`min_modify`. `fire/old`: FIRE as first published, whose settings are fixed but for dmax: "
+                           "`min_modify` commands that follow: the defaults come back with every `min_style`. "
+                           "`fire/old`: FIRE as first published, whose settings are fixed but for dmax: "
                            "explicit Euler steps, delaystep 5, tmax 10, tmin 0, no half step back. `quickmin`: steps "
                            "of the deck's timestep along the forces, from rest wherever the last one went too far.\n",
                 .reference =
@@ -252,7 +257,7 @@ const hs_command hs_commands_minimize[] = {
                 .name = "min_modify",
                 .syntax = {"keyword value ...", 0, 0, modify_keywords},
                 .summary = "Settings of minimize",
-                .details = "Settings stay until they are changed.\n",
+                .details = "Settings stay until they are changed, or until the next `min_style`.\n",
                 .example = "min_modify dmax 0.05 line backtrack\nmin_modify norm inf integrator verlet tmax 4",
             },
         .run = run_modify,
