@@ -223,7 +223,7 @@ bool hs_force_can_count(const hs_force_job *job, double r_max)
 static hs_cluster_kernel choose_kernel(const hs_force_job *job)
 {
     const hs_kernel_set *set = job->evaluator->set[job->isa][job->precision];
-    return job->counter != NULL ? set->counting : set->cluster[job->with_energy][!job->input.table->is_uniform][0];
+    return job->counter != NULL ? set->counting : hs_kernel_for_clusters(set, &job->input, job->with_energy, false);
 }
 
 static hs_status work_cluster(hs_force_space *space, const hs_force_job *job, hs_force_stage stage, int thread)

@@ -1,7 +1,7 @@
 /** The one loop of all fast kernels: four i-atoms against the j-clusters of a list.
  *
- *  Included by kernel/instantiate.h after the file of a pair style has defined evaluate() and N_PARAMS. The three bools
- *  are constants where it is called, so the compiler makes a kernel of its own for each combination. */
+ *  Included by kernel/instantiate.h after the file of a pair style has defined evaluate() and N_PARAMS. The form is
+ *  constant where it is called, so the compiler makes a kernel of its own for each. */
 
 #include "kernel/accumulate.h"
 #include "kernel/cluster_memory.h"
@@ -15,6 +15,15 @@
     act(2);                                                                                                            \
     act(3)
 _Static_assert(HS_CLUSTER == 4, "EACH_ROW counts to four");
+
+/** What a kernel is for. */
+typedef struct cluster_form {
+    bool with_energy; /**< and virial */
+    bool by_type;     /**< parameters by the types of each pair; else all pairs have those of types 1 and 1 */
+    bool listed_only; /**< see hs_kernel_input */
+    bool counting;    /**< distances go to the tally */
+    bool in_turn;     /**< see hs_kernel_set */
+} cluster_form;
 
 /** Sums over the pairs of one i-cluster, in vectors: minus the forces on the i-atoms, energy, virial. */
 typedef struct cluster_sums {
@@ -46,8 +55,9 @@ HS_INLINE void add_virial(hs_acc virial[6], hs_vec force_over_r, hs_vec dx, hs_v
     hs_acc_add_product(&virial[5], dy, fz, magic);
 }
 
-/** Vectors of j-atoms on their way through the loop. Their pairs are measured one vector ahead of the potential and the sums:
- *  a row's operations wait for each other, and a core that finds no others within its window (64 on a Zen 4) is idle. */
+/** Vectors of j-atoms on their way through the loop. Unless the form says in_turn, their pairs are measured one vector ahead of the
+ *  potential and the sums: a row's operations wait for each other, and a core that finds no others within its window (64 on a Zen 4) is
+ *  idle. */
 typedef struct vector_state {
     const hs_cluster_entry *entry;
     int sub;
@@ -118,15 +128,13 @@ HS_INLINE void add_row(const hs_kernel_input *in, const cluster_constants *const
     hs_acc_note_peak(&sums->peak_force, force_over_r);
     const hs_vec dx = v->x[0] - hs_set1(constants->x[0][row]), dy = v->x[1] - hs_set1(constants->x[1][row]),
                  dz = v->x[2] - hs_set1(constants->x[2][row]);
-    const hs_acc fx = hs_acc_term(force_over_r, dx, constants->magic_force),
-                 fy = hs_acc_term(force_over_r, dy, constants->magic_force),
-                 fz = hs_acc_term(force_over_r, dz, constants->magic_force);
-    sums->f[row][0] += fx;
-    reaction[0] += fx;
-    sums->f[row][1] += fy;
-    reaction[1] += fy;
-    sums->f[row][2] += fz;
-    reaction[2] += fz;
+    const hs_magic magic = constants->magic_force;
+    hs_acc_add_product(&sums->f[row][0], force_over_r, dx, magic);
+    hs_acc_add_product(&reaction[0], force_over_r, dx, magic);
+    hs_acc_add_product(&sums->f[row][1], force_over_r, dy, magic);
+    hs_acc_add_product(&reaction[1], force_over_r, dy, magic);
+    hs_acc_add_product(&sums->f[row][2], force_over_r, dz, magic);
+    hs_acc_add_product(&reaction[2], force_over_r, dz, magic);
     if (with_energy) {
         energy = hs_keep(measured->near[row], energy);
         hs_acc_note_peak(&sums->peak_energy, energy);
@@ -174,35 +182,62 @@ static const uint64_t one_each[16] = {
     PLACE(0) + PLACE(1) + PLACE(2) + PLACE(3),
 };
 
-/** Measure vector `next` and add the pairs of vector `old`, which was measured before; either may be NULL. */
-HS_INLINE void advance(const hs_kernel_input *in, hs_kernel_output *out, const cluster_constants *constants,
-                       const vector_state *old, vector_state *next, measured_rows *measured, cluster_sums *sums,
-                       const bool with_energy, const bool by_type, const bool listed_only, hs_tally *tally)
-{
-    hs_masks masks = {0};
-    hs_acc reaction[3] = {hs_acc_zero(), hs_acc_zero(), hs_acc_zero()};
-    if (next != NULL) {
-        hs_load_near(in, false, &constants->frame, next->entry, next->sub, next->x);
-        masks = hs_masks_of(next->entry, next->sub);
-    }
-#define ROW(row)                                                                                                       \
-    do {                                                                                                               \
-        if (old != NULL && (old->rows >> row & 1u) != 0)                                                               \
-            add_row(in, constants, old, row, measured, sums, reaction, with_energy, by_type, tally);                   \
-        if (next != NULL && (next->rows >> row & 1u) != 0)                                                             \
-            measure_row(in, constants, next, row, masks, measured, by_type, listed_only);                              \
-    } while (0)
-    EACH_ROW(ROW);
-#undef ROW
-    if (old == NULL) return;
-    for (int axis = 0; axis < 3; ++axis)
-        hs_acc_settle(&reaction[axis], n_rows[old->rows & 0xfu], constants->magic_force);
-    hs_add_reaction(out, old->entry, old->sub, reaction);
-}
-
 HS_INLINE vector_state vector_at(const hs_cluster_entry *entry, int sub)
 {
     return (vector_state){.entry = entry, .sub = sub, .rows = entry->mask >> HS_ENTRY_ROWS_SHIFT};
+}
+
+/** Load a vector; the masks of its rows. */
+HS_INLINE hs_masks begin_vector(const hs_kernel_input *in, const cluster_constants *constants, vector_state *v)
+{
+    hs_load_near(in, false, &constants->frame, v->entry, v->sub, v->x);
+    return hs_masks_of(v->entry, v->sub);
+}
+
+/** Pass on the forces on the j-atoms of a vector. */
+HS_INLINE void end_vector(hs_kernel_output *out, const cluster_constants *constants, const vector_state *v,
+                          hs_acc reaction[3])
+{
+    for (int axis = 0; axis < 3; ++axis) hs_acc_settle(&reaction[axis], n_rows[v->rows & 0xfu], constants->magic_force);
+    hs_add_reaction(out, v->entry, v->sub, reaction);
+}
+
+/** The pairs of one vector, row after row. */
+HS_INLINE void take_vector(const hs_kernel_input *in, hs_kernel_output *out, const cluster_constants *constants,
+                           vector_state *v, measured_rows *measured, cluster_sums *sums, const cluster_form form,
+                           hs_tally *tally)
+{
+    hs_acc reaction[3] = {hs_acc_zero(), hs_acc_zero(), hs_acc_zero()};
+    const hs_masks masks = begin_vector(in, constants, v);
+#define ROW(row)                                                                                                       \
+    do {                                                                                                               \
+        if ((v->rows >> row & 1u) == 0) break;                                                                         \
+        measure_row(in, constants, v, row, masks, measured, form.by_type, form.listed_only);                           \
+        add_row(in, constants, v, row, measured, sums, reaction, form.with_energy, form.by_type, tally);               \
+    } while (0)
+    EACH_ROW(ROW);
+#undef ROW
+    end_vector(out, constants, v, reaction);
+}
+
+/** Measure vector `next` and add the pairs of vector `old`, which was measured before; either may be NULL. */
+HS_INLINE void advance(const hs_kernel_input *in, hs_kernel_output *out, const cluster_constants *constants,
+                       const vector_state *old, vector_state *next, measured_rows *measured, cluster_sums *sums,
+                       const cluster_form form, hs_tally *tally)
+{
+    hs_masks masks = {0};
+    hs_acc reaction[3] = {hs_acc_zero(), hs_acc_zero(), hs_acc_zero()};
+    if (next != NULL) masks = begin_vector(in, constants, next);
+#define ROW(row)                                                                                                       \
+    do {                                                                                                               \
+        if (old != NULL && (old->rows >> row & 1u) != 0)                                                               \
+            add_row(in, constants, old, row, measured, sums, reaction, form.with_energy, form.by_type, tally);         \
+        if (next != NULL && (next->rows >> row & 1u) != 0)                                                             \
+            measure_row(in, constants, next, row, masks, measured, form.by_type, form.listed_only);                    \
+    } while (0)
+    EACH_ROW(ROW);
+#undef ROW
+    if (old != NULL) end_vector(out, constants, old, reaction);
 }
 
 /** Groups of entries after which counts and energies are passed on: so many that sums of HS_FIXED_BITS bits fit 63. */
@@ -255,46 +290,61 @@ HS_INLINE void end_axis(hs_kernel_output *out, const cluster_constants *constant
     hs_acc_subtract_rows(hs_own_forces(out, axis, first), of_row);
 }
 
-HS_INLINE void cluster_loop(const hs_kernel_input *in, hs_kernel_output *out, int first, const hs_cluster_entry *entry,
-                            int n_entries, const bool with_energy, const bool by_type, const bool listed_only,
-                            const bool counting)
+/** The pairs with n entries, whole groups of them. Returns how many entries' vectors each i-atom met, 16 bits for each: one addition
+ *  counts for all four. */
+HS_INLINE uint64_t take_entries(const hs_kernel_input *in, hs_kernel_output *out, const cluster_constants *constants,
+                                const hs_cluster_entry *entry, int n, measured_rows *measured, cluster_sums *sums,
+                                const cluster_form form, hs_tally *tally)
 {
-    const cluster_constants constants = make_constants(in, first, by_type, listed_only);
+    vector_state old = vector_at(entry, 0), next;
+    uint64_t count = one_each[old.rows & 0xfu];
+    if (form.in_turn)
+        take_vector(in, out, constants, &old, measured, sums, form, tally);
+    else
+        advance(in, out, constants, NULL, &old, measured, sums, form, tally);
+    for (int v = 1; v < n / HS_GROUP * HS_SUBS; ++v) {
+        next = vector_at(entry + v / HS_SUBS * HS_GROUP, v % HS_SUBS);
+        if (form.in_turn)
+            take_vector(in, out, constants, &next, measured, sums, form, tally);
+        else
+            advance(in, out, constants, &old, &next, measured, sums, form, tally);
+        if (form.counting) hs_tally_settle(tally, out->histogram);
+        if (next.sub == 0) count += one_each[next.rows & 0xfu];
+        old = next;
+    }
+    if (!form.in_turn) advance(in, out, constants, &old, NULL, measured, sums, form, tally);
+    return count;
+}
+
+HS_INLINE void cluster_loop(const hs_kernel_input *in, hs_kernel_output *out, int first, const hs_cluster_entry *entry,
+                            int n_entries, const cluster_form form)
+{
+    const cluster_constants constants = make_constants(in, first, form.by_type, form.listed_only);
     cluster_sums sums;
-    begin_sums(&sums, with_energy);
+    begin_sums(&sums, form.with_energy);
     measured_rows measured; /* set before it is read, but compilers cannot see that */
 #define ROW(row) measured.r2[row] = hs_set1(1.0), measured.near[row] = hs_less(measured.r2[row], measured.r2[row])
     EACH_ROW(ROW);
 #undef ROW
-    hs_tally counts, *const tally = counting ? &counts : NULL;
-    if (counting) counts = hs_tally_begin(out->histogram);
+    hs_tally counts, *const tally = form.counting ? &counts : NULL;
+    if (form.counting) counts = hs_tally_begin(out->histogram);
     int64_t n_terms[HS_CLUSTER] = {0}; /* vectors that each i-atom met */
     for (int begin = 0, end; begin < n_entries; begin = end) {
-        uint64_t count = 0; /* the same since begin, 16 bits for each i-atom: one addition counts for all four */
         int64_t n_new = 0;
         end = n_entries - begin > CHUNK_MAX * HS_GROUP ? begin + CHUNK_MAX * HS_GROUP : n_entries;
-        vector_state old = vector_at(entry + begin, 0), next;
-        advance(in, out, &constants, NULL, &old, &measured, &sums, with_energy, by_type, listed_only, tally);
-        count += one_each[old.rows & 0xfu];
-        for (int v = begin / HS_GROUP * HS_SUBS + 1; v < end / HS_GROUP * HS_SUBS; ++v) {
-            next = vector_at(entry + v / HS_SUBS * HS_GROUP, v % HS_SUBS);
-            advance(in, out, &constants, &old, &next, &measured, &sums, with_energy, by_type, listed_only, tally);
-            if (counting) hs_tally_settle(&counts, out->histogram);
-            if (next.sub == 0) count += one_each[next.rows & 0xfu];
-            old = next;
-        }
-        advance(in, out, &constants, &old, NULL, &measured, &sums, with_energy, by_type, listed_only, tally);
+        const uint64_t count =
+            take_entries(in, out, &constants, entry + begin, end - begin, &measured, &sums, form, tally);
         for (int row = 0; row < HS_CLUSTER; ++row) {
             const int64_t n = (int64_t)(count >> 16 * row & 0xffff) * HS_SUBS;
             n_terms[row] += n;
             n_new += n;
         }
-        if (with_energy) report_energy(out, &constants, &sums, n_new);
+        if (form.with_energy) report_energy(out, &constants, &sums, n_new);
     }
-    if (counting) hs_tally_end(&counts, out->histogram);
+    if (form.counting) hs_tally_end(&counts, out->histogram);
     end_axis(out, &constants, &sums, 0, first, n_terms);
     end_axis(out, &constants, &sums, 1, first, n_terms);
     end_axis(out, &constants, &sums, 2, first, n_terms);
     hs_acc_report_peak(&out->peak_force, sums.peak_force);
-    if (with_energy) hs_acc_report_peak(&out->peak_energy, sums.peak_energy);
+    if (form.with_energy) hs_acc_report_peak(&out->peak_energy, sums.peak_energy);
 }

@@ -6,7 +6,7 @@
 static hs_cluster_kernel choose_kernel(const hs_force_job *job, bool listed_only)
 {
     const hs_kernel_set *set = job->evaluator->set[job->isa][job->precision];
-    return set->cluster[job->with_energy][!job->input.table->is_uniform][listed_only];
+    return hs_kernel_for_clusters(set, &job->input, job->with_energy, listed_only);
 }
 
 /** Make the forces on clusters [begin, end) of a part, which the thread may write to, ready to be added to. */

@@ -29,24 +29,31 @@ static inline __attribute__((always_inline)) void evaluate_pairs(const hs_vec *p
 #include "kernel/cluster_loop.h"
 #include "kernel/verlet_loop.h"
 
-#define HS_CLUSTER_KERNEL(name, with_energy, by_type, listed_only, counting)                                           \
+#define HS_CLUSTER_KERNEL(name, ...)                                                                                   \
     static void name(const hs_kernel_input *in, hs_kernel_output *out, int first, const hs_cluster_entry *entry,       \
                      int n_entries)                                                                                    \
     {                                                                                                                  \
-        cluster_loop(in, out, first, entry, n_entries, with_energy, by_type, listed_only, counting);                   \
+        cluster_loop(in, out, first, entry, n_entries, (cluster_form){__VA_ARGS__});                                   \
     }
 /* Where energies are wanted now and then only, the form for many types serves one type, too: each form costs a twentieth of the build. */
-HS_CLUSTER_KERNEL(force, false, false, false, false)
-HS_CLUSTER_KERNEL(force_listed, false, false, true, false)
-HS_CLUSTER_KERNEL(force_by_type, false, true, false, false)
-HS_CLUSTER_KERNEL(force_by_type_listed, false, true, true, false)
-HS_CLUSTER_KERNEL(energy_, true, false, false, false)
-HS_CLUSTER_KERNEL(energy_by_type, true, true, false, false)
-HS_CLUSTER_KERNEL(energy_by_type_listed, true, true, true, false)
+HS_CLUSTER_KERNEL(force, .by_type = false)
+HS_CLUSTER_KERNEL(force_listed, .listed_only = true)
+HS_CLUSTER_KERNEL(force_by_type, .by_type = true)
+HS_CLUSTER_KERNEL(force_by_type_listed, .by_type = true, .listed_only = true)
+HS_CLUSTER_KERNEL(energy_, .with_energy = true)
+HS_CLUSTER_KERNEL(energy_by_type, .with_energy = true, .by_type = true)
+HS_CLUSTER_KERNEL(energy_by_type_listed, .with_energy = true, .by_type = true, .listed_only = true)
 #ifdef HS_MIXED
 #define force_counting NULL
 #else
-HS_CLUSTER_KERNEL(force_counting, false, false, false, true)
+HS_CLUSTER_KERNEL(force_counting, .counting = true)
+#endif
+#ifdef HS_ROWS_IN_TURN
+HS_CLUSTER_KERNEL(force_in_turn, .in_turn = true)
+HS_CLUSTER_KERNEL(force_by_type_in_turn, .by_type = true, .in_turn = true)
+#else
+#define force_in_turn         NULL
+#define force_by_type_in_turn NULL
 #endif
 
 #define HS_VERLET_KERNEL(name, with_energy, by_type)                                                                   \
@@ -74,6 +81,7 @@ const hs_kernel_set HS_PASTE3(hs_kernels_, HS_EVALUATOR, HS_KERNEL_ISA) = {
     .lanes = HS_LANES,
     .cluster = {{{force, force_listed}, {force_by_type, force_by_type_listed}},
                 {{energy_, energy_by_type_listed}, {energy_by_type, energy_by_type_listed}}},
+    .in_turn = {force_in_turn, force_by_type_in_turn},
     .counting = force_counting,
     .verlet = {{verlet_force, verlet_force_by_type}, {verlet_energy_by_type, verlet_energy_by_type}},
     .pairs = {{pairs_force, pairs_force_by_type}, {pairs_energy_by_type, pairs_energy_by_type}},

@@ -63,6 +63,7 @@ typedef struct hs_kernel_input {
         *site_listed; /**< mixed precision, methods with clusters: packed positions (kernel/packed.h) */
     double unit;      /**< distance: their unit */
     bool gathers;     /**< the machine's gather instructions are fast (hs_isa_gathers_fast) */
+    bool looks_far;   /**< its cores find independent operations far ahead (hs_machine_looks_far) */
     const hs_pair_table *table;
     double magic_force, magic_energy; /**< fixed point only: see kernel/accumulate.h */
 } hs_kernel_input;
@@ -115,6 +116,9 @@ hs_list_refine hs_isa_refine(hs_isa isa);
 
 /** Whether this machine's instructions that gather are faster than loads one by one. */
 bool hs_isa_gathers_fast(hs_isa isa);
+/** Whether this machine's cores look so far ahead for operations that wait for nothing that kernels can take rows in turn
+ *  (hs_kernel_set.in_turn). */
+bool hs_machine_looks_far(void);
 
 /** n rounds of multiplications and additions of vectors of doubles that do not wait for one another; how many operations on
  *  numbers these are. Returns their result, so that none can be left out. */
@@ -128,11 +132,18 @@ typedef struct hs_kernel_set {
     int group;
     int lanes; /**< pairs of one vector */
     hs_cluster_kernel cluster[2][2][2];
+    /** [by type]: forces as above, but each row of pairs is measured and added before the next. That takes fewer registers, and on cores
+     *  that look far ahead less time. NULL: it does not pay with these vectors. */
+    hs_cluster_kernel in_turn[2];
     hs_cluster_kernel
         counting; /**< forces of one type pair, and its distances (kernel/tally.h); NULL in mixed precision */
     hs_verlet_kernel verlet[2][2]; /**< lists hold the listed pairs only: no third index */
     hs_pairs_kernel pairs[2][2];
 } hs_kernel_set;
+
+/** The kernel of a set for lists of clusters with that input, on this machine. */
+hs_cluster_kernel hs_kernel_for_clusters(const hs_kernel_set *set, const hs_kernel_input *in, bool with_energy,
+                                         bool listed_only);
 
 /** A potential compiled for every instruction set; made by kernel/instantiate.h from the file of a pair style. */
 typedef struct hs_evaluator {

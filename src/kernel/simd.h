@@ -42,6 +42,8 @@
  *                                         their number is returned
  *      hs_append_indices(to, m, from)     the same of HS_LANES 32-bit integers
  *
+ *  where 16 registers have to do for wide vectors, HS_ROWS_IN_TURN is defined: kernel/cluster_loop.h has one more form then.
+ *
  *  in mixed precision, where packed clusters (kernel/packed.h) are read and written better than one axis after the other
  *  (HS_TAKES_PACKED is defined; kernel/cluster_memory.h has them for the others):
  *

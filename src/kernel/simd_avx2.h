@@ -5,6 +5,7 @@ typedef double hs_real;
 typedef __m256d hs_vec;
 typedef __m256d hs_msk;
 #define HS_LANES 4
+#define HS_ROWS_IN_TURN
 
 static inline hs_vec hs_set1(double a) { return _mm256_set1_pd(a); }
 static inline hs_vec hs_fma(hs_vec a, hs_vec b, hs_vec c) { return _mm256_fmadd_pd(a, b, c); }

@@ -5,6 +5,7 @@ typedef float hs_real;
 typedef __m256 hs_vec;
 typedef __m256 hs_msk;
 #define HS_LANES 8
+#define HS_ROWS_IN_TURN
 
 static inline hs_vec hs_set1(double a) { return _mm256_set1_ps((float)a); }
 static inline hs_vec hs_fma(hs_vec a, hs_vec b, hs_vec c) { return _mm256_fmadd_ps(a, b, c); }

@@ -62,6 +62,7 @@ static inline hs_vec hs_load_clusters(const double *x, double origin, const hs_c
     return _mm512_insertf64x4(low, _mm256_loadu_pd(x + entry[1].first), 1);
 }
 
+/* One half after the other: the lanes behind a short cluster's last atom are those of the next, which may be the other half. */
 static inline void hs_add_clusters(double *f, const hs_cluster_entry *entry, int sub, hs_vec a)
 {
     (void)sub;

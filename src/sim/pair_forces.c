@@ -42,6 +42,7 @@ hs_force_job hs_sim_make_job(hs_sim *sim, bool with_energy)
                                   .skin = neighbor->settings.skin,
                                   .type = sim->kernel_type != NULL ? sim->kernel_type : atoms->type,
                                   .gathers = hs_isa_gathers_fast(sim->isa),
+                                  .looks_far = hs_machine_looks_far(),
                                   .table = &sim->pair_table[part]};
     return job;
 }

@@ -165,8 +165,9 @@ static forces_t sum_all_images(const system_t *s)
     return out;
 }
 
-/* GATHERED: method verlet with the machine's own gather instructions, where there are kernels that use them. */
-typedef enum { NSQ, CELL, VERLET, GATHERED, CLUSTER, N_METHODS } method_t;
+/* GATHERED: method verlet with the machine's own gather instructions, where there are kernels that use them. IN_TURN: method cluster
+   with rows in turn, where there are kernels that do so. */
+typedef enum { NSQ, CELL, VERLET, GATHERED, CLUSTER, IN_TURN, N_METHODS } method_t;
 static const char *const form_names[HS_N_PRECISIONS] = {"double", "mixed", "fixed point"};
 static const char *const method_names[] = {"nsq", "cell", "verlet", "verlet, gathered", "cluster"};
 
@@ -196,8 +197,9 @@ static void count_anew(counting_t *counting, const hs_force_job *job, const hs_c
 static forces_t evaluate_counting(system_t *s, method_t method, hs_isa isa, hs_precision precision, bool with_energy,
                                   counting_t *counting)
 {
-    const bool is_nsq = method == NSQ, is_verlet = method == VERLET || method == GATHERED;
-    const double reach = s->cutoff_max + (method == CLUSTER || is_verlet ? skin : 0.0);
+    const bool is_nsq = method == NSQ, is_verlet = method == VERLET || method == GATHERED,
+               is_cluster = method == CLUSTER || method == IN_TURN;
+    const double reach = s->cutoff_max + (is_cluster || is_verlet ? skin : 0.0);
     hs_cluster_list list = {0};
     hs_verlet_list verlet = {0};
     hs_cells cells = {0};
@@ -241,8 +243,9 @@ static forces_t evaluate_counting(system_t *s, method_t method, hs_isa isa, hs_p
                                   .listed_by_radius = s->radius != NULL,
                                   .skin = skin,
                                   .gathers = method == GATHERED,
+                                  .looks_far = method == IN_TURN,
                                   .table = &s->table}};
-    if (method == CLUSTER) ck_assert_hs_ok(hs_cluster_list_build(&list, &space, &job, &err), err);
+    if (is_cluster) ck_assert_hs_ok(hs_cluster_list_build(&list, &space, &job, &err), err);
     if (is_verlet) ck_assert_hs_ok(hs_verlet_list_build(&verlet, &space, &job, &err), err);
     if (counting != NULL) {
         job.counter = &counting->counter;
@@ -256,7 +259,7 @@ static forces_t evaluate_counting(system_t *s, method_t method, hs_isa isa, hs_p
             ck_assert_hs_ok(hs_force_find_open(&space, atoms->n_local, halo.source, halo.out.n, halo.version, &err),
                             err);
         if (pass == 1) job.settling_unit = ldexp(1.0, grid.force);
-        if (method == CLUSTER)
+        if (is_cluster)
             ck_assert_hs_ok(hs_force_cluster(&space, &list, &job, &result, &err), err);
         else if (is_verlet)
             ck_assert_hs_ok(hs_force_verlet(&space, &verlet, &job, &result, &err), err);
