@@ -102,6 +102,9 @@ static hs_status coeff(hs_pair *pair, int i, int j, const hs_args *args, hs_erro
     HS_TRY(hs_arg_double(args, 0, &c.c[ENERGY], err));
     for (int k = SIGMA; k <= D2; ++k) HS_TRY(hs_arg_not_negative(args, k, &c.c[k], err));
     HS_TRY(hs_pair_coeffs_read_cutoff(pair, args, 4, &c.cutoff, err));
+    if (i == j && c.c[D1] != c.c[D2])
+        return hs_fail(err, HS_ERROR_INPUT, "pair_coeff: atoms of type %d cannot have both diameters %g and %g", i,
+                       c.c[D1], c.c[D2]);
     const double contact = 0.5 * (c.c[D1] + c.c[D2]);
     if (contact > 0.0 && c.cutoff > 0.0 && c.cutoff <= contact)
         return hs_fail(
