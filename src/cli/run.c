@@ -61,6 +61,9 @@ static void greet(const hs_cli *cli, const hs_cli_settings *settings, hs_sink *o
                 "the %d threads of a rank have %d core%s together: mpirun has bound them; 'mpirun --bind-to none' or "
                 "'--map-by slot:PE=%d' gives each its own",
                 n_threads, hs_threads_available(), hs_threads_available() == 1 ? "" : "s", n_threads);
+    if (cli->parallel->n_ranks == 1 && n_threads > hs_threads_available())
+        hs_warn(out, "%d threads take turns on %d core%s, which costs time: '-threads %d' gives each its own",
+                n_threads, hs_threads_available(), hs_threads_available() == 1 ? "" : "s", hs_threads_available());
     if (settings->options.n_threads > n_threads)
         hs_warn(out, "OpenMP gives a rank %d thread%s, not the %d of -threads: see OMP_THREAD_LIMIT", n_threads,
                 n_threads == 1 ? "" : "s", settings->options.n_threads);

@@ -84,6 +84,11 @@ sed 's/^thermo 5/fix 2 all nvt temp 1 1 0.5\nthermo 5/' good.in >twice.in
 expect 0 "" "$HALFSHELL" twice.in -log none
 grep -q "WARNING: fix 1 (nve) and fix 2 (nvt) both move atoms, 256 of them the same" out || wrong "no warning" twice.in
 
+# More threads than cores.
+n_threads=$(($(nproc) + 1))
+expect 0 "" "$HALFSHELL" good.in -log none -threads "$n_threads"
+grep -q "WARNING: $n_threads threads take turns on" out || wrong "no warning" -threads "$n_threads"
+
 # Files that cannot be written.
 expect 2 "cannot write 'folder'" "$HALFSHELL" good.in -log folder
 expect 2 "cannot write 'nowhere/log'" "$HALFSHELL" good.in -log nowhere/log
