@@ -9,7 +9,7 @@
 #include "io/gnuplot.h"
 #include "io/writer.h"
 
-enum { WIDTH = 900, PANEL_HEIGHT = 260, HEIGHT_MIN = 420, POINTS_MAX = 200 };
+enum { WIDTH = 900, PANEL_HEIGHT = 260, HEIGHT_MIN = 420, POINTS_MAX = 200, LABEL_FITS = 24 };
 /* More points than a picture has columns add nothing but size. */
 enum { STRETCHES = 2000, LONG_LINE = 4 * STRETCHES };
 
@@ -239,6 +239,9 @@ static hs_status put_panel(hs_text *script, const hs_figure *figure, int panel, 
     const char *separator = "plot ";
     HS_TRY(put_log_axes(script, figure, panel, err));
     HS_TRY(put_setting(script, "ylabel", figure->panel[panel].label, err));
+    /* beside one panel of several a long label finds room in small letters only */
+    const bool is_long = figure->n_panels > 1 && strlen(figure->panel[panel].label) > LABEL_FITS;
+    HS_TRY(hs_text_printf(script, err, "set ylabel font '%s'\n", is_long ? ",8" : ""));
     if (panel == figure->n_panels - 1 && figure->x_label != NULL)
         HS_TRY(put_setting(script, "xlabel", figure->x_label, err));
     for (int k = 0; k < figure->n_curves; ++k) {

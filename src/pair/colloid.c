@@ -159,20 +159,15 @@ const hs_pair_style hs_pair_style_colloid = {
          .summary = "large spheres made of Lennard-Jones matter, and small particles among them",
          .details =
              "The Lennard-Jones potential summed over the matter of two spheres (formulas in the reference, and at the "
-             "head of "
-             "src/pair/colloid.c): between two large ones, a large and a small one, or two small ones, which have A/36 "
-             "[(sigma/r)^12 - (sigma/r)^6], so that A = 144 is Lennard-Jones with epsilon = 1.\n\n"
+             "head of src/pair/colloid.c): between two large ones, a large and a small one, or two small ones, which "
+             "have A/36 [(sigma/r)^12 - (sigma/r)^6], so that A = 144 is Lennard-Jones with epsilon = 1.\n\n"
              "`pair_coeff I J <A> <sigma> <d1> <d2> [<cutoff>]`: A (energy) is the Hamaker constant, 4 pi^2 (rho1 "
-             "rho2) "
-             "epsilon sigma^6 for densities of matter rho; sigma the size of what the spheres are made of; d1 and d2 "
-             "the "
-             "diameters of atoms of type I and of type J, 0 for a small particle. Distances and the cutoff are those "
-             "of "
-             "centers. Spheres that overlap stop the run. `pair_modify shift yes` makes the energy zero at the cutoff. "
-             "Unlike pairs are "
-             "mixed: A as the energy, sigma, d1, d2 and the cutoff as distances (`pair_modify mix`); where sizes "
-             "differ, "
-             "give them with pair_coeff, for mixed diameters are seldom meant.",
+             "rho2) epsilon sigma^6 for densities of matter rho; sigma the size of what the spheres are made of; d1 "
+             "and d2 the diameters of atoms of type I and of type J, 0 for a small particle. Distances and the cutoff "
+             "are those of centers. Spheres that overlap stop the run. `pair_modify shift yes` makes the energy zero "
+             "at the cutoff. Unlike pairs are mixed: A as the energy, sigma, d1, d2 and the cutoff as distances "
+             "(`pair_modify mix`); where sizes differ, give them with pair_coeff, for mixed diameters are seldom "
+             "meant.",
          .reference = "R. Everaers, M. R. Ejtehadi, Phys. Rev. E 67, 041710 (2003), doi:10.1103/PhysRevE.67.041710",
          .example = "pair_style colloid 12.5\npair_coeff 1 1 1.0 1.0 5.0 5.0 12.5\npair_coeff 1 2 5.0 1.0 5.0 0.0 "
                     "7.0\npair_coeff 2 2 10.0 1.0 0.0 0.0 2.5"},

@@ -74,8 +74,7 @@ static void warn_of_two_integrators(hs_sim *sim)
             if (n > 0)
                 hs_warn(&*sim->env.out,
                         "fix %s (%s) and fix %s (%s) both move atoms, %lld of them the same: these go twice as far in "
-                        "a step; "
-                        "unfix one of the two",
+                        "a step; unfix one of the two",
                         sim->fix[a]->id, sim->fix[a]->style->about.name, sim->fix[b]->id,
                         sim->fix[b]->style->about.name, (long long)n);
         }
