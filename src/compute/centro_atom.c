@@ -33,9 +33,9 @@ static hs_status find_range(const hs_compute *compute, double *range, hs_error *
     *range = view.cutoff_max;
     if (*range > 0.0) return HS_OK;
     return hs_fail(err, HS_ERROR_INPUT,
-                   "compute '%s' (centro/atom): neighbors are looked for within the cutoff of the pair style, and "
-                   "there is none before the first run or without forces",
-                   compute->id);
+                   "%s: neighbors are looked for within the cutoff of the pair style, and there is none before the "
+                   "first run or without forces",
+                   hs_compute_who(compute).text);
 }
 
 static hs_status init(hs_compute *compute, hs_error *err)

@@ -20,8 +20,7 @@ static hs_status find(const hs_compute *compute, hs_compute **gyration, hs_error
     *gyration = compute->env->find_compute(compute->env, id);
     if (*gyration == NULL) return hs_fail(err, HS_ERROR_INPUT, "%s: there is no compute '%s'", who.text, id);
     if (strcmp((*gyration)->style->about.name, "gyration") == 0) return HS_OK;
-    return hs_fail(err, HS_ERROR_INPUT, "%s: compute '%s' (%s) is not of style gyration", who.text, id,
-                   (*gyration)->style->about.name);
+    return hs_fail(err, HS_ERROR_INPUT, "%s: %s is not of style gyration", who.text, hs_compute_who(*gyration).text);
 }
 
 static hs_status init(hs_compute *compute, hs_error *err)

@@ -19,12 +19,11 @@ static hs_status find_inputs(const hs_compute *compute, hs_error *err)
     for (int k = 0; k < N_INPUTS; ++k) {
         state->input[k] = compute->env->find_compute(compute->env, state->id[k]);
         if (state->input[k] == NULL)
-            return hs_fail(err, HS_ERROR_INPUT, "compute '%s' (heat/flux): there is no compute '%s'", compute->id,
+            return hs_fail(err, HS_ERROR_INPUT, "%s: there is no compute '%s'", hs_compute_who(compute).text,
                            state->id[k]);
         if (!state->input[k]->has_atoms || state->input[k]->n_atom_columns != (k == STRESS ? 6 : 0))
-            return hs_fail(err, HS_ERROR_INPUT,
-                           "compute '%s' (heat/flux): compute '%s' (%s) should be one like %s, with %s", compute->id,
-                           state->id[k], state->input[k]->style->about.name, styles[k],
+            return hs_fail(err, HS_ERROR_INPUT, "%s: %s should be one like %s, with %s", hs_compute_who(compute).text,
+                           hs_compute_who(state->input[k]).text, styles[k],
                            k == STRESS ? "six values for each atom" : "one value for each atom");
     }
     return HS_OK;

@@ -44,9 +44,9 @@ static hs_status array(hs_compute *compute, hs_error *err)
     HS_TRY(hs_per_chunk_begin(compute, err));
     if (state->base.n != state->n_origins)
         return hs_fail(err, HS_ERROR_RUN,
-                       "compute '%s' (msd/chunk): chunks must stay the same, but their number was %lld when it was "
-                       "defined and is %lld now; 'nchunk once' and 'ids once' of compute chunk/atom keep them",
-                       compute->id, (long long)state->n_origins, (long long)state->base.n);
+                       "%s: chunks must stay the same, but their number was %lld when it was defined and is %lld now; "
+                       "'nchunk once' and 'ids once' of compute chunk/atom keep them",
+                       hs_compute_who(compute).text, (long long)state->n_origins, (long long)state->base.n);
     HS_TRY(hs_per_chunk_find_centers(compute, err));
     for (int64_t c = 0; c < state->base.n; ++c) {
         double *row = hs_per_chunk_at(compute, c, 0);

@@ -57,8 +57,8 @@ static hs_status evaluate(hs_compute *compute, hs_error *err)
     for (int k = 0; k < state->n; ++k) {
         const int property = state->property[k];
         if (!have(chunks, property))
-            return hs_fail(err, HS_ERROR_INPUT, "compute '%s' (property/chunk): the chunks of '%s' have no %s any more",
-                           compute->id, state->base.chunk_id, properties[property]);
+            return hs_fail(err, HS_ERROR_INPUT, "%s: the chunks of '%s' have no %s any more",
+                           hs_compute_who(compute).text, state->base.chunk_id, properties[property]);
         if (property == COUNT) HS_TRY(hs_per_chunk_sum(compute, k, one, NULL, err));
         for (int64_t c = 0; c < state->base.n && property != COUNT; ++c)
             *hs_per_chunk_at(compute, c, k) = property == ORIGINAL

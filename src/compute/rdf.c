@@ -79,10 +79,9 @@ static hs_status init(hs_compute *compute, hs_error *err)
     state->counter.r_max = state->r_max;
     state->counter.n_bins = state->n_bins;
     if (state->r_max > 0.0) return HS_OK;
-    return hs_fail(
-        err, HS_ERROR_INPUT,
-        "compute '%s' (rdf): the pair style has no cutoff to count up to; the keyword 'cutoff <distance>' gives one",
-        compute->id);
+    return hs_fail(err, HS_ERROR_INPUT,
+                   "%s: the pair style has no cutoff to count up to; the keyword 'cutoff <distance>' gives one",
+                   hs_compute_who(compute).text);
 }
 
 /** Atoms of each pair of types. */

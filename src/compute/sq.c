@@ -99,9 +99,9 @@ static hs_status array(hs_compute *compute, hs_error *err)
         const int n_vectors = hs_density_each(&state->density, env, fill_row, compute);
         if (n_vectors == compute->n_rows) return HS_OK;
         return hs_fail(err, HS_ERROR_RUN,
-                       "compute '%s' (sq): the box has changed and has %d wave vectors now, not %d; shells ('vectors "
-                       "no') follow a box that changes",
-                       compute->id, n_vectors, compute->n_rows);
+                       "%s: the box has changed and has %d wave vectors now, not %d; shells ('vectors no') follow a "
+                       "box that changes",
+                       hs_compute_who(compute).text, n_vectors, compute->n_rows);
     }
     memset(state->sum, 0, 3 * (size_t)state->n_shells * sizeof *state->sum);
     hs_density_each(&state->density, env, add_to_shell, compute);

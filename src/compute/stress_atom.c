@@ -23,10 +23,9 @@ static hs_status find_temperature(const hs_compute *compute, hs_compute **temper
     if (state->temperature_id == NULL) return HS_OK;
     *temperature = compute->env->find_compute(compute->env, state->temperature_id);
     if (*temperature != NULL && (*temperature)->style->is_temperature) return HS_OK;
-    return hs_fail(
-        err, HS_ERROR_INPUT,
-        "compute '%s' (stress/atom): '%s' is not a compute of a temperature; NULL takes the velocities as they are",
-        compute->id, state->temperature_id);
+    return hs_fail(err, HS_ERROR_INPUT,
+                   "%s: '%s' is not a compute of a temperature; NULL takes the velocities as they are",
+                   hs_compute_who(compute).text, state->temperature_id);
 }
 
 static hs_status create(hs_compute *compute, const hs_args *args, hs_error *err)

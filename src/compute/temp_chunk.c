@@ -91,13 +91,13 @@ static hs_status find_bias(hs_compute *compute, hs_error *err)
     if (state->bias_id == NULL) return HS_OK;
     state->bias = compute->env->find_compute(compute->env, state->bias_id);
     if (state->bias == NULL)
-        return hs_fail(err, HS_ERROR_INPUT, "compute '%s' (temp/chunk): bias: there is no compute '%s'", compute->id,
+        return hs_fail(err, HS_ERROR_INPUT, "%s: bias: there is no compute '%s'", hs_compute_who(compute).text,
                        state->bias_id);
     if (state->bias->style->is_temperature && state->bias->style->bias != NULL && state->bias != compute) return HS_OK;
     return hs_fail(err, HS_ERROR_INPUT,
-                   "compute '%s' (temp/chunk): bias: compute '%s' (%s) is no temperature that takes something off "
-                   "velocities; temp/profile, temp/ramp and temp/com are",
-                   compute->id, state->bias_id, state->bias->style->about.name);
+                   "%s: bias: %s is no temperature that takes something off velocities; temp/profile, "
+                   "temp/ramp and temp/com are",
+                   hs_compute_who(compute).text, hs_compute_who(state->bias).text);
 }
 
 static hs_status init(hs_compute *compute, hs_error *err)
@@ -180,9 +180,8 @@ static hs_status update_bias(hs_compute *compute, hs_error *err)
     HS_TRY(find_bias(compute, err));
     if (state->bias == NULL) return HS_OK;
     if (state->is_asking)
-        return hs_fail(err, HS_ERROR_INPUT,
-                       "compute '%s' (temp/chunk): its bias '%s' takes off what it takes off itself", compute->id,
-                       state->bias_id);
+        return hs_fail(err, HS_ERROR_INPUT, "%s: its bias '%s' takes off what it takes off itself",
+                       hs_compute_who(compute).text, state->bias_id);
     state->is_asking = true;
     const hs_status status = hs_compute_scalar(state->bias, &t, err);
     state->is_asking = false;

@@ -19,13 +19,13 @@ static hs_status init(hs_compute *compute, hs_error *err)
 {
     const hs_box_flow *flow = compute->env->box_flow;
     if (flow == NULL)
-        hs_warn(compute->env->out, "compute '%s' (temp/deform): no fix deform changes the box, so nothing is taken off",
-                compute->id);
+        hs_warn(compute->env->out, "%s: no fix deform changes the box, so nothing is taken off",
+                hs_compute_who(compute).text);
     else if (flow->moves_places != 0)
         hs_warn(compute->env->out,
-                "compute '%s' (temp/deform): fix deform moves the atoms with the box (remap x), which gives them no "
-                "velocity that could be taken off; 'remap v' or 'none' is right with this temperature",
-                compute->id);
+                "%s: fix deform moves the atoms with the box (remap x), which gives them no velocity that could be "
+                "taken off; 'remap v' or 'none' is right with this temperature",
+                hs_compute_who(compute).text);
     return hs_temperature_init(compute, err);
 }
 

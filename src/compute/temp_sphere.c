@@ -45,9 +45,7 @@ static hs_status init(hs_compute *compute, hs_error *err)
     const double n_fixed = state->temperature.has_n_fixed ? state->temperature.n_fixed : dimension;
     compute->n_dof = (double)n[1] * (dimension == 3 ? 3.0 : 1.0) - n_fixed;
     if (!state->is_rotation) compute->n_dof += (double)n[0] * dimension;
-    if (compute->n_dof >= 0.0 || n[0] == 0 || hs_temperature_is_recounted(compute)) return HS_OK;
-    return hs_fail(err, HS_ERROR_INPUT, "compute '%s' (temp/sphere): %lld atoms have fewer than 0 degrees of freedom",
-                   compute->id, (long long)n[0]);
+    return hs_temperature_check_freedom(compute, n[0], err);
 }
 
 /** m v_a v_b + I omega_a omega_b of atom i, xx yy zz xy xz yz. */

@@ -52,14 +52,13 @@ static hs_status read_section(hs_deck *deck, const hs_args *args, int i, hs_data
     const int n = options->n_sections;
     if (fix == NULL) return hs_fail(err, HS_ERROR_INPUT, "read_data: there is no fix with the ID '%s'", args->word[i]);
     if (fix->style->data == NULL)
-        return hs_fail(err, HS_ERROR_INPUT, "read_data: fix '%s' (%s) reads nothing from data files", fix->id,
-                       fix->style->about.name);
+        return hs_fail(err, HS_ERROR_INPUT, "read_data: %s reads nothing from data files", hs_fix_who(fix).text);
     if (strcmp(args->word[i + 1], "NULL") != 0)
         return hs_arg_refuse(args, i + 1, "NULL: fixes have no lines in the header", NULL, err);
     for (int k = 0; k < n; ++k)
         if (strcmp(options->section[k].name, args->word[i + 2]) == 0)
-            return hs_fail(err, HS_ERROR_INPUT, "read_data: the section '%s' is that of fix '%s' already",
-                           args->word[i + 2], options->section[k].fix->id);
+            return hs_fail(err, HS_ERROR_INPUT, "read_data: the section '%s' is that of %s already", args->word[i + 2],
+                           hs_fix_who(options->section[k].fix).text);
     HS_TRY(HS_GROW(options->section, (size_t)n, (size_t)n + 1, err));
     options->section[options->n_sections++] = (hs_data_section){.fix = fix, .name = args->word[i + 2]};
     return HS_OK;

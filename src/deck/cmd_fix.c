@@ -48,8 +48,8 @@ static hs_status run_compute_modify(hs_deck *deck, const hs_args *args, hs_error
         n_used = 0;
         if (compute->style->modify != NULL) HS_TRY(compute->style->modify(compute, &rest, &n_used, err));
         if (n_used == 0)
-            return hs_fail(err, HS_ERROR_INPUT, "compute_modify: compute '%s' (%s) has no keyword '%s'", compute->id,
-                           compute->style->about.name, args->word[i]);
+            return hs_fail(err, HS_ERROR_INPUT, "compute_modify: %s has no keyword '%s'", hs_compute_who(compute).text,
+                           args->word[i]);
     }
     hs_compute_invalidate(compute);
     return HS_OK;

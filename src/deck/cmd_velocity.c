@@ -88,12 +88,12 @@ static hs_status read_keywords(velocity *vel, const hs_args *args, hs_error *err
     if (!is_bias) return HS_OK;
     if (vel->temperature == NULL) return hs_fail(err, HS_ERROR_INPUT, "velocity: 'bias yes' needs 'temp <compute-ID>'");
     if (vel->temperature->style->bias == NULL)
-        return hs_fail(err, HS_ERROR_INPUT, "velocity: 'bias yes': the compute '%s' has no velocity bias",
-                       vel->temperature->id);
+        return hs_fail(err, HS_ERROR_INPUT, "velocity: 'bias yes': %s has no velocity bias",
+                       hs_compute_who(vel->temperature).text);
     return hs_fail(err, HS_ERROR_INPUT,
                    "velocity: 'bias yes' is not supported: velocities are drawn and scaled as they are, with the flow "
-                   "that compute '%s' (%s) leaves out",
-                   vel->temperature->id, vel->temperature->style->about.name);
+                   "that %s leaves out",
+                   hs_compute_who(vel->temperature).text);
 }
 
 /* ---- create ---- */

@@ -76,10 +76,9 @@ static hs_status create(hs_dump *dump, const hs_args *args, hs_error *err)
 static hs_status init(hs_dump *dump, hs_error *err)
 {
     if (strchr(dump->file, '*') == NULL && !dump->is_single)
-        return hs_fail(
-            err, HS_ERROR_INPUT,
-            "dump '%s': every snapshot is a file of its own: the name '%s' needs a *, which becomes the step", dump->id,
-            dump->file);
+        return hs_fail(err, HS_ERROR_INPUT,
+                       "%s: every snapshot is a file of its own: the name '%s' needs a *, which becomes the step",
+                       hs_dump_who(dump).text, dump->file);
     return hs_dump_table_init(dump, err);
 }
 

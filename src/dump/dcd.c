@@ -139,14 +139,13 @@ static hs_status read_head(hs_dump *dump, int64_t size, hs_error *err)
     if (!is_known || behind <= 0 || behind % frame_size(head->n_atoms) != 0)
         return hs_fail(
             err, HS_ERROR_INPUT,
-            "dump '%s': '%s' is not a dcd file of whole frames with boxes, as dump dcd writes them; it cannot "
-            "be added to",
-            dump->id, dump->file);
+            "%s: '%s' is not a dcd file of whole frames with boxes, as dump dcd writes them; it cannot be added to",
+            hs_dump_who(dump).text, dump->file);
     if (head->every != dump->every)
-        return hs_fail(err, HS_ERROR_INPUT,
-                       "dump '%s': '%s' has frames of every %d steps, the dump of every %lld; all of a file must have "
-                       "one interval",
-                       dump->id, dump->file, (int)head->every, (long long)dump->every);
+        return hs_fail(
+            err, HS_ERROR_INPUT,
+            "%s: '%s' has frames of every %d steps, the dump of every %lld; all of a file must have one interval",
+            hs_dump_who(dump).text, dump->file, (int)head->every, (long long)dump->every);
     const int64_t n_frames = behind / frame_size(head->n_atoms);
     self->n_atoms = head->n_atoms;
     head->n_frames = (int32_t)n_frames;
@@ -248,17 +247,16 @@ static hs_status check_frame(hs_dump *dump, const hs_rows *rows, hs_error *err)
     const dcd_dump *self = dump->state;
     const int64_t step = dump->env->step;
     if (step < INT32_MIN || step > INT32_MAX || dump->every > INT32_MAX)
-        return hs_fail(err, HS_ERROR_IO, "dump '%s': step %lld is beyond what a dcd file can tell (2^31 - 1)", dump->id,
-                       (long long)step);
+        return hs_fail(err, HS_ERROR_IO, "%s: step %lld is beyond what a dcd file can tell (2^31 - 1)",
+                       hs_dump_who(dump).text, (long long)step);
     if (rows->n_all > N_ATOMS_MAX)
-        return hs_fail(err, HS_ERROR_IO, "dump '%s': dcd files hold at most %d atoms; use dump h5md", dump->id,
+        return hs_fail(err, HS_ERROR_IO, "%s: dcd files hold at most %d atoms; use dump h5md", hs_dump_who(dump).text,
                        N_ATOMS_MAX);
     if (self->n_atoms < 0 || self->n_atoms == rows->n_all) return HS_OK;
-    return hs_fail(
-        err, HS_ERROR_IO,
-        "dump '%s': the frames of '%s' have %lld atoms each, and now there are %lld; where atoms come and go "
-        "use dump h5md or custom",
-        dump->id, dump->file, (long long)self->n_atoms, (long long)rows->n_all);
+    return hs_fail(err, HS_ERROR_IO,
+                   "%s: the frames of '%s' have %lld atoms each, and now there are %lld; where atoms come and go use "
+                   "dump h5md or custom",
+                   hs_dump_who(dump).text, dump->file, (long long)self->n_atoms, (long long)rows->n_all);
 }
 
 static hs_status write_frame(hs_dump *dump, hs_rows *rows, hs_writer *writer, hs_error *err)
@@ -293,11 +291,11 @@ static void warn_of_step(hs_dump *dump)
     if (self->is_irregular || told == step) return;
     self->is_irregular = true;
     hs_warn(dump->env->out,
-            "dump '%s': frame %d of '%s' is of step %lld, and readers of dcd files take it for one of step %lld: they "
-            "count from the first frame (step %d) in equal intervals (%d). A new dump into another file, defined after "
+            "%s: frame %d of '%s' is of step %lld, and readers of dcd files take it for one of step %lld: they count "
+            "from the first frame (step %d) in equal intervals (%d). A new dump into another file, defined after "
             "reset_timestep, or without 'first yes', has the steps right",
-            dump->id, (int)head->n_frames, dump->file, (long long)step, (long long)told, (int)head->first_step,
-            (int)head->every);
+            hs_dump_who(dump).text, (int)head->n_frames, dump->file, (long long)step, (long long)told,
+            (int)head->first_step, (int)head->every);
 }
 
 /** A frame of the present step, and the head before the first one (collective). */

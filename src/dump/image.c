@@ -224,8 +224,8 @@ static hs_status init(hs_dump *dump, hs_error *err)
     hs_dump_image *state = dump->state;
     if (strchr(dump->file, '*') == NULL && !dump->is_single)
         return hs_fail(err, HS_ERROR_INPUT,
-                       "dump '%s': every picture is a file of its own: the name '%s' needs a *, which becomes the step",
-                       dump->id, dump->file);
+                       "%s: every picture is a file of its own: the name '%s' needs a *, which becomes the step",
+                       hs_dump_who(dump).text, dump->file);
     return hs_where_find(&state->table.where, dump->env, hs_dump_who(dump).text, err);
 }
 

@@ -146,15 +146,15 @@ static hs_status find_part(const hs_fix *fix, target *t, hs_error *err)
         if (++n == t->number || t->number == 0) t->part = pair->part[k];
     }
     if (n > 0 && t->part == NULL)
-        return hs_fail(err, HS_ERROR_INPUT, "fix '%s' (adapt): the pair style has %d sub-style%s '%s', not %lld",
-                       fix->id, n, n == 1 ? "" : "s", t->style, (long long)t->number);
+        return hs_fail(err, HS_ERROR_INPUT, "%s: the pair style has %d sub-style%s '%s', not %lld",
+                       hs_fix_who(fix).text, n, n == 1 ? "" : "s", t->style, (long long)t->number);
     if (t->part == NULL)
-        return hs_fail(err, HS_ERROR_INPUT, "fix '%s' (adapt): the pair style is '%s', not '%s'", fix->id,
+        return hs_fail(err, HS_ERROR_INPUT, "%s: the pair style is '%s', not '%s'", hs_fix_who(fix).text,
                        pair != NULL ? pair->style->about.name : "none", t->style);
     if (n > 1 && t->number == 0)
         return hs_fail(err, HS_ERROR_INPUT,
-                       "fix '%s' (adapt): the pair style has %d sub-styles '%s'; write %s:1 for the first of them",
-                       fix->id, n, t->style, t->style);
+                       "%s: the pair style has %d sub-styles '%s'; write %s:1 for the first of them",
+                       hs_fix_who(fix).text, n, t->style, t->style);
     return HS_OK;
 }
 
@@ -172,8 +172,9 @@ static hs_status find_coefficient(const hs_fix *fix, target *t, hs_error *err)
         if (status == HS_OK) status = hs_text_printf(&names, err, "%s%s", names.length > 0 ? ", " : "", one->name);
     }
     if (status == HS_OK)
-        status = hs_fail(err, HS_ERROR_INPUT, "fix '%s' (adapt): pair style '%s' has no coefficient '%s' to change%s%s",
-                         fix->id, t->style, t->coefficient, names.length > 0 ? "; it has " : "", hs_text_get(&names));
+        status = hs_fail(err, HS_ERROR_INPUT, "%s: pair style '%s' has no coefficient '%s' to change%s%s",
+                         hs_fix_who(fix).text, t->style, t->coefficient, names.length > 0 ? "; it has " : "",
+                         hs_text_get(&names));
     hs_text_fini(&names);
     return status;
 }
@@ -184,9 +185,9 @@ static hs_status find_types(const hs_fix *fix, const target *t, hs_error *err)
         for (int j = t->j_lo; j <= t->j_hi; ++j)
             if (is_given(t, i, j)) return HS_OK;
     return hs_fail(err, HS_ERROR_INPUT,
-                   "fix '%s' (adapt): no pair_coeff has given the types %d %d coefficients of '%s': those that are "
-                   "mixed follow the types they are mixed from",
-                   fix->id, t->i_lo, t->j_lo, t->style);
+                   "%s: no pair_coeff has given the types %d %d coefficients of '%s': those that are mixed follow the "
+                   "types they are mixed from",
+                   hs_fix_who(fix).text, t->i_lo, t->j_lo, t->style);
 }
 
 static hs_status init(hs_fix *fix, hs_error *err)
@@ -229,7 +230,7 @@ static hs_status set_pair(const hs_fix *fix, const target *t, bool is_scale, dou
             if (!is_given(t, i, j)) continue;
             const double next = is_scale ? value * t->original[ij] : value;
             if (!isfinite(next) || (next < 0.0 && strcmp(t->coefficient, "sigma") == 0))
-                return hs_fail(err, HS_ERROR_RUN, "fix '%s' (adapt): %s of %s would become %g", fix->id, t->coefficient,
+                return hs_fail(err, HS_ERROR_RUN, "%s: %s of %s would become %g", hs_fix_who(fix).text, t->coefficient,
                                t->style, next);
             *coefficient_at(t, ij) = next;
         }
@@ -248,7 +249,7 @@ static hs_status set_diameters(const hs_fix *fix, double value, hs_error *err)
     const adapt_state *state = fix->state;
     const hs_atoms *atoms = fix->env->atoms;
     if (!(value > 0.0) || !isfinite(value))
-        return hs_fail(err, HS_ERROR_RUN, "fix '%s' (adapt): the diameter%s %g is not greater than 0", fix->id,
+        return hs_fail(err, HS_ERROR_RUN, "%s: the diameter%s %g is not greater than 0", hs_fix_who(fix).text,
                        state->is_scale ? "'s factor" : "", value);
     for (int i = 0; i < atoms->n_local; ++i) {
         if (!(atoms->mask[i] & fix->mask)) continue;
@@ -311,7 +312,7 @@ static hs_status keep_state(hs_fix *fix, hs_state *kept, hs_error *err)
         if (!kept->is_reading || state->target[k].part == NULL) continue;
         const int n = state->target[k].part->n_types + 1;
         if (state->has_originals && state->target[k].n_original != (int64_t)n * n)
-            return hs_fail(err, HS_ERROR_INPUT, "fix '%s' (adapt): its state is of another number of types", fix->id);
+            return hs_fail(err, HS_ERROR_INPUT, "%s: its state is of another number of types", hs_fix_who(fix).text);
     }
     return HS_OK;
 }

@@ -57,8 +57,8 @@ static hs_status init(hs_fix *fix, hs_error *err)
     if (state->energy_variable == NULL) return HS_OK;
     const hs_variable_kind kind = hs_env_variable_kind(fix->env, state->energy_variable);
     if (kind == HS_ATOM_VARIABLE) return HS_OK;
-    return hs_fail(err, HS_ERROR_INPUT, "fix '%s' (addforce): energy needs an atom-style variable, and '%s' is %s",
-                   fix->id, state->energy_variable,
+    return hs_fail(err, HS_ERROR_INPUT, "%s: energy needs an atom-style variable, and '%s' is %s", hs_fix_who(fix).text,
+                   state->energy_variable,
                    kind == HS_NO_VARIABLE ? "no variable that has a value" : "of another style");
 }
 

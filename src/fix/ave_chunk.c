@@ -52,13 +52,13 @@ static hs_status reserve(hs_fix *fix, const hs_compute *compute, hs_error *err)
     const hs_chunks *chunks = hs_chunks_of(compute);
     const size_t width = (size_t)state->columns.n + 1, n = (size_t)chunks->n;
     if (state->fold.mode != HS_FOLD_ONE && state->fold.n_added > 0 && chunks->n != state->n_chunks)
-        return hs_fail(err, HS_ERROR_RUN,
-                       "fix '%s' (ave/chunk): there were %lld chunks and are %lld now; 'ave one', or compute "
-                       "chunk/atom with 'nchunk once', goes on",
-                       fix->id, (long long)state->n_chunks, (long long)chunks->n);
+        return hs_fail(
+            err, HS_ERROR_RUN,
+            "%s: there were %lld chunks and are %lld now; 'ave one', or compute chunk/atom with 'nchunk once', goes on",
+            hs_fix_who(fix).text, (long long)state->n_chunks, (long long)chunks->n);
     if (state->sum == NULL || chunks->n != state->n_chunks) {
         if (n * width > INT32_MAX)
-            return hs_fail(err, HS_ERROR_INPUT, "fix '%s' (ave/chunk): %lld chunks are too many", fix->id,
+            return hs_fail(err, HS_ERROR_INPUT, "%s: %lld chunks are too many", hs_fix_who(fix).text,
                            (long long)chunks->n);
         HS_TRY(HS_GROW(state->sum, 0, n * width + 1, err));
         HS_TRY(HS_GROW(state->sample, 0, n * width + 1, err));

@@ -137,16 +137,17 @@ static hs_status check_box(const hs_fix *fix, hs_error *err)
     for (int k = 0; k < 3; ++k)
         if (fabs(fix->env->box->tilt[k] - state->tilt[k]) > 1e-9 * state->length[0])
             return hs_fail(err, HS_ERROR_INPUT,
-                           "fix '%s' (ave/isf): the tilt %s of the box was %g and is %g now: its wave vectors have "
-                           "changed, and modes of different ones cannot be correlated",
-                           fix->id, (const char *const[]){"xy", "xz", "yz"}[k], state->tilt[k], fix->env->box->tilt[k]);
+                           "%s: the tilt %s of the box was %g and is %g now: its wave vectors have changed, and modes "
+                           "of different ones cannot be correlated",
+                           hs_fix_who(fix).text, (const char *const[]){"xy", "xz", "yz"}[k], state->tilt[k],
+                           fix->env->box->tilt[k]);
     for (int axis = 0; axis < fix->env->box->dimension; ++axis)
         /* reproducible runs round the box at their start, by 1e-14 */
         if (fabs(hs_box_length(fix->env->box, axis) / state->length[axis] - 1.0) > 1e-9)
             return hs_fail(err, HS_ERROR_INPUT,
-                           "fix '%s' (ave/isf): the box was %g long along %c and is %g now: its wave vectors have "
-                           "changed, and modes of different ones cannot be correlated",
-                           fix->id, state->length[axis], "xyz"[axis], hs_box_length(fix->env->box, axis));
+                           "%s: the box was %g long along %c and is %g now: its wave vectors have changed, and modes "
+                           "of different ones cannot be correlated",
+                           hs_fix_who(fix).text, state->length[axis], "xyz"[axis], hs_box_length(fix->env->box, axis));
     return HS_OK;
 }
 

@@ -200,8 +200,8 @@ static hs_status take_sample(hs_fix *fix, hs_error *err)
         const hs_value *value = &state->values[k];
         if (state->is_vector) HS_TRY(hs_value_refresh(fix->env, value, err));
         if (state->is_vector && hs_value_length(fix->env, value) != state->n_rows)
-            return hs_fail(err, HS_ERROR_RUN, "fix '%s' (ave/time): the vector %s had %d elements and has %d now",
-                           fix->id, value->word, state->n_rows, hs_value_length(fix->env, value));
+            return hs_fail(err, HS_ERROR_RUN, "%s: the vector %s had %d elements and has %d now", hs_fix_who(fix).text,
+                           value->word, state->n_rows, hs_value_length(fix->env, value));
         HS_TRY(state->is_vector ? hs_value_vector(fix->env, value, state->sample, err)
                                 : hs_value_number(fix->env, value, state->sample, err));
         for (int i = 0; i < state->n_rows; ++i) {

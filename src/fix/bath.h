@@ -24,8 +24,7 @@ static inline hs_status bath_now(const hs_fix *fix, bath_ramp *bath, double *t, 
     *t = bath->start.value;
     if (bath->start.variable == NULL) *t += hs_env_ramp(fix->env) * (bath->stop - bath->start.value);
     if (*t >= 0.0) return HS_OK;
-    return hs_fail(err, HS_ERROR_RUN, "fix '%s' (%s): the temperature %g is below 0", fix->id, fix->style->about.name,
-                   *t);
+    return hs_fail(err, HS_ERROR_RUN, "%s: the temperature %g is below 0", hs_fix_who(fix).text, *t);
 }
 
 #endif

@@ -43,9 +43,8 @@ static hs_status move(const hs_fix *fix, double change, hs_error *err)
     const char *name = ((const controller_state *)fix->state)->variable;
     double value;
     if (hs_env_variable_kind(env, name) != HS_NUMBER_VARIABLE)
-        return hs_fail(err, HS_ERROR_INPUT,
-                       "fix '%s' (controller): there is no variable '%s'; 'variable %s internal <number>' makes one",
-                       fix->id, name, name);
+        return hs_fail(err, HS_ERROR_INPUT, "%s: there is no variable '%s'; 'variable %s internal <number>' makes one",
+                       hs_fix_who(fix).text, name, name);
     HS_TRY(env->variable_value(env->deck, name, &value, err));
     return env->set_variable(env->deck, name, value + change, err);
 }

@@ -87,7 +87,7 @@ static hs_status create(hs_fix *fix, const hs_args *args, hs_error *err)
     deform_state *state = fix->state;
     const hs_box *box = fix->env->box;
     bool is_box = false;
-    state->plan.id = fix->id;
+    state->plan.who = hs_fix_who(fix);
     state->has_flips = true;
     state->flip_at = -1;
     state->flow.moves_places = fix->mask;
@@ -133,17 +133,15 @@ static hs_status check_start(const hs_fix *fix, hs_error *err)
     const deform_state *state = fix->state;
     if (fix->env->box_flow == NULL) fix->env->box_flow = &state->flow; /* another one has gone */
     if (fix->env->box_flow != &state->flow)
-        return hs_fail(
-            err, HS_ERROR_INPUT,
-            "fix '%s' (deform): another fix deform changes the box, too; one fix can change all lengths and tilts",
-            fix->id);
+        return hs_fail(err, HS_ERROR_INPUT,
+                       "%s: another fix deform changes the box, too; one fix can change all lengths and tilts",
+                       hs_fix_who(fix).text);
     for (int k = 0; k < HS_DEFORM_PATHS; ++k) HS_TRY(hs_deform_path_check(&state->plan.path[k], fix, err));
     for (int tilt = 0; tilt < 3; ++tilt)
         if (state->plan.path[3 + tilt].style == HS_DEFORM_TRUE_RATE && state->plan.start_tilt[tilt] == 0.0)
-            return hs_fail(
-                err, HS_ERROR_INPUT,
-                "fix '%s' (deform): '%s trate' multiplies the tilt, which is 0; 'erate' makes it grow from there",
-                fix->id, hs_tilt_names[tilt]);
+            return hs_fail(err, HS_ERROR_INPUT,
+                           "%s: '%s trate' multiplies the tilt, which is 0; 'erate' makes it grow from there",
+                           hs_fix_who(fix).text, hs_tilt_names[tilt]);
     return HS_OK;
 }
 

@@ -43,12 +43,11 @@ static hs_status find_region(const hs_fix *fix, hs_error *err)
     const hs_region *region = state->where.region;
     if (region->is_varying)
         return hs_fail(err, HS_ERROR_INPUT,
-                       "fix '%s' (deposit): the region '%s' follows variables; atoms are put into regions that stay",
-                       fix->id, region->id);
+                       "%s: the region '%s' follows variables; atoms are put into regions that stay",
+                       hs_fix_who(fix).text, region->id);
     if (!region->has_extent)
-        return hs_fail(err, HS_ERROR_INPUT,
-                       "fix '%s' (deposit): the region '%s' has no bounds, so that no places can be drawn in it",
-                       fix->id, region->id);
+        return hs_fail(err, HS_ERROR_INPUT, "%s: the region '%s' has no bounds, so that no places can be drawn in it",
+                       hs_fix_who(fix).text, region->id);
     return HS_OK;
 }
 
@@ -62,8 +61,8 @@ static hs_status check_extent(const hs_fix *fix, hs_error *err)
     for (int axis = 0; axis < box->dimension; ++axis) {
         const double slack = 1e-12 * hs_box_length(box, axis); /* runs round the box's faces */
         if (region->extent[axis][0] < lo[axis] - slack || region->extent[axis][1] > hi[axis] + slack)
-            return hs_fail(err, HS_ERROR_INPUT, "fix '%s' (deposit): the region '%s' reaches out of the box along %c",
-                           fix->id, region->id, "xyz"[axis]);
+            return hs_fail(err, HS_ERROR_INPUT, "%s: the region '%s' reaches out of the box along %c",
+                           hs_fix_who(fix).text, region->id, "xyz"[axis]);
     }
     return HS_OK;
 }
@@ -157,9 +156,8 @@ static hs_status draw_place(hs_fix *fix, double x[3], hs_error *err)
         for (int axis = 0; axis < 3; ++axis) x[axis] = hs_moved(0.0, x[axis], magic);
         return HS_OK;
     }
-    return hs_fail(err, HS_ERROR_RUN,
-                   "fix '%s' (deposit): %d random places are not in the region '%s': it has hardly any volume", fix->id,
-                   N_TRIES, region->id);
+    return hs_fail(err, HS_ERROR_RUN, "%s: %d random places are not in the region '%s': it has hardly any volume",
+                   hs_fix_who(fix).text, N_TRIES, region->id);
 }
 
 /** Whether an atom of any rank is too near to a place (collective). */
@@ -219,7 +217,7 @@ static hs_status pre_exchange(hs_fix *fix, hs_error *err)
     if (is_placed)
         ++state->n_added;
     else
-        hs_warn(fix->env->out, "fix '%s' (deposit): at step %lld no free place was found in %lld attempts", fix->id,
+        hs_warn(fix->env->out, "%s: at step %lld no free place was found in %lld attempts", hs_fix_who(fix).text,
                 (long long)fix->env->step, (long long)state->n_attempts);
     state->next = state->n_added < state->n_wanted ? state->next + state->every : -1;
     return HS_OK;

@@ -85,9 +85,9 @@ static hs_status choose(hs_fix *fix, hs_error *err)
     const double dt = fmin(fmax(-most, state->limit[0]), state->limit[1]);
     if (isinf(dt))
         return hs_fail(err, HS_ERROR_RUN,
-                       "fix '%s' (dt/reset): nothing moves and no force acts at step %lld, so any timestep would do; "
-                       "give the largest one that is allowed",
-                       fix->id, (long long)env->step);
+                       "%s: nothing moves and no force acts at step %lld, so any timestep would do; give the largest "
+                       "one that is allowed",
+                       hs_fix_who(fix).text, (long long)env->step);
     if (dt == env->dt) return HS_OK;
     state->changed_at = env->step;
     return env->set_timestep(env, dt, err);

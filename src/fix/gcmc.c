@@ -364,11 +364,10 @@ static hs_status pre_exchange(hs_fix *fix, hs_error *err)
     hs_parallel_sum_int64(fix->env->parallel, &state->n, 1);
     hs_status status = begin_anew(fix, err);
     if (status == HS_OK && state->local.view.type != atoms->type)
-        status = hs_fail(
-            err, HS_ERROR_INPUT,
-            "fix '%s' (gcmc): with 'neigh_modify exclude group' it is not known what a new atom interacts with; "
-            "exclude types instead",
-            fix->id);
+        status = hs_fail(err, HS_ERROR_INPUT,
+                         "%s: with 'neigh_modify exclude group' it is not known what a new atom interacts with; "
+                         "exclude types instead",
+                         hs_fix_who(fix).text);
     for (int64_t k = 0; k < state->n_exchanges + state->n_moves && status == HS_OK; ++k)
         status = attempt_one(fix, k, err);
     hs_local_energy_end(&state->local);

@@ -84,8 +84,8 @@ static hs_status end_of_step(hs_fix *fix, hs_error *err)
     }
     if (!hs_compares(value, state->how, state->limit)) return HS_OK;
     if (state->then == HARD)
-        return hs_fail(err, HS_ERROR_RUN, "fix '%s' (halt): the condition was met at step %lld, with the value %.15g",
-                       fix->id, (long long)env->step, value);
+        return hs_fail(err, HS_ERROR_RUN, "%s: the condition was met at step %lld, with the value %.15g",
+                       hs_fix_who(fix).text, (long long)env->step, value);
     if (!state->is_silent) {
         hs_progress_wipe(env->out);
         hs_say(env->out, "Fix halt condition for fix-id %s met on step %lld with value %.15g\n", fix->id,

@@ -99,9 +99,9 @@ static hs_status check_axis(const hs_fix *fix, hs_error *err)
     for (int k = 0; k < 3 && state->shape == INDENT_CYLINDER; ++k)
         if (hs_tilt_second(k) == state->axis && box->tilt[k] != 0.0)
             return hs_fail(err, HS_ERROR_INPUT,
-                           "fix '%s' (indent): a cylinder along %c does not meet its own images in a box with the tilt "
-                           "%s (%g); one along x always does",
-                           fix->id, "xyz"[state->axis], hs_tilt_names[k], box -> tilt[k]);
+                           "%s: a cylinder along %c does not meet its own images in a box with the tilt %s (%g); one "
+                           "along x always does",
+                           hs_fix_who(fix).text, "xyz"[state->axis], hs_tilt_names[k], box -> tilt[k]);
     return HS_OK;
 }
 

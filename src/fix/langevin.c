@@ -297,8 +297,8 @@ static hs_status scalar(hs_fix *fix, double *value, hs_error *err)
 {
     const langevin_state *state = fix->state;
     if (!state->is_tallied)
-        return hs_fail(err, HS_ERROR_INPUT, "fix '%s' (langevin): its energy f_%s needs the keyword 'tally yes'",
-                       fix->id, fix->id);
+        return hs_fail(err, HS_ERROR_INPUT, "%s: its energy f_%s needs the keyword 'tally yes'", hs_fix_who(fix).text,
+                       fix->id);
     *value = -(state->energy - 0.5 * state->power * fix->env->dt);
     return HS_OK;
 }

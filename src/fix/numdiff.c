@@ -69,9 +69,8 @@ static hs_status per_atom(hs_fix *fix, int column, double *values, hs_error *err
     const hs_env *env = fix->env;
     const size_t n = (size_t)env->atoms->n_local;
     if (env->step % state->every != 0)
-        return hs_fail(err, HS_ERROR_INPUT,
-                       "fix '%s' (numdiff): there are forces at multiples of %lld steps, and step %lld is none",
-                       fix->id, (long long)state->every, (long long)env->step);
+        return hs_fail(err, HS_ERROR_INPUT, "%s: there are forces at multiples of %lld steps, and step %lld is none",
+                       hs_fix_who(fix).text, (long long)state->every, (long long)env->step);
     if (state->found_at != env->revision) {
         HS_TRY(find_forces(fix, err));
         state->found_at = env->revision;

@@ -12,15 +12,15 @@ static hs_status init(hs_fix *fix, hs_error *err)
 {
     const hs_box_flow *flow = fix->env->box_flow;
     if (flow == NULL)
-        return hs_fail(err, HS_ERROR_INPUT,
-                       "fix '%s' (nvt/sllod): there is no fix deform whose change of the box would be the flow; fix "
-                       "nvt is for fluids at rest",
-                       fix->id);
+        return hs_fail(
+            err, HS_ERROR_INPUT,
+            "%s: there is no fix deform whose change of the box would be the flow; fix nvt is for fluids at rest",
+            hs_fix_who(fix).text);
     if (flow->moves_velocities == 0)
-        return hs_fail(err, HS_ERROR_INPUT,
-                       "fix '%s' (nvt/sllod): fix deform must have 'remap v', so that atoms which cross a face take "
-                       "the velocity of their image",
-                       fix->id);
+        return hs_fail(
+            err, HS_ERROR_INPUT,
+            "%s: fix deform must have 'remap v', so that atoms which cross a face take the velocity of their image",
+            hs_fix_who(fix).text);
     return hs_nose_hoover_init(fix, err);
 }
 

@@ -130,9 +130,8 @@ static hs_status init(hs_fix *fix, hs_error *err)
     for (int axis = 0; axis < 3; ++axis)
         if (state->moves[axis] && env->box_flow != NULL && env->box_flow->sets_length[axis])
             return hs_fail(err, HS_ERROR_INPUT,
-                           "fix '%s' (press/berendsen): the length in %c is what fix deform makes it, and cannot "
-                           "follow a pressure, too",
-                           fix->id, "xyz"[axis]);
+                           "%s: the length in %c is what fix deform makes it, and cannot follow a pressure, too",
+                           hs_fix_who(fix).text, "xyz"[axis]);
     return hs_barometer_init(fix, &state->barometer, err);
 }
 
@@ -153,9 +152,9 @@ static hs_status end_of_step(hs_fix *fix, hs_error *err)
                      center = 0.5 * (lo[axis] + hi[axis]);
         if (!(growth > 0.0))
             return hs_fail(err, HS_ERROR_RUN,
-                           "fix '%s' (press/berendsen): at step %lld the pressure along %c, %g, is so far from %g that "
-                           "the box would vanish; a longer damping time or a larger modulus is needed",
-                           fix->id, (long long)env->step, "xyz"[axis], p[axis], wanted);
+                           "%s: at step %lld the pressure along %c, %g, is so far from %g that the box would vanish; a "
+                           "longer damping time or a larger modulus is needed",
+                           hs_fix_who(fix).text, (long long)env->step, "xyz"[axis], p[axis], wanted);
         lo[axis] = center + cbrt(growth) * (lo[axis] - center);
         hi[axis] = center + cbrt(growth) * (hi[axis] - center);
     }

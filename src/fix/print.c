@@ -78,8 +78,8 @@ static hs_status init(hs_fix *fix, hs_error *err)
     const hs_env *env = fix->env;
     char title[160];
     if (env->substitute == NULL)
-        return hs_fail(err, HS_ERROR_INPUT, "fix '%s' (print): there is no deck whose variables it could print",
-                       fix->id);
+        return hs_fail(err, HS_ERROR_INPUT, "%s: there is no deck whose variables it could print",
+                       hs_fix_who(fix).text);
     if (state->every_variable != NULL) HS_TRY(hs_fix_need_equal_style(fix, state->every_variable, err));
     if (state->every_variable == NULL && env->step % state->every == 0)
         state->next = env->step;

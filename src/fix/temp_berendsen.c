@@ -25,9 +25,8 @@ static hs_status end_of_step(hs_fix *fix, hs_error *err)
     const double next = measured + fix->env->dt / damping * (wanted - measured);
     if (!(next >= 0.0))
         return hs_fail(err, HS_ERROR_RUN,
-                       "fix '%s' (temp/berendsen): the damping time %g is too short for the timestep %g: the "
-                       "temperature would become %g",
-                       fix->id, damping, fix->env->dt, next);
+                       "%s: the damping time %g is too short for the timestep %g: the temperature would become %g",
+                       hs_fix_who(fix).text, damping, fix->env->dt, next);
     scaling_apply(fix, temperature, measured, next);
     return HS_OK;
 }

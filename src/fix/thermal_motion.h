@@ -99,9 +99,9 @@ static inline hs_status thermal_find(hs_fix *fix, thermal_acts acts, double heat
     motion->ke = 0.5 * sums[THERMAL_MV2] - drift;
     if (!(motion->ke + heat >= 0.0) || !(motion->ke > 0.0))
         return hs_fail(err, HS_ERROR_RUN,
-                       "fix '%s' (%s): at step %lld the atoms have the energy %g in their thermal motion, which is not "
-                       "enough to take %g from it",
-                       fix->id, fix->style->about.name, (long long)env->step, motion->ke * env->units->mvv2e,
+                       "%s: at step %lld the atoms have the energy %g in their thermal motion, which is not enough to "
+                       "take %g from it",
+                       hs_fix_who(fix).text, (long long)env->step, motion->ke * env->units->mvv2e,
                        -heat * env->units->mvv2e);
     motion->scale = sqrt((motion->ke + heat) / motion->ke);
     return HS_OK;

@@ -56,7 +56,7 @@ static hs_status end_of_step(hs_fix *fix, hs_error *err)
     if (fix->env->step != state->next) return HS_OK;
     const int64_t n_rows = fix->has_array ? fix->n_rows : fix->n_vector;
     if (n_rows == INT32_MAX)
-        return hs_fail(err, HS_ERROR_RUN, "fix '%s' (vector): more rows than %d cannot be counted", fix->id, INT32_MAX);
+        return hs_fail(err, HS_ERROR_RUN, "%s: more rows than %d cannot be counted", hs_fix_who(fix).text, INT32_MAX);
     if (n_rows == state->capacity) {
         const int64_t capacity = state->capacity < 512 ? 1024 : 2 * state->capacity;
         HS_TRY(HS_GROW(state->row, (size_t)(n_rows * state->n), (size_t)(capacity * state->n), err));

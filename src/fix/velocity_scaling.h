@@ -65,8 +65,8 @@ static inline hs_status scaling_measure(const hs_fix *fix, hs_compute **temperat
     HS_TRY(bath_now(fix, &((velocity_scaling *)fix->state)->bath, wanted, err));
     if ((*temperature)->n_dof < 1.0) *measured = 0.0;
     if (*measured > 0.0 || (*temperature)->n_dof < 1.0) return HS_OK;
-    return hs_fail(err, HS_ERROR_RUN, "fix '%s' (%s): the temperature is 0 and cannot be scaled to %g", fix->id,
-                   fix->style->about.name, *wanted);
+    return hs_fail(err, HS_ERROR_RUN, "%s: the temperature is 0 and cannot be scaled to %g", hs_fix_who(fix).text,
+                   *wanted);
 }
 
 /** The thermal part of each velocity times a factor, which takes the temperature from one value to another. */

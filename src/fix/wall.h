@@ -105,9 +105,8 @@ static inline hs_status wall_check_inside(const hs_fix *fix, hs_error *err)
     hs_parallel_sum_int64(fix->env->parallel, &n_outside, 1);
     if (n_outside == 0) return HS_OK;
     return hs_fail(err, HS_ERROR_INPUT,
-                   "fix '%s' (%s): %lld atoms are outside of the walls; place them inside, or leave them out of "
-                   "the fix's group",
-                   fix->id, fix->style->about.name, (long long)n_outside);
+                   "%s: %lld atoms are outside of the walls; place them inside, or leave them out of the fix's group",
+                   hs_fix_who(fix).text, (long long)n_outside);
 }
 
 #endif

@@ -22,8 +22,8 @@ static inline hs_status wall_set_strength(const hs_fix *fix, int k, hs_error *er
     face->sigma = state->sigma[k].value;
     const bool is_epsilon = !(face->epsilon >= 0.0);
     if (!is_epsilon && (!state->has_sigma || face->sigma > 0.0)) return HS_OK;
-    return hs_fail(err, HS_ERROR_INPUT, "fix '%s' (%s): %s of the wall %s is %g; it must be %s", fix->id,
-                   fix->style->about.name, is_epsilon ? "epsilon" : "sigma", wall_faces[2 * face->axis + face->end],
+    return hs_fail(err, HS_ERROR_INPUT, "%s: %s of the wall %s is %g; it must be %s", hs_fix_who(fix).text,
+                   is_epsilon ? "epsilon" : "sigma", wall_faces[2 * face->axis + face->end],
                    is_epsilon ? face->epsilon : face->sigma, is_epsilon ? "0 or positive" : "positive");
 }
 
@@ -97,11 +97,10 @@ static inline hs_status wall_report(const hs_fix *fix, const wall_face *face, hs
             (first < 0 || atoms->id[i] < atoms->id[first]))
             first = i;
     return hs_fail(err, HS_ERROR_RUN,
-                   "fix '%s' (%s): at step %lld atom %lld at (%g %g %g) is on or behind the wall %s at %g. Place atoms "
-                   "inside of the walls, or use a shorter timestep or a stronger wall",
-                   fix->id, fix->style->about.name, (long long)fix->env->step, (long long)atoms->id[first],
-                   atoms->x[0][first], atoms->x[1][first], atoms->x[2][first], wall_faces[2 * face->axis + face->end],
-                   face->place);
+                   "%s: at step %lld atom %lld at (%g %g %g) is on or behind the wall %s at %g. Place atoms inside of "
+                   "the walls, or use a shorter timestep or a stronger wall",
+                   hs_fix_who(fix).text, (long long)fix->env->step, (long long)atoms->id[first], atoms->x[0][first],
+                   atoms->x[1][first], atoms->x[2][first], wall_faces[2 * face->axis + face->end], face->place);
 }
 
 /** The lever is the distance from the wall, as in LAMMPS: the wall is part of the system. */

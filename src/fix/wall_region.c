@@ -21,9 +21,8 @@ static hs_status find_region(hs_fix *fix, hs_error *err)
     region_wall_state *state = fix->state;
     HS_TRY(hs_where_find(&state->where, fix->env, hs_fix_who(fix).text, err));
     if (state->where.region->style->surfaces != NULL) return HS_OK;
-    return hs_fail(err, HS_ERROR_INPUT,
-                   "fix '%s' (wall/region): region '%s' (%s) cannot be a wall; block, cylinder, plane and sphere can",
-                   fix->id, state->where.id, state->where.region->style->about.name);
+    return hs_fail(err, HS_ERROR_INPUT, "%s: region '%s' (%s) cannot be a wall; block, cylinder, plane and sphere can",
+                   hs_fix_who(fix).text, state->where.id, state->where.region->style->about.name);
 }
 
 static hs_status create(hs_fix *fix, const hs_args *args, hs_error *err)
@@ -92,9 +91,9 @@ static hs_status report_outside(const hs_fix *fix, hs_error *err)
             first = i;
     }
     return hs_fail(err, HS_ERROR_RUN,
-                   "fix '%s' (wall/region): at step %lld atom %lld at (%g %g %g) is on the surface or outside of the "
-                   "region '%s'. Place atoms inside, or use a shorter timestep or a stronger wall",
-                   fix->id, (long long)fix->env->step, (long long)atoms->id[first], atoms->x[0][first],
+                   "%s: at step %lld atom %lld at (%g %g %g) is on the surface or outside of the region '%s'. Place "
+                   "atoms inside, or use a shorter timestep or a stronger wall",
+                   hs_fix_who(fix).text, (long long)fix->env->step, (long long)atoms->id[first], atoms->x[0][first],
                    atoms->x[1][first], atoms->x[2][first], ((region_wall_state *)fix->state)->where.id);
 }
 

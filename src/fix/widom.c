@@ -96,9 +96,8 @@ static hs_status find_place(const hs_fix *fix, const hs_box *bounds, int64_t tes
         ++*n_places;
         if (state->where.region == NULL || hs_region_contains(state->where.region, x)) return HS_OK;
     }
-    return hs_fail(err, HS_ERROR_RUN,
-                   "fix '%s' (widom): %d random places are not in the region '%s': it has hardly any volume", fix->id,
-                   N_TRIES, state->where.id);
+    return hs_fail(err, HS_ERROR_RUN, "%s: %d random places are not in the region '%s': it has hardly any volume",
+                   hs_fix_who(fix).text, N_TRIES, state->where.id);
 }
 
 /** Sum of exp(-u / kT) over n test particles from number @p test on (collective). */

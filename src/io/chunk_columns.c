@@ -46,8 +46,8 @@ hs_status hs_chunk_columns_bias(const hs_chunk_columns *columns, const hs_fix *f
 {
     *bias = columns->bias_id != NULL ? fix->env->find_compute(fix->env, columns->bias_id) : NULL;
     if (columns->bias_id == NULL || (*bias != NULL && (*bias)->style->is_temperature)) return HS_OK;
-    return hs_fail(err, HS_ERROR_INPUT, "fix '%s' (%s): there is no temperature compute '%s'", fix->id,
-                   fix->style->about.name, columns->bias_id);
+    return hs_fail(err, HS_ERROR_INPUT, "%s: there is no temperature compute '%s'", hs_fix_who(fix).text,
+                   columns->bias_id);
 }
 
 hs_status hs_chunk_columns_keyword(hs_chunk_columns *columns, const hs_fix *fix, const hs_args *args, int i,

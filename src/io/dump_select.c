@@ -108,13 +108,11 @@ static hs_status find_rows(hs_dump *dump, const hs_local_rows **rows, hs_error *
     const hs_dump_table *table = dump->state;
     const hs_value *first = NULL;
     const double *unused;
-    char command[128];
-    snprintf(command, sizeof command, "dump '%.80s'", dump->id);
     for (int k = 0; k < table->n_columns; ++k) {
         const hs_dump_column *column = &table->column[k];
         if (column->attribute != HS_ATTR_VARIABLE) continue;
         if (first == NULL) first = &column->reference;
-        HS_TRY(hs_values_check_rows(dump->env, first, &column->reference, command, err));
+        HS_TRY(hs_values_check_rows(dump->env, first, &column->reference, hs_dump_who(dump).text, err));
     }
     return hs_value_local(dump->env, first, rows, &unused, err);
 }

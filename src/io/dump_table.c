@@ -127,15 +127,15 @@ static hs_status make_formats(hs_dump *dump, hs_error *err)
     char *word = words != NULL ? strtok_r(words, " \t", &rest) : NULL;
     for (int k = 0; k < table->n_columns && status == HS_OK; ++k) {
         if (words != NULL && word == NULL)
-            status = hs_fail(err, HS_ERROR_INPUT, "dump '%s': the format line has %d words but a row has %d columns",
-                             dump->id, k, table->n_columns);
+            status = hs_fail(err, HS_ERROR_INPUT, "%s: the format line has %d words but a row has %d columns",
+                             hs_dump_who(dump).text, k, table->n_columns);
         else
             status = make_format(dump, k, word, err);
         if (word != NULL) word = strtok_r(NULL, " \t", &rest);
     }
     if (status == HS_OK && word != NULL)
-        status = hs_fail(err, HS_ERROR_INPUT, "dump '%s': the format line has more words than a row has columns (%d)",
-                         dump->id, table->n_columns);
+        status = hs_fail(err, HS_ERROR_INPUT, "%s: the format line has more words than a row has columns (%d)",
+                         hs_dump_who(dump).text, table->n_columns);
     HS_FREE(words);
     return status;
 }
@@ -145,10 +145,8 @@ static bool is_file_per_step(const hs_dump *dump) { return strchr(dump->file, '*
 /** The compute, fix or variable must be there and have values per atom, or local ones. */
 static hs_status check_reference(hs_dump *dump, const hs_dump_column *column, hs_error *err)
 {
-    char command[128];
     if (column->attribute != HS_ATTR_VARIABLE) return HS_OK;
-    snprintf(command, sizeof command, "dump '%.80s'", dump->id);
-    return hs_value_check(dump->env, &column->reference, hs_dump_shape(dump->state), command, err);
+    return hs_value_check(dump->env, &column->reference, hs_dump_shape(dump->state), hs_dump_who(dump).text, err);
 }
 
 /** The file that all snapshots go to; one of a resumed run is cut to where it was then. */
@@ -167,10 +165,10 @@ hs_status hs_dump_table_init(hs_dump *dump, hs_error *err)
     const hs_env *env = dump->env;
     HS_TRY(hs_where_find(&table->where, dump->env, hs_dump_who(dump).text, err));
     if (table->n_elements > 0 && table->n_elements != env->atoms->n_types)
-        return hs_fail(err, HS_ERROR_INPUT, "dump '%s': dump_modify element gave %d names, but there are %d atom types",
-                       dump->id, table->n_elements, env->atoms->n_types);
+        return hs_fail(err, HS_ERROR_INPUT, "%s: dump_modify element gave %d names, but there are %d atom types",
+                       hs_dump_who(dump).text, table->n_elements, env->atoms->n_types);
     if (table->sort_column > table->n_columns)
-        return hs_fail(err, HS_ERROR_INPUT, "dump '%s': dump_modify sort %d: a row has %d columns", dump->id,
+        return hs_fail(err, HS_ERROR_INPUT, "%s: dump_modify sort %d: a row has %d columns", hs_dump_who(dump).text,
                        table->sort_column, table->n_columns);
     for (int k = 0; k < table->n_columns; ++k) HS_TRY(check_reference(dump, &table->column[k], err));
     for (int k = 0; k < table->n_conditions; ++k) HS_TRY(check_reference(dump, &table->condition[k].column, err));

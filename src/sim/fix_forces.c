@@ -52,7 +52,7 @@ static hs_status set_compute(hs_sim *sim, hs_fix *fix, const char *keyword, cons
     hs_status (*set)(hs_fix *, const char *, hs_error *) =
         is_pressure ? fix->style->set_pressure : fix->style->set_temperature;
     if (set == NULL)
-        return hs_fail(err, HS_ERROR_INPUT, "fix_modify: fix '%s' (%s) uses no %s", fix->id, fix->style->about.name,
+        return hs_fail(err, HS_ERROR_INPUT, "fix_modify: %s uses no %s", hs_fix_who(fix).text,
                        is_pressure ? "pressure" : "temperature");
     HS_TRY(hs_compute_get(&sim->env, id, is_pressure ? HS_PRESSURE : HS_TEMPERATURE, "fix_modify", &compute, err));
     return set(fix, id, err);
@@ -71,8 +71,7 @@ hs_status hs_sim_modify_fix(hs_sim *sim, const char *id, const hs_args *args, hs
         }
         HS_TRY(hs_arg_bool(args, i + 1, &value, err));
         if (value && !(is_energy ? fix->style->has_energy : fix->style->has_virial))
-            return hs_fail(err, HS_ERROR_INPUT, "fix_modify: fix '%s' (%s) has no %s to add", id,
-                           fix->style->about.name, args->word[i]);
+            return hs_fail(err, HS_ERROR_INPUT, "fix_modify: %s has no %s to add", hs_fix_who(fix).text, args->word[i]);
         *(is_energy ? &fix->adds_energy : &fix->adds_virial) = value;
     }
     sim->is_initialized = false;

@@ -18,9 +18,9 @@ hs_status hs_min_find_box(hs_sim *sim, hs_fix **fix, hs_error *err)
     }
     if (*fix == NULL || sim->minimize.style->has_direction) return HS_OK;
     return hs_fail(err, HS_ERROR_INPUT,
-                   "minimize: fix '%s' (%s) relaxes the box along search directions, and min_style %s has none; "
+                   "minimize: %s relaxes the box along search directions, and min_style %s has none; "
                    "'min_style cg' and 'min_style sd' have",
-                   (*fix)->id, (*fix)->style->about.name, sim->minimize.style->name);
+                   hs_fix_who(*fix).text, sim->minimize.style->name);
 }
 
 hs_status hs_min_measure_box(hs_minimizer *min, hs_error *err)

@@ -72,11 +72,10 @@ static void warn_of_two_integrators(hs_sim *sim)
                 n += (atoms->mask[i] & sim->fix[a]->mask) && (atoms->mask[i] & sim->fix[b]->mask);
             hs_parallel_sum_int64(&sim->parallel, &n, 1);
             if (n > 0)
-                hs_warn(&*sim->env.out,
-                        "fix %s (%s) and fix %s (%s) both move atoms, %lld of them the same: these go twice as far in "
+                hs_warn(sim->env.out,
+                        "%s and %s both move atoms, %lld of them the same: these go twice as far in "
                         "a step; unfix one of the two",
-                        sim->fix[a]->id, sim->fix[a]->style->about.name, sim->fix[b]->id,
-                        sim->fix[b]->style->about.name, (long long)n);
+                        hs_fix_who(sim->fix[a]).text, hs_fix_who(sim->fix[b]).text, (long long)n);
         }
 }
 
@@ -89,7 +88,7 @@ static hs_status init_styles(hs_sim *sim, hs_error *err)
         n_integrators += sim->fix[k]->style->is_integrator;
     }
     if (n_integrators == 0 && !sim->is_rerunning && !sim->is_minimizing)
-        hs_warn(&*sim->env.out, "no fix moves the atoms: a time integrator such as 'fix nve' is missing");
+        hs_warn(sim->env.out, "no fix moves the atoms: a time integrator such as 'fix nve' is missing");
     if (n_integrators > 1 && !sim->is_rerunning && !sim->is_minimizing) warn_of_two_integrators(sim);
     hs_env_changed(&sim->env);
     for (int k = 0; k < sim->n_computes; ++k) {
@@ -184,9 +183,7 @@ hs_status hs_sim_write_all_dumps(hs_sim *sim, hs_error *err)
 
 static hs_status find_next(const hs_sim *sim, hs_dump *dump, hs_error *err)
 {
-    char who[160];
-    snprintf(who, sizeof who, "dump '%.120s'", dump->id);
-    return hs_next_step(&sim->env, dump->every_variable, who, "snapshot", &dump->next_due, err);
+    return hs_next_step(&sim->env, dump->every_variable, hs_dump_who(dump).text, "snapshot", &dump->next_due, err);
 }
 
 static hs_status write_dumps(hs_sim *sim, bool is_first, hs_error *err)

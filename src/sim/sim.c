@@ -242,9 +242,8 @@ hs_status hs_sim_need_no_counters(const hs_sim *sim, const char *command, hs_err
 {
     for (int k = 0; k < sim->n_fixes; ++k)
         if (sim->fix[k]->style->is_time_dependent)
-            return hs_fail(err, HS_ERROR_INPUT,
-                           "%s: fix '%s' (%s) counts steps: 'unfix %s' first, and define it again after", command,
-                           sim->fix[k]->id, sim->fix[k]->style->about.name, sim->fix[k]->id);
+            return hs_fail(err, HS_ERROR_INPUT, "%s: %s counts steps: 'unfix %s' first, and define it again after",
+                           command, hs_fix_who(sim->fix[k]).text, sim->fix[k]->id);
     return HS_OK;
 }
 

@@ -252,8 +252,8 @@ hs_status hs_sim_add_dump(hs_sim *sim, const char *id, const char *group, const 
         return hs_fail(err, HS_ERROR_INPUT, "dump: the ID '%s' is taken; undump it first or use another", id);
     for (int k = 0; k < sim->n_dumps; ++k)
         if (strcmp(sim->dump[k]->file, file) == 0 && strncmp(file, "/dev/", 5) != 0)
-            return hs_fail(err, HS_ERROR_INPUT, "dump: dump '%s' writes '%s' already; each needs a file of its own",
-                           sim->dump[k]->id, file);
+            return hs_fail(err, HS_ERROR_INPUT, "dump: %s writes '%s' already; each needs a file of its own",
+                           hs_dump_who(sim->dump[k]).text, file);
     hs_dump *dump;
     HS_TRY(HS_ALLOC(dump, 1, err));
     *dump = (hs_dump){.style = style,

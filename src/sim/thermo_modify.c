@@ -76,8 +76,8 @@ static hs_status modify_compute(hs_thermo *thermo, const hs_args *args, int i, b
     HS_TRY(hs_memory_replace(is_temp ? &thermo->temp_id : &thermo->press_id, args->word[i], err));
     if (!is_temp) return HS_OK;
     if (compute->group != 0)
-        hs_warn(thermo->sim->env.out, "the temperature of thermo output is that of compute '%s', not of all atoms",
-                compute->id);
+        hs_warn(thermo->sim->env.out, "the temperature of thermo output is that of %s, not of all atoms",
+                hs_compute_who(compute).text);
     /* as LAMMPS does, the pressure follows the temperature */
     hs_compute *press = hs_sim_find_compute(thermo->sim, thermo->press_id != NULL ? thermo->press_id : "thermo_press");
     if (press == NULL || press->style->set_temperature == NULL) return HS_OK;

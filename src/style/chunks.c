@@ -12,8 +12,8 @@ hs_status hs_chunks_find(hs_env *env, const char *id, const char *command, hs_co
         return hs_fail(err, HS_ERROR_INPUT, "%s: there is no compute '%s'; 'compute %s all chunk/atom ...' makes one",
                        command, id, id);
     if (strcmp((*compute)->style->about.name, "chunk/atom") == 0) return HS_OK;
-    return hs_fail(err, HS_ERROR_INPUT, "%s: compute '%s' (%s) makes no chunks; chunk/atom does", command, id,
-                   (*compute)->style->about.name);
+    return hs_fail(err, HS_ERROR_INPUT, "%s: %s makes no chunks; chunk/atom does", command,
+                   hs_compute_who(*compute).text);
 }
 
 hs_status hs_bins_sum(const hs_env *env, uint32_t mask, const double *bin, size_t n_bins, const double *values,

@@ -13,7 +13,7 @@ const hs_compute_style *hs_compute_style_find(const char *name)
 hs_who hs_compute_who(const hs_compute *compute)
 {
     hs_who who;
-    snprintf(who.text, sizeof who.text, "compute '%.80s' (%.80s)", compute->id, compute->style->about.name);
+    snprintf(who.text, sizeof who.text, "compute '%.128s' (%.40s)", compute->id, compute->style->about.name);
     return who;
 }
 
@@ -24,7 +24,7 @@ hs_status hs_compute_get(hs_env *env, const char *id, hs_measure what, const cha
     if (*compute == NULL) return hs_fail(err, HS_ERROR_INPUT, "%s: there is no compute '%s'", who, id);
     const hs_compute_style *style = (*compute)->style;
     if (what == HS_TEMPERATURE ? style->is_temperature : style->is_pressure) return HS_OK;
-    return hs_fail(err, HS_ERROR_INPUT, "%s: compute '%s' (%s) does not compute a %s", who, id, style->about.name,
+    return hs_fail(err, HS_ERROR_INPUT, "%s: %s does not compute a %s", who, hs_compute_who(*compute).text,
                    what == HS_TEMPERATURE ? "temperature" : "pressure");
 }
 
@@ -73,11 +73,10 @@ static hs_status check_energy(const hs_compute *compute, hs_error *err)
 {
     const hs_env *env = compute->env;
     if (!compute->style->needs_energy || env->energy_step == env->step) return HS_OK;
-    return hs_fail(
-        err, HS_ERROR_INPUT,
-        "compute '%s' (%s) needs the energy or virial of step %lld, which was not computed on that step; use it "
-        "on steps with thermo output, or after 'run 0'",
-        compute->id, compute->style->about.name, (long long)env->step);
+    return hs_fail(err, HS_ERROR_INPUT,
+                   "%s needs the energy or virial of step %lld, which was not computed on that step; use it on steps "
+                   "with thermo output, or after 'run 0'",
+                   hs_compute_who(compute).text, (long long)env->step);
 }
 
 /** Whether a result of revision @p at still holds. */
@@ -86,8 +85,8 @@ static bool is_current(const hs_compute *compute, uint64_t at) { return at != 0 
 hs_status hs_compute_scalar(hs_compute *compute, double *value, hs_error *err)
 {
     if (!compute->has_scalar)
-        return hs_fail(err, HS_ERROR_INPUT, "compute '%s' (%s) has no scalar value%s", compute->id,
-                       compute->style->about.name, compute->has_vector ? "; its elements are c_ID[1], ..." : "");
+        return hs_fail(err, HS_ERROR_INPUT, "%s has no scalar value%s", hs_compute_who(compute).text,
+                       compute->has_vector ? "; its elements are c_ID[1], ..." : "");
     HS_TRY(check_energy(compute, err));
     if (!is_current(compute, compute->scalar_at)) {
         HS_TRY(compute->style->scalar(compute, &compute->scalar, err));
@@ -99,8 +98,7 @@ hs_status hs_compute_scalar(hs_compute *compute, double *value, hs_error *err)
 
 hs_status hs_compute_eval_vector(hs_compute *compute, hs_error *err)
 {
-    if (!compute->has_vector)
-        return hs_fail(err, HS_ERROR_INPUT, "compute '%s' (%s) has no vector", compute->id, compute->style->about.name);
+    if (!compute->has_vector) return hs_fail(err, HS_ERROR_INPUT, "%s has no vector", hs_compute_who(compute).text);
     HS_TRY(check_energy(compute, err));
     if (is_current(compute, compute->vector_at)) return HS_OK;
     HS_TRY(compute->style->vector(compute, err));
@@ -110,8 +108,7 @@ hs_status hs_compute_eval_vector(hs_compute *compute, hs_error *err)
 
 hs_status hs_compute_eval_array(hs_compute *compute, hs_error *err)
 {
-    if (!compute->has_array)
-        return hs_fail(err, HS_ERROR_INPUT, "compute '%s' (%s) has no array", compute->id, compute->style->about.name);
+    if (!compute->has_array) return hs_fail(err, HS_ERROR_INPUT, "%s has no array", hs_compute_who(compute).text);
     HS_TRY(check_energy(compute, err));
     if (is_current(compute, compute->array_at)) return HS_OK;
     HS_TRY(compute->style->array(compute, err));
@@ -122,8 +119,7 @@ hs_status hs_compute_eval_array(hs_compute *compute, hs_error *err)
 hs_status hs_compute_eval_atoms(hs_compute *compute, hs_error *err)
 {
     if (!compute->has_atoms)
-        return hs_fail(err, HS_ERROR_INPUT, "compute '%s' (%s) has no values per atom", compute->id,
-                       compute->style->about.name);
+        return hs_fail(err, HS_ERROR_INPUT, "%s has no values per atom", hs_compute_who(compute).text);
     HS_TRY(check_energy(compute, err));
     if (is_current(compute, compute->atoms_at)) return HS_OK;
     const size_t n =
@@ -137,8 +133,7 @@ hs_status hs_compute_eval_atoms(hs_compute *compute, hs_error *err)
 hs_status hs_compute_eval_local(hs_compute *compute, hs_error *err)
 {
     if (!compute->has_local)
-        return hs_fail(err, HS_ERROR_INPUT, "compute '%s' (%s) has no local values", compute->id,
-                       compute->style->about.name);
+        return hs_fail(err, HS_ERROR_INPUT, "%s has no local values", hs_compute_who(compute).text);
     HS_TRY(check_energy(compute, err));
     if (is_current(compute, compute->local_at)) return HS_OK;
     HS_UNLESS_FAILED(err, compute->style->local(compute, err));
@@ -150,11 +145,11 @@ hs_status hs_compute_eval_local(hs_compute *compute, hs_error *err)
 hs_status hs_compute_vector(hs_compute *compute, int i, double *value, hs_error *err)
 {
     if (!compute->has_vector)
-        return hs_fail(err, HS_ERROR_INPUT, "compute '%s' (%s) has no vector%s", compute->id,
-                       compute->style->about.name, compute->has_scalar ? "; its value is c_ID" : "");
+        return hs_fail(err, HS_ERROR_INPUT, "%s has no vector%s", hs_compute_who(compute).text,
+                       compute->has_scalar ? "; its value is c_ID" : "");
     if (i < 0 || (i >= compute->n_vector && !compute->has_variable_length))
-        return hs_fail(err, HS_ERROR_INPUT, "c_%s[%d]: the vector of compute '%s' (%s) has the elements 1 to %d",
-                       compute->id, i + 1, compute->id, compute->style->about.name, compute->n_vector);
+        return hs_fail(err, HS_ERROR_INPUT, "c_%s[%d]: the vector of %s has the elements 1 to %d", compute->id, i + 1,
+                       hs_compute_who(compute).text, compute->n_vector);
     HS_TRY(hs_compute_eval_vector(compute, err));
     *value = i < compute->n_vector ? compute->vector[i] : 0.0;
     return HS_OK;

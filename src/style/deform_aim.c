@@ -37,7 +37,7 @@ static hs_status aim_axis(const hs_deformation *d, const hs_env *env, int axis, 
     to->lo_rate[axis] = rate[0];
     to->length_rate[axis] = rate[1] - rate[0];
     if (to->hi[axis] > to->lo[axis]) return HS_OK;
-    return hs_fail(err, HS_ERROR_RUN, "fix '%s' (deform): at step %lld the box would reach from %g to %g in %c", d->id,
+    return hs_fail(err, HS_ERROR_RUN, "%s: at step %lld the box would reach from %g to %g in %c", d->who.text,
                    (long long)env->step, to->lo[axis], to->hi[axis], "xyz"[axis]);
 }
 

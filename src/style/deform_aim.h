@@ -8,8 +8,8 @@
 enum { HS_DEFORM_PATHS = 6 }; /* of the lengths along x, y and z, then of the tilts xy, xz and yz */
 
 typedef struct hs_deformation {
-    const char *id; /**< borrowed; of the fix, for messages */
-    int64_t every;  /**< steps between two changes */
+    hs_who who;    /**< the fix, for messages */
+    int64_t every; /**< steps between two changes */
     hs_deform_path path[HS_DEFORM_PATHS];
     double start[3][2], start_tilt[3]; /**< bounds and tilts when the run (or series of runs) began, distance */
     double start_time;                 /**< simulated time then */

@@ -7,7 +7,7 @@
 hs_who hs_dump_who(const hs_dump *dump)
 {
     hs_who who;
-    snprintf(who.text, sizeof who.text, "dump '%.80s' (%.80s)", dump->id, dump->style->about.name);
+    snprintf(who.text, sizeof who.text, "dump '%.128s' (%.40s)", dump->id, dump->style->about.name);
     return who;
 }
 

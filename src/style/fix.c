@@ -7,7 +7,7 @@
 hs_who hs_fix_who(const hs_fix *fix)
 {
     hs_who who;
-    snprintf(who.text, sizeof who.text, "fix '%.80s' (%.80s)", fix->id, fix->style->about.name);
+    snprintf(who.text, sizeof who.text, "fix '%.128s' (%.40s)", fix->id, fix->style->about.name);
     return who;
 }
 
@@ -35,10 +35,10 @@ hs_status hs_fix_noise(const hs_fix *fix, int64_t seed, hs_noise *noise, hs_erro
 hs_status hs_fix_need_sample(const hs_fix *fix, int64_t next, hs_error *err)
 {
     if (next >= fix->env->step || fix->env->dry_run) return HS_OK; /* halfshell check passes over the steps */
-    return hs_fail(err, HS_ERROR_INPUT,
-                   "fix '%s' (%s) needs a sample at step %lld, of which there is no snapshot: its steps must be steps "
-                   "of the snapshots",
-                   fix->id, fix->style->about.name, (long long)next);
+    return hs_fail(
+        err, HS_ERROR_INPUT,
+        "%s needs a sample at step %lld, of which there is no snapshot: its steps must be steps of the snapshots",
+        hs_fix_who(fix).text, (long long)next);
 }
 
 void hs_fix_add_virial(const double r[3], const double f[3], double w[6])

@@ -10,11 +10,10 @@ static hs_status check_box(const hs_fix *fix, double cutoff, hs_error *err)
     const hs_box *box = fix->env->box;
     for (int axis = 0; axis < box->dimension; ++axis)
         if (box->periodic[axis] && hs_box_reach(box, axis, cutoff) > hs_box_length(box, axis))
-            return hs_fail(
-                err, HS_ERROR_INPUT,
-                "fix '%s' (%s): the box is periodic in %c and thinner than the cutoff (%g), so that atoms would "
-                "meet their own images; make it larger",
-                fix->id, fix->style->about.name, "xyz"[axis], cutoff);
+            return hs_fail(err, HS_ERROR_INPUT,
+                           "%s: the box is periodic in %c and thinner than the cutoff (%g), so that atoms would meet "
+                           "their own images; make it larger",
+                           hs_fix_who(fix).text, "xyz"[axis], cutoff);
     return HS_OK;
 }
 
@@ -87,10 +86,9 @@ hs_status hs_local_energy_begin(hs_local_energy *local, const hs_fix *fix, doubl
     const hs_pair *pair = local->view.pair;
     if (pair != NULL) HS_TRY(check_box(fix, local->view.cutoff_max, err));
     if (pair != NULL && hs_pair_has_radii(pair, false))
-        return hs_fail(
-            err, HS_ERROR_INPUT,
-            "fix '%s' (%s): the pair style '%s' goes by diameters, and types alone say nothing about energies", fix->id,
-            fix->style->about.name, pair->style->about.name);
+        return hs_fail(err, HS_ERROR_INPUT,
+                       "%s: the pair style '%s' goes by diameters, and types alone say nothing about energies",
+                       hs_fix_who(fix).text, pair->style->about.name);
     for (int k = 0; pair != NULL && k < pair->n_parts; ++k) local->has_tail |= pair->part[k]->tail;
     HS_UNLESS_FAILED(err, begin_mine(local, err));
     HS_TRY(hs_parallel_agree(env->parallel, err));

@@ -161,9 +161,9 @@ hs_status hs_nearest_range(const hs_compute *compute, double cutoff, double *ran
     *range = view.cutoff_max;
     if (*range > 0.0) return HS_OK;
     return hs_fail(err, HS_ERROR_INPUT,
-                   "compute '%s' (%s): there is no cutoff of a pair style before the first run, or none at "
-                   "all; 'cutoff <distance>' says where to look for neighbors",
-                   compute->id, compute->style->about.name);
+                   "%s: there is no cutoff of a pair style before the first run, or none at all; 'cutoff <distance>' "
+                   "says where to look for neighbors",
+                   hs_compute_who(compute).text);
 }
 
 hs_status hs_nearest_find(hs_nearest *nearest, hs_env *env, double range, int n_wanted, hs_error *err)

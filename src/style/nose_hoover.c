@@ -71,14 +71,13 @@ static hs_status check_deform(const hs_fix *fix, hs_error *err)
     const hs_box_flow *flow = fix->env->box_flow;
     for (int k = 0; k < 3 && flow != NULL; ++k) {
         if (nh->moves[k] && flow->sets_length[k])
-            return hs_fail(
-                err, HS_ERROR_INPUT,
-                "fix '%s' (%s): the length in %c is what fix deform makes it, and cannot follow a pressure, too",
-                fix->id, fix->style->about.name, "xyz"[k]);
+            return hs_fail(err, HS_ERROR_INPUT,
+                           "%s: the length in %c is what fix deform makes it, and cannot follow a pressure, too",
+                           hs_fix_who(fix).text, "xyz"[k]);
         if (nh->moves[HS_NH_XY + k] && flow->sets_tilt[k])
             return hs_fail(err, HS_ERROR_INPUT,
-                           "fix '%s' (%s): the tilt %s is what fix deform makes it, and cannot follow a pressure, too",
-                           fix->id, fix->style->about.name, hs_tilt_names[k]);
+                           "%s: the tilt %s is what fix deform makes it, and cannot follow a pressure, too",
+                           hs_fix_who(fix).text, hs_tilt_names[k]);
     }
     return HS_OK;
 }
@@ -90,10 +89,9 @@ hs_status hs_nose_hoover_init(hs_fix *fix, hs_error *err)
     HS_TRY(hs_barometer_temperature(fix, &nh->barometer, &temperature, err));
     if (nh->spheres.has_rotation) HS_TRY(hs_spheres_check(fix, err));
     if (nh->is_sllod && temperature->style->bias == NULL)
-        return hs_fail(
-            err, HS_ERROR_INPUT,
-            "fix '%s' (nvt/sllod): the temperature '%s' takes no flow off the velocities; compute temp/deform does",
-            fix->id, temperature->id);
+        return hs_fail(err, HS_ERROR_INPUT,
+                       "%s: the temperature '%s' takes no flow off the velocities; compute temp/deform does",
+                       hs_fix_who(fix).text, temperature->id);
     HS_TRY(check_deform(fix, err));
     HS_TRY(hs_barometer_init(fix, &nh->barometer, err));
     if (!nh->has_reference) hs_nose_hoover_set_reference(nh, fix->env->box);

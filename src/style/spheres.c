@@ -63,9 +63,9 @@ hs_status hs_spheres_check(const hs_fix *fix, hs_error *err)
     hs_parallel_max_int64(fix->env->parallel, &point, 1);
     if (point == -INT64_MAX) return HS_OK;
     return hs_fail(err, HS_ERROR_INPUT,
-                   "fix '%s' (%s): atom %lld is a point (diameter 0), which cannot turn; 'set ... diameter' makes it a "
-                   "sphere, or choose a group without it",
-                   fix->id, fix->style->about.name, (long long)-point);
+                   "%s: atom %lld is a point (diameter 0), which cannot turn; 'set ... diameter' makes it a sphere, or "
+                   "choose a group without it",
+                   hs_fix_who(fix).text, (long long)-point);
 }
 
 /** dt/2 with the units' factor, over the moment of inertia. */

@@ -38,6 +38,13 @@ bool hs_temperature_is_recounted(const hs_compute *compute)
     return ((const hs_temperature *)compute->state)->is_dynamic || (compute->env->groups->dynamic & compute->mask) != 0;
 }
 
+hs_status hs_temperature_check_freedom(const hs_compute *compute, int64_t n, hs_error *err)
+{
+    if (compute->n_dof >= 0.0 || n == 0 || hs_temperature_is_recounted(compute)) return HS_OK;
+    return hs_fail(err, HS_ERROR_INPUT, "%s: %lld atoms have fewer than 0 degrees of freedom",
+                   hs_compute_who(compute).text, (long long)n);
+}
+
 hs_status hs_temperature_init(hs_compute *compute, hs_error *err)
 {
     const hs_temperature *state = compute->state;
@@ -49,9 +56,7 @@ hs_status hs_temperature_init(hs_compute *compute, hs_error *err)
     /* those that are not thermal are spread evenly over the box's axes */
     const double n_fixed = state->has_n_fixed ? state->n_fixed : env->box->dimension;
     compute->n_dof = (double)n_axes * (double)n - n_fixed * n_axes / env->box->dimension - state->n_bias;
-    if (compute->n_dof >= 0.0 || n == 0 || hs_temperature_is_recounted(compute)) return HS_OK;
-    return hs_fail(err, HS_ERROR_INPUT, "compute '%s' (%s): %lld atoms have fewer than 0 degrees of freedom",
-                   compute->id, compute->style->about.name, (long long)n);
+    return hs_temperature_check_freedom(compute, n, err);
 }
 
 static void add_mv2(const hs_atoms *atoms, const void *context, int begin, int end, hs_exact_sum *sums)

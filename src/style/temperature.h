@@ -24,6 +24,8 @@ HS_MUST_USE hs_status hs_temperature_create(hs_compute *compute, int n_axes, hs_
 void hs_temperature_destroy(hs_compute *compute);
 /** Count the atoms: compute->n_dof. Before each run (collective). */
 HS_MUST_USE hs_status hs_temperature_init(hs_compute *compute, hs_error *err);
+/** Refuse a number of degrees of freedom (compute->n_dof) below 0, unless there are no atoms or these are counted again. */
+HS_MUST_USE hs_status hs_temperature_check_freedom(const hs_compute *compute, int64_t n, hs_error *err);
 /** T = sum(m v_thermal^2) / (n_dof k) (collective). */
 HS_MUST_USE hs_status hs_temperature_scalar(hs_compute *compute, double *value, hs_error *err);
 /** sum(m v_a v_b) of the thermal velocities: xx yy zz xy xz yz (collective). */

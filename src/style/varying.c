@@ -18,10 +18,10 @@ hs_status hs_fix_need_equal_style(const hs_fix *fix, const char *variable, hs_er
     const hs_variable_kind kind = hs_env_variable_kind(fix->env, variable);
     if (kind == HS_NUMBER_VARIABLE) return HS_OK;
     return hs_fail(err, HS_ERROR_INPUT,
-                   kind == HS_NO_VARIABLE     ? "fix '%s' (%s): there is no variable '%s' that has a value"
-                   : kind == HS_ATOM_VARIABLE ? "fix '%s' (%s): the variable '%s' must be of style equal, not atom"
-                                              : "fix '%s' (%s): the variable '%s' must be of style equal, not vector",
-                   fix->id, fix->style->about.name, variable);
+                   kind == HS_NO_VARIABLE     ? "%s: there is no variable '%s' that has a value"
+                   : kind == HS_ATOM_VARIABLE ? "%s: the variable '%s' must be of style equal, not atom"
+                                              : "%s: the variable '%s' must be of style equal, not vector",
+                   hs_fix_who(fix).text, variable);
 }
 
 hs_status hs_varying_check(const hs_varying *number, const hs_fix *fix, hs_error *err)

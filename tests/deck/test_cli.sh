@@ -82,7 +82,7 @@ grep -q velocity good.in || wrong "the deck is gone" good.in
 # Two integrators of the same atoms.
 sed 's/^thermo 5/fix 2 all nvt temp 1 1 0.5\nthermo 5/' good.in >twice.in
 expect 0 "" "$HALFSHELL" twice.in -log none
-grep -q "WARNING: fix 1 (nve) and fix 2 (nvt) both move atoms, 256 of them the same" out || wrong "no warning" twice.in
+grep -q "WARNING: fix '1' (nve) and fix '2' (nvt) both move atoms, 256 of them the same" out || wrong "no warning" twice.in
 
 # More threads than cores.
 n_threads=$(($(nproc) + 1))

@@ -47,7 +47,7 @@ END
 run 20"
 } | sed 's/^thermo 10/dump a all dcd 10 odd.dcd/' >odd.in
 "$HALFSHELL" odd.in -log none >odd.out
-[ "$(grep -c "WARNING: dump 'a': frame 3 of 'odd.dcd' is of step 0, and readers of dcd files take it for one of step 20" odd.out)" -eq 1 ]
+[ "$(grep -c "WARNING: dump 'a' (dcd): frame 3 of 'odd.dcd' is of step 0, and readers of dcd files take it for one of step 20" odd.out)" -eq 1 ]
 [ "$(grep -c "WARNING: dump 'a'" odd.out)" -eq 1 ]
 cat >look.py <<END
 import numpy as np, os
