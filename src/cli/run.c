@@ -10,7 +10,7 @@
 #include "base/text.h"
 #include "base/timer.h"
 #include "cli/cli.h"
-#include "deck/source.h"
+#include "io/files.h"
 #include "sim/saving.h"
 
 enum { SECONDS_A_MINUTE = 60, SECONDS_AN_HOUR = 3600 };
@@ -21,12 +21,11 @@ static hs_status open_output(const hs_cli *cli, const char *option, const char *
 {
     *stream = NULL;
     if (strcmp(name, "none") == 0) return HS_OK;
+    if (hs_file_is_same(cli->parallel, name, deck))
+        return hs_fail(err, HS_ERROR_INPUT, "%s: '%s' is the deck itself, which would be overwritten", option, name);
     if (cli->parallel->rank == 0) {
-        const bool is_deck = hs_source_is_same(name, deck);
-        *stream = is_deck ? NULL : fopen(name, "w");
-        if (is_deck)
-            (void)hs_fail(err, HS_ERROR_INPUT, "%s: '%s' is the deck itself, which would be overwritten", option, name);
-        else if (*stream == NULL)
+        *stream = fopen(name, "w");
+        if (*stream == NULL)
             (void)hs_fail(err, HS_ERROR_IO, "%s: cannot write '%s': %s", option, name, strerror(errno));
     }
     return hs_parallel_agree(cli->parallel, err);

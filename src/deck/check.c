@@ -1,6 +1,5 @@
 /** The first pass: what can be said about a deck before anything runs. */
 #include <string.h>
-#include <unistd.h>
 
 #include "base/memory.h"
 #include "deck/boolean.h"
@@ -13,6 +12,7 @@
 #include "deck/printed.h"
 #include "deck/source.h"
 #include "deck/substitute.h"
+#include "io/files.h"
 
 enum { NESTING_MAX = 32 };
 
@@ -73,14 +73,6 @@ static hs_status check_dollars(checker *c, char *line)
 
 /* ---- Files ---- */
 
-/** Whether rank 0 can read the file (collective). */
-static bool is_readable(const hs_deck *deck, const char *name)
-{
-    double there = deck->sim->parallel.rank == 0 && access(name, R_OK) == 0;
-    hs_parallel_sum_double(&deck->sim->parallel, &there, 1);
-    return there > 0.0;
-}
-
 /** Files that a word may name. One name only: it must be there. */
 static hs_status check_files(checker *c, const file *f, const char *word, bool is_certain, const char *label)
 {
@@ -88,7 +80,7 @@ static hs_status check_files(checker *c, const file *f, const char *word, bool i
     hs_status status = hs_check_names_expand(&c->names, word, &files, c->err);
     for (int i = 0; i < files.n && status == HS_OK; ++i) {
         const char *name = files.name[i];
-        const bool is_there = is_readable(c->deck, name);
+        const bool is_there = hs_file_is_readable(&c->deck->sim->parallel, name);
         if (!is_there && (files.n > 1 || !is_certain || hs_name_list_has(&c->names.written, name))) continue;
         bool may_end = false;
         for (const file *above = f; above != NULL; above = above->above) may_end = may_end || above->may_end;
@@ -158,59 +150,47 @@ static hs_status check_run(checker *c, file *f, const hs_args *args)
     return HS_OK;
 }
 
-/** The files that `print` writes to. What those hold that it adds to is noted: a run that is killed after its first
- *  line there, and before its next checkpoint, can then be resumed without that line twice. */
+/** What the file holds that `print` adds to is noted: a run that is killed after its first line there, and before its
+ *  next checkpoint, can then be resumed without that line twice. */
 static hs_status check_print(checker *c, const hs_args *args)
 {
-    for (int i = 1; i + 1 < args->n; i += 2) {
-        const bool is_append = strcmp(args->word[i], "append") == 0;
-        if (!is_append && strcmp(args->word[i], "file") != 0) continue;
-        HS_TRY(hs_name_list_add(&c->names.written, args->word[i + 1], c->err));
-        if (is_append && !is_open(args->word[i + 1]) && c->deck->sim->parallel.rank == 0)
+    if (c->deck->sim->parallel.rank != 0) return HS_OK;
+    for (int i = 1; i + 1 < args->n; i += 2)
+        if (strcmp(args->word[i], "append") == 0 && !is_open(args->word[i + 1]))
             HS_TRY(hs_printed_expect(&c->deck->printed, args->word[i + 1], c->err));
+    return HS_OK;
+}
+
+/** Take note of the files that a line will write: none may be the deck, or a file that includes this line. */
+static hs_status check_outputs(checker *c, const file *f, const hs_syntax *syntax, const hs_args *args)
+{
+    for (int i = -1; (i = hs_syntax_next_output(syntax, args, i + 1)) < args->n;) {
+        const char *name = args->word[i];
+        if (is_open(name)) continue;
+        HS_TRY(hs_name_list_add(&c->names.written, name, c->err));
+        for (const file *above = f; above != NULL; above = above->above)
+            if (hs_file_is_same(&c->deck->sim->parallel, name, above->name))
+                return hs_fail(c->err, HS_ERROR_INPUT, "%s: '%.400s' is the deck itself, which would be overwritten",
+                               args->command, name);
     }
     return HS_OK;
 }
 
-/** Whether two names are of one file (collective). */
-static bool are_same(const hs_deck *deck, const char *one, const char *other)
+/** The files of a fix are those that its style's words tell. */
+static hs_status check_fix(checker *c, const file *f, const hs_args *args)
 {
-    double same = deck->sim->parallel.rank == 0 && hs_source_is_same(one, other);
-    hs_parallel_sum_double(&deck->sim->parallel, &same, 1);
-    return same > 0.0;
-}
-
-/** A command that would write its file over the deck, or over one that includes this line. */
-static hs_status check_overwriting(checker *c, const file *f, const hs_args *args)
-{
-    static const struct {
-        const char *command;
-        int word;            /**< which is the file, or ... */
-        const char *keyword; /**< ... the word before it */
-    } writers[] = {
-        {"dump", 4, NULL},          {"write_dump", 2, NULL},  {"log", 0, NULL},        {"write_data", 0, NULL},
-        {"write_restart", 0, NULL}, {"write_coeff", 0, NULL}, {"pair_write", 6, NULL}, {"fix", -1, "file"},
-        {"print", -1, "file"},      {"print", -1, "append"},
-    };
-    for (size_t k = 0; k < sizeof writers / sizeof writers[0]; ++k) {
-        if (strcmp(args->command, writers[k].command) != 0) continue;
-        int at = writers[k].word;
-        for (int i = 1; i + 1 < args->n && at < 0; ++i)
-            if (strcmp(args->word[i], writers[k].keyword) == 0) at = i + 1;
-        if (at < 0 || at >= args->n || is_open(args->word[at])) continue;
-        for (const file *above = f; above != NULL; above = above->above)
-            if (are_same(c->deck, args->word[at], above->name))
-                return hs_fail(c->err, HS_ERROR_INPUT, "%s: '%.400s' is the deck itself, which would be overwritten",
-                               args->command, args->word[at]);
-    }
+    const hs_args words = hs_args_from(args, 3, NULL);
+    for (size_t k = 0; args->n > 3 && hs_fix_styles[k] != NULL; ++k)
+        if (hs_text_is_style(args->word[2], hs_fix_styles[k]->about.name))
+            return check_outputs(c, f, &hs_fix_styles[k]->about.syntax, &words);
     return HS_OK;
 }
 
 /** What a command tells about others: variables, files, labels, commands within it. */
-static hs_status check_meaning(checker *c, file *f, const hs_args *args)
+static hs_status check_meaning(checker *c, file *f, const hs_command *command, const hs_args *args)
 {
     const bool is_certain = f->is_certain && c->nesting == 0;
-    HS_TRY(check_overwriting(c, f, args));
+    HS_TRY(check_outputs(c, f, &command->about.syntax, args));
     if (strcmp(args->command, "jump") == 0 || strcmp(args->command, "quit") == 0) f->may_end = true;
     if (strcmp(args->command, "if") == 0) return check_if(c, f, args);
     if (strcmp(args->command, "run") == 0) return check_run(c, f, args);
@@ -218,10 +198,7 @@ static hs_status check_meaning(checker *c, file *f, const hs_args *args)
     if (strcmp(args->command, "include") == 0) return check_files(c, f, args->word[0], is_certain, NULL);
     if (strcmp(args->command, "jump") == 0) return check_jump(c, f, args, is_certain);
     if (strcmp(args->command, "quit") == 0 && c->nesting == 0) f->is_dead = true;
-    if ((strcmp(args->command, "write_data") == 0 || strcmp(args->command, "write_coeff") == 0) && args->n > 0)
-        return hs_name_list_add(&c->names.written, args->word[0], c->err);
-    if (strcmp(args->command, "pair_write") == 0 && args->n > 6)
-        return hs_name_list_add(&c->names.written, args->word[6], c->err);
+    if (strcmp(args->command, "fix") == 0) return check_fix(c, f, args);
     return strcmp(args->command, "print") == 0 ? check_print(c, args) : HS_OK;
 }
 
@@ -236,7 +213,7 @@ static hs_status check_words(checker *c, file *f, const hs_words *words)
     HS_TRY(hs_syntax_check(&command->about.syntax, &args, has_variables, c->err));
     if (command->check != NULL && (!has_variables || args.n >= command->about.syntax.n_min))
         HS_TRY(command->check(&args, has_variables, c->err));
-    return check_meaning(c, f, &args);
+    return check_meaning(c, f, command, &args);
 }
 
 static hs_status check_line(checker *c, file *f, const char *text)

@@ -210,14 +210,17 @@ const hs_command hs_commands_data[] = {
           .example = "read_data start.data\nfix p all property/atom i_origin d_dose\nread_data doses.data fix p NULL "
                      "p\nread_data more.data.gz add append shift 20 0 0 group new"},
      .run = run_read_data},
-    {.about =
-         {.name = "write_data",
-          .syntax = {.usage = "<file> [<keyword> <value> ...]", .n_min = 1, .n_max = 1, .keywords = write_keywords},
-          .summary = "Write box, atoms and coefficients to a LAMMPS data file",
-          .details = "A `*` in the name becomes the step; a name ending in `.gz` is compressed. Numbers have the "
-                     "digits that give the same bits when read. Atoms are in the order of their ids. Values of fix "
-                     "property/atom are in a section with the fix's ID. The file appears whole or not at all.",
-          .example = "write_data end.data\nwrite_data end.*.data pair ij"},
+    {.about = {.name = "write_data",
+               .syntax = {.usage = "<output-file> [<keyword> <value> ...]",
+                          .n_min = 1,
+                          .n_max = 1,
+                          .keywords = write_keywords},
+               .summary = "Write box, atoms and coefficients to a LAMMPS data file",
+               .details =
+                   "A `*` in the name becomes the step; a name ending in `.gz` is compressed. Numbers have the "
+                   "digits that give the same bits when read. Atoms are in the order of their ids. Values of fix "
+                   "property/atom are in a section with the fix's ID. The file appears whole or not at all.",
+               .example = "write_data end.data\nwrite_data end.*.data pair ij"},
      .run = run_write_data},
     {.run = NULL},
 };

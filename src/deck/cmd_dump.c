@@ -117,7 +117,9 @@ static hs_status run_write_dump(hs_deck *deck, const hs_args *args, hs_error *er
 const hs_command hs_commands_dump[] = {
     {.about =
          {.name = "dump",
-          .syntax = {.usage = "<ID> <group-ID> <style> <N> <file> [words of the style]", .n_min = 5, .n_max = -1},
+          .syntax = {.usage = "<ID> <group-ID> <style> <N> <output-file> [words of the style]",
+                     .n_min = 5,
+                     .n_max = -1},
           .summary = "Write snapshots of atoms every N steps",
           .details =
               "A `*` in the file's name becomes the step: one file a snapshot, which appears whole or not at all. "
@@ -145,7 +147,7 @@ const hs_command hs_commands_dump[] = {
      .run = run_undump},
     {.about =
          {.name = "write_dump",
-          .syntax = {.usage = "<group-ID> <style> <file> [words of the style] [modify <keyword> <value> ...]",
+          .syntax = {.usage = "<group-ID> <style> <output-file> [words of the style] [modify <keyword> <value> ...]",
                      .n_min = 3,
                      .n_max = -1},
           .summary = "Write one snapshot of atoms now",

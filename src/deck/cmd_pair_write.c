@@ -112,7 +112,7 @@ static hs_status run_pair_write(hs_deck *deck, const hs_args *args, hs_error *er
 
 const hs_command hs_commands_pair_write[] = {
     {.about = {.name = "pair_write",
-               .syntax = {.usage = "<I> <J> <N> r|rsq <first> <last> <file> <section>", .n_min = 8, .n_max = 8},
+               .syntax = {.usage = "<I> <J> <N> r|rsq <first> <last> <output-file> <section>", .n_min = 8, .n_max = 8},
                .summary = "Write the potential of a pair of types to a table in a file",
                .details =
                    "N rows of number, distance, energy and force, at distances from `first` to `last` that are equally "

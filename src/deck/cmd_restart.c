@@ -1,20 +1,17 @@
 /* Commands of checkpoints: restart, write_restart, read_restart, checkpoint. */
 #include <string.h>
-#include <unistd.h>
 
 #include "base/memory.h"
 #include "deck/command.h"
 #include "deck/frames.h"
+#include "io/files.h"
 #include "io/writer.h"
 #include "sim/saving.h"
 
 bool hs_deck_ends_check(hs_deck *deck, const char *command, const char *path)
 {
-    const hs_parallel *parallel = &deck->sim->parallel;
     if (!deck->options.dry_run || !deck->is_unwritten) return false;
-    double is_there = parallel->rank == 0 && access(path, R_OK) == 0;
-    hs_parallel_max_double(parallel, &is_there, 1);
-    if (is_there != 0.0) return false;
+    if (hs_file_is_readable(&deck->sim->parallel, path)) return false;
     hs_warn(deck->out,
             "%s: '%s' is not there; unless the deck itself writes it before, the run will end here. What follows is "
             "not checked",
@@ -151,7 +148,7 @@ static hs_status checkpoint_run(hs_deck *deck, const hs_args *args, hs_error *er
 
 static const hs_keyword checkpoint_keywords[] = {
     {"keep", 1, "<K>", "delete all but the last K of this run's checkpoints, resumed or not (default: 2)"},
-    {"file", 1, "<name>", "name of the files; * becomes the step (default: checkpoint.*.h5)"},
+    {"file", 1, "<output-file>", "name of the files; * becomes the step (default: checkpoint.*.h5)"},
     {0},
 };
 
@@ -177,7 +174,7 @@ const hs_command hs_commands_restart[] = {
      .run = checkpoint_run,
      .check = checkpoint_check},
     {.about = {.name = "restart",
-               .syntax = {"0 | <N> <file> [file2]", 1, 3, NULL},
+               .syntax = {"<N> <output-file> [<output-file>] | 0", 1, 3, NULL},
                .summary = "Write checkpoints every N steps, by LAMMPS's word",
                .details = "A `*` in the name becomes the step; without one, `.*` is added. With two names the files "
                           "take turns. A command with one name and a command with two hold side by side; 0 ends both. "
@@ -186,7 +183,7 @@ const hs_command hs_commands_restart[] = {
      .run = restart_run,
      .check = restart_check},
     {.about = {.name = "write_restart",
-               .syntax = {"<file>", 1, 1, NULL},
+               .syntax = {"<output-file>", 1, 1, NULL},
                .summary = "Write a checkpoint now",
                .details = "A `*` in the name becomes the step. `read_restart` reads it, and `halfshell resume` goes on "
                           "with the deck's next command.",

@@ -232,8 +232,8 @@ static hs_status clear_run(hs_deck *deck, const hs_args *args, hs_error *err)
 }
 
 static const hs_keyword print_keywords[] = {
-    {"file", 1, "<name>", "also write the line to this file, in place of what it held"},
-    {"append", 1, "<name>", "also add the line to the end of this file"},
+    {"file", 1, "<output-file>", "also write the line to this file, in place of what it held"},
+    {"append", 1, "<output-file>", "also add the line to the end of this file"},
     {"screen", 1, "yes|no", "whether the line goes to screen and log (default: yes)"},
     {"universe", 1, "yes|no",
      "whether the line goes to the log even with `screen no`: one simulation is the whole universe"},
@@ -258,7 +258,7 @@ const hs_command hs_commands_script[] = {
         .about =
             {
                 .name = "log",
-                .syntax = {"<file>|none [append]", 1, 2, NULL},
+                .syntax = {"<output-file>|none [append]", 1, 2, NULL},
                 .summary = "Go on with another log file",
                 .details = "The present log file is closed. `none` writes no log from here on. `append` adds to the "
                            "end of the file, which else is\nemptied.\n",

@@ -72,7 +72,7 @@ const hs_command hs_commands_write_coeff[] = {
         .about =
             {
                 .name = "write_coeff",
-                .syntax = {"<file>", 1, 1, NULL},
+                .syntax = {"<output-file>", 1, 1, NULL},
                 .summary = "Write the pair style's coefficients as commands",
                 .details =
                     "The file has a line `pair_coeff I J ...` for each pair of types that interacts, with the "

@@ -1,12 +1,12 @@
 /** Special functions of formulas: about vectors of computes and fixes, groups and regions per atom, and what is
  *  defined. */
 #include <string.h>
-#include <unistd.h>
 
 #include "base/memory.h"
 #include "deck/command.h"
 #include "deck/formula_nodes.h"
 #include "deck/variables.h"
+#include "io/files.h"
 #include "style/value.h"
 
 /** One of the functions of a vector x of n elements. */
@@ -141,9 +141,7 @@ static hs_status do_is_available(hs_deck *deck, const hs_node *node, double *val
 static hs_status do_is_file(hs_deck *deck, const hs_node *node, double *value, hs_error *err)
 {
     (void)err;
-    /* All ranks must agree, and only the first is sure to see the file system of the deck. */
-    *value = deck->sim->parallel.rank == 0 && access(node->words[0], R_OK) == 0;
-    hs_parallel_sum_double(&deck->sim->parallel, value, 1);
+    *value = hs_file_is_readable(&deck->sim->parallel, node->words[0]);
     return HS_OK;
 }
 

@@ -107,13 +107,6 @@ hs_status hs_source_read(hs_deck *deck, const char *file, hs_text *text, hs_erro
     return hs_text_append(&deck->input, hs_text_get(text), text->length, err);
 }
 
-bool hs_source_is_same(const char *one, const char *other)
-{
-    struct stat a, b;
-    return stat(one, &a) == 0 && stat(other, &b) == 0 && S_ISREG(a.st_mode) && a.st_dev == b.st_dev &&
-           a.st_ino == b.st_ino;
-}
-
 static void destroy(hs_source *source)
 {
     HS_FREE(source->name);

@@ -24,9 +24,6 @@ HS_MUST_USE hs_status hs_source_read(hs_deck *deck, const char *file, hs_text *t
 /** Name for messages: "-" and NULL give "(standard input)". */
 const char *hs_source_name(const char *file);
 
-/** Whether two names are of one ordinary file, for what must not be written over. Not collective. */
-bool hs_source_is_same(const char *one, const char *other);
-
 /** Read a file and put it on top of deck->source (collective). */
 HS_MUST_USE hs_status hs_source_push(hs_deck *deck, const char *file, hs_error *err);
 /** Put a text on top of deck->source, at a place within it. */

@@ -1,9 +1,9 @@
 #include "deck/unwritten.h"
 
 #include <string.h>
-#include <unistd.h>
 
 #include "base/memory.h"
+#include "io/files.h"
 
 typedef struct hs_unwritten {
     char *name; /**< owned */
@@ -18,18 +18,10 @@ static hs_unwritten *find(const hs_deck *deck, const char *file)
     return at;
 }
 
-/** Whether rank 0 can read the file (collective). */
-static bool is_on_disk(const hs_deck *deck, const char *file)
-{
-    int64_t there = deck->sim->parallel.rank == 0 && access(file, R_OK) == 0;
-    hs_parallel_sum_int64(&deck->sim->parallel, &there, 1);
-    return there > 0;
-}
-
 hs_status hs_unwritten_add(hs_deck *deck, const char *file, const char *line, bool is_append, hs_error *err)
 {
     hs_unwritten *entry = find(deck, file);
-    if (entry == NULL && is_append && is_on_disk(deck, file)) return HS_OK;
+    if (entry == NULL && is_append && hs_file_is_readable(&deck->sim->parallel, file)) return HS_OK;
     if (entry == NULL) {
         HS_TRY(HS_ALLOC(entry, 1, err));
         entry->next = deck->unwritten;

@@ -30,7 +30,7 @@ static const hs_keyword keywords[] = {
     HS_CORRELATION_LEVELS,
     {"error", 1, "yes|no", "standard errors and inefficiencies, too (default: no)"},
     {"start", 1, "<step>", "no sample before this step (default: 0)"},
-    {"file", 1, "<name>", "write the function to this file, which holds the last output"},
+    {"file", 1, "<output-file>", "write the function to this file, which holds the last output"},
     {"title1", 1, "<text>", "first line of the file"},
     {"title2", 1, "<text>", "second line"},
     {"title3", 1, "<text>", "third line"},

@@ -49,7 +49,7 @@ static const hs_keyword keywords[] = {
     {"com", 1, "yes|no", "places relative to the group's center of mass (default: no)"},
     {"error", 1, "yes|no", "standard errors and inefficiencies, too (default: no)"},
     {"start", 1, "<step>", "no sample before this step (default: 0)"},
-    {"file", 1, "<name>", "write the functions to this file, which holds the last output"},
+    {"file", 1, "<output-file>", "write the functions to this file, which holds the last output"},
     {"title1", 1, "<text>", "first line of the file"},
     {"title2", 1, "<text>", "second line"},
     {"title3", 1, "<text>", "third line"},

@@ -15,8 +15,8 @@ typedef struct print_state {
 } print_state;
 
 static const hs_keyword keywords[] = {
-    {"file", 1, "<name>", "write the lines to this file, too"},
-    {"append", 1, "<name>", "the same, added to what is there"},
+    {"file", 1, "<output-file>", "write the lines to this file, too"},
+    {"append", 1, "<output-file>", "the same, added to what is there"},
     {"screen", 1, "yes|no", "whether screen and log show the lines (default: yes)"},
     {"title", 1, "<text>", "first line of the file (default: '# Fix print output for fix ID')"},
     {NULL, 0, NULL, NULL},

@@ -95,8 +95,8 @@ HS_MUST_USE hs_status hs_average_keyword(hs_schedule *schedule, hs_fold *fold, h
     {"ave", -1, "one|running|window <M>", "average each window alone, all so far, or the last M (default: one)"},      \
         {"error", 1, "yes|no", "standard errors and inefficiencies of the means, too (default: no)"},                  \
         {"start", 1, "<step>", "no window ends before this step (default: 0)"},                                        \
-        {"file", 1, "<name>", "write windows to this file"},                                                           \
-        {"append", 1, "<name>", "the same, added to what is there"},                                                   \
+        {"file", 1, "<output-file>", "write windows to this file"},                                                    \
+        {"append", 1, "<output-file>", "the same, added to what is there"},                                            \
         {"overwrite", 0, "", "the file holds the last window only"},                                                   \
         {"format", 1, "<format>", "of a number, as for printf (default: %g)"},                                         \
         {"title1", 1, "<text>", "first line of the file"}, {"title2", 1, "<text>", "second line"},                     \

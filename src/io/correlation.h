@@ -40,8 +40,8 @@ HS_MUST_USE hs_status hs_correlation_keyword(hs_fix *fix, const hs_args *args, i
         {"prefactor", 1, "<number>", "correlations are multiplied by it (default: 1)"},                                \
         {"error", 1, "yes|no", "standard errors and inefficiencies, too (default: no)"},                               \
         {"start", 1, "<step>", "no sample before this step (default: 0)"},                                             \
-        {"file", 1, "<name>", "write correlations to this file"},                                                      \
-        {"append", 1, "<name>", "the same, added to what is there"},                                                   \
+        {"file", 1, "<output-file>", "write correlations to this file"},                                               \
+        {"append", 1, "<output-file>", "the same, added to what is there"},                                            \
         {"overwrite", 0, "", "the file holds the last output only"},                                                   \
         {"title1", 1, "<text>", "first line of the file"}, {"title2", 1, "<text>", "second line"},                     \
     {                                                                                                                  \

@@ -38,10 +38,10 @@ HS_EVALUATE(const hs_vec *p, const double *shared, hs_vec r2, hs_vec *force_over
 
 #include <math.h>
 #include <string.h>
-#include <unistd.h>
 
 #include "base/memory.h"
 #include "core/cubic_spline.h"
+#include "io/files.h"
 #include "io/potential_file.h"
 #include "style/pair.h"
 
@@ -209,14 +209,6 @@ static hs_status make(intervals *made, const curves *from, const table_state *st
     return fill(from, state, made, err);
 }
 
-/** Whether the first rank cannot read a file (collective). */
-static bool is_missing(const hs_pair *pair, const char *path)
-{
-    double is_there = pair->env->parallel->rank == 0 && access(path, R_OK) == 0;
-    hs_parallel_max_double(pair->env->parallel, &is_there, 1);
-    return is_there == 0.0;
-}
-
 /** halfshell check: a file that the deck itself will write is not there yet. A potential of zero stands for it. */
 static hs_status pretend(hs_pair *pair, intervals *made, const hs_args *args, hs_error *err)
 {
@@ -234,7 +226,7 @@ static hs_status coeff(hs_pair *pair, int i, int j, const hs_args *args, hs_erro
     intervals *to = &state->of[hs_pair_index(pair, i, j)], made = {.c = NULL};
     curves from = {.data = {.n = 0}};
     hs_status status;
-    if (pair->env->dry_run && is_missing(pair, args->word[0])) {
+    if (pair->env->dry_run && !hs_file_is_readable(pair->env->parallel, args->word[0])) {
         status = pretend(pair, &made, args, err);
     } else {
         status = read_curves(&from, pair, args, err);

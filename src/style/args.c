@@ -12,6 +12,8 @@ hs_args hs_args_from(const hs_args *args, int first, const char *command)
         .command = command != NULL ? command : args->command, .n = args->n - first, .word = args->word + first};
 }
 
+static const char output_file[] = "<output-file>";
+
 static bool has_variable(const char *word) { return strchr(word, '$') != NULL; }
 
 static const hs_keyword *find_keyword(const hs_syntax *syntax, const char *word)
@@ -34,6 +36,29 @@ int hs_syntax_first_keyword(const hs_syntax *syntax, const hs_args *args)
         for (i = syntax->n_min; i < args->n && (syntax->n_max < 0 || i < syntax->n_max); ++i)
             if (find_keyword(syntax, args->word[i]) != NULL) break;
     return i < args->n ? i : args->n;
+}
+
+/** Whether word i of a usage is an <output-file>. */
+static bool is_output_place(const char *usage, int i)
+{
+    for (; i > 0 && *usage != '\0'; --i) {
+        usage += strcspn(usage, " ");
+        usage += strspn(usage, " ");
+    }
+    const char *const found = strstr(usage, output_file);
+    return found != NULL && found < usage + strcspn(usage, " ");
+}
+
+int hs_syntax_next_output(const hs_syntax *syntax, const hs_args *args, int from)
+{
+    const int n_positional = hs_syntax_first_keyword(syntax, args);
+    for (int i = from; i < args->n; ++i) {
+        const hs_keyword *keyword = i > n_positional ? find_keyword(syntax, args->word[i - 1]) : NULL;
+        if (i < n_positional ? is_output_place(syntax->usage, i)
+                             : keyword != NULL && keyword->values != NULL && strcmp(keyword->values, output_file) == 0)
+            return i;
+    }
+    return args->n;
 }
 
 static hs_status refuse_keyword(const hs_syntax *syntax, const hs_args *args, int i, hs_error *err)

@@ -16,11 +16,12 @@ typedef struct hs_keyword {
     const char *name;   /**< "d_<name>": every longer word that begins with "d_" */
     int n_values;       /**< words after the keyword; -1: one (whatever it is) and any more up to the next keyword */
     const char *values; /**< what they are: "yes|no" lists the only words allowed (for n_values = 1);
-                                otherwise names for people, "<steps>" or "<lo> <hi>" */
+                                otherwise names for people, "<steps>" or "<lo> <hi>", and "<output-file>" */
     const char *help;   /**< one line for the manual */
 } hs_keyword;
 
-/** Shape of the words after a command's (or a style's) name. */
+/** Shape of the words after a command's (or a style's) name. A file that will be written is called <output-file> in it,
+ *  where it has a place of its own, alone after a keyword, or as one of the positional words. */
 typedef struct hs_syntax {
     const char *usage;          /**< e.g. "<group-ID> create <T> <seed> [keyword value ...]" */
     int n_min, n_max;           /**< positional words before the first keyword; n_max = -1: any number */
@@ -43,6 +44,10 @@ HS_MUST_USE hs_status hs_syntax_check(const hs_syntax *syntax, const hs_args *ar
 
 /** Index of the first keyword at or after the positional words, args->n when there is none. */
 int hs_syntax_first_keyword(const hs_syntax *syntax, const hs_args *args);
+
+/** Index of the first word at or after @p from that is an <output-file>, args->n when there is none. A word that holds an
+ *  unexpanded `$` counts as one. */
+int hs_syntax_next_output(const hs_syntax *syntax, const hs_args *args, int from);
 
 /* Strict parsing of word i; every message names the command, the word, what was expected, and the nearest word where it
  * helps. A word that is missing is an error, too. */
