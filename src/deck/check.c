@@ -9,6 +9,7 @@
 #include "deck/formula.h"
 #include "deck/interpreter.h"
 #include "deck/lexer.h"
+#include "deck/outputs.h"
 #include "deck/printed.h"
 #include "deck/source.h"
 #include "deck/substitute.h"
@@ -26,11 +27,23 @@ typedef struct file {
     bool is_dead;             /**< behind a `quit` that is always met: nothing up to the next label can run */
 } file;
 
+/** A file that a line will write. */
+typedef struct output {
+    hs_name_list names; /**< owned; its possible names, none: not known yet */
+    char *command;      /**< owned */
+    char *place;        /**< owned; the file that the line is in */
+    long line;
+} output;
+
 typedef struct checker {
     hs_deck *deck;
     hs_check_names names;
+    output *output; /**< owned [n_outputs] */
+    int n_outputs;
+    size_t capacity;
     int depth;   /**< files within files */
     int nesting; /**< commands within commands */
+    long line;   /**< of the present file */
     hs_error *err;
 } checker;
 
@@ -161,11 +174,73 @@ static hs_status check_print(checker *c, const hs_args *args)
     return HS_OK;
 }
 
-/** Take note of the files that a line will write: none may be the deck, or a file that includes this line. */
-static hs_status check_outputs(checker *c, const file *f, const hs_syntax *syntax, const hs_args *args)
+/** Keep the name of a file that will be written for when all folders are known that the deck makes. Lines that may never be
+ *  met, and names that are not known yet, are looked at when their turn has come. */
+static hs_status note_output(checker *c, const file *f, const char *command, const char *word)
 {
-    for (int i = -1; (i = hs_syntax_next_output(syntax, args, i + 1)) < args->n;) {
+    bool is_certain = f->is_certain && c->nesting == 0;
+    for (const file *at = f; at != NULL; at = at->above) is_certain = is_certain && !at->may_end;
+    if (!is_certain) return HS_OK;
+    HS_TRY(HS_EXTEND(c->output, c->n_outputs, c->capacity, c->err));
+    output *new = &c->output[c->n_outputs];
+    *new = (output){.line = c->line};
+    hs_status status = hs_check_names_expand(&c->names, word, &new->names, c->err);
+    if (status == HS_OK) status = hs_memory_strdup(&new->command, command, c->err);
+    if (status == HS_OK) status = hs_memory_strdup(&new->place, f->name, c->err);
+    ++c->n_outputs;
+    return status;
+}
+
+/** Files that cannot be written, whichever of its values a variable has. */
+static hs_status check_folders(checker *c)
+{
+    for (int k = 0; k < c->n_outputs; ++k) {
+        const output *at = &c->output[k];
+        hs_error first = {0}, other = {0};
+        hs_status status = HS_OK;
+        for (int i = 0; i < at->names.n && (i == 0 || status != HS_OK); ++i) {
+            hs_error_clear(&other);
+            status = hs_outputs_check(c->deck, at->command, at->names.name[i], i == 0 ? &first : &other);
+        }
+        if (status == HS_OK) continue;
+        *c->err = first;
+        hs_error_locate(c->err, at->place, at->line);
+        return status;
+    }
+    return HS_OK;
+}
+
+static void fini_outputs(checker *c)
+{
+    for (int k = 0; k < c->n_outputs; ++k) {
+        hs_name_list_fini(&c->output[k].names);
+        HS_FREE(c->output[k].command);
+        HS_FREE(c->output[k].place);
+    }
+    HS_FREE(c->output);
+}
+
+/** The folders of `shell mkdir`. One whose name is not known yet may be any. */
+static hs_status note_folders(checker *c, const hs_args *args)
+{
+    for (int i = 1; i < args->n; ++i) {
+        hs_name_list names = {0};
+        hs_status status = hs_check_names_expand(&c->names, args->word[i], &names, c->err);
+        if (status == HS_OK && names.n == 0) status = hs_outputs_note_folder(c->deck, args->word[i], c->err);
+        for (int k = 0; k < names.n && status == HS_OK; ++k)
+            status = hs_outputs_note_folder(c->deck, names.name[k], c->err);
+        hs_name_list_fini(&names);
+        HS_TRY(status);
+    }
+    return HS_OK;
+}
+
+/** Take note of the files that a line will write: none may be the deck, or a file that includes this line. */
+static hs_status check_outputs(checker *c, const file *f, const hs_command *command, const hs_args *args)
+{
+    for (int i = -1; (i = hs_outputs_next(command, args, i + 1)) < args->n;) {
         const char *name = args->word[i];
+        HS_TRY(note_output(c, f, args->command, name));
         if (is_open(name)) continue;
         HS_TRY(hs_name_list_add(&c->names.written, name, c->err));
         for (const file *above = f; above != NULL; above = above->above)
@@ -176,21 +251,11 @@ static hs_status check_outputs(checker *c, const file *f, const hs_syntax *synta
     return HS_OK;
 }
 
-/** The files of a fix are those that its style's words tell. */
-static hs_status check_fix(checker *c, const file *f, const hs_args *args)
-{
-    const hs_args words = hs_args_from(args, 3, NULL);
-    for (size_t k = 0; args->n > 3 && hs_fix_styles[k] != NULL; ++k)
-        if (hs_text_is_style(args->word[2], hs_fix_styles[k]->about.name))
-            return check_outputs(c, f, &hs_fix_styles[k]->about.syntax, &words);
-    return HS_OK;
-}
-
 /** What a command tells about others: variables, files, labels, commands within it. */
 static hs_status check_meaning(checker *c, file *f, const hs_command *command, const hs_args *args)
 {
     const bool is_certain = f->is_certain && c->nesting == 0;
-    HS_TRY(check_outputs(c, f, &command->about.syntax, args));
+    HS_TRY(check_outputs(c, f, command, args));
     if (strcmp(args->command, "jump") == 0 || strcmp(args->command, "quit") == 0) f->may_end = true;
     if (strcmp(args->command, "if") == 0) return check_if(c, f, args);
     if (strcmp(args->command, "run") == 0) return check_run(c, f, args);
@@ -198,7 +263,7 @@ static hs_status check_meaning(checker *c, file *f, const hs_command *command, c
     if (strcmp(args->command, "include") == 0) return check_files(c, f, args->word[0], is_certain, NULL);
     if (strcmp(args->command, "jump") == 0) return check_jump(c, f, args, is_certain);
     if (strcmp(args->command, "quit") == 0 && c->nesting == 0) f->is_dead = true;
-    if (strcmp(args->command, "fix") == 0) return check_fix(c, f, args);
+    if (strcmp(args->command, "shell") == 0) return note_folders(c, args);
     return strcmp(args->command, "print") == 0 ? check_print(c, args) : HS_OK;
 }
 
@@ -247,6 +312,7 @@ static hs_status check_text(checker *c, file *f)
         long first;
         status = hs_lexer_line(f->text->data, f->text->length, &cursor, &line, &first, &found, c->err);
         if (status == HS_OK && !found) break;
+        c->line = first;
         if (status == HS_OK) status = check_line(c, f, hs_text_get(&line));
         if (status != HS_OK) hs_error_locate(c->err, f->name, first);
     }
@@ -282,6 +348,8 @@ hs_status hs_deck_check(hs_deck *deck, const char *name, hs_error *err)
     checker c = {.deck = deck, .err = err};
     hs_status status = hs_check_names_init(&c.names, deck->variables, err);
     if (status == HS_OK) status = check_file(&c, name, NULL, true);
+    if (status == HS_OK) status = check_folders(&c);
+    fini_outputs(&c);
     hs_check_names_fini(&c.names);
     hs_deck_make_printable(err->text);
     return status;

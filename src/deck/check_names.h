@@ -2,18 +2,9 @@
 #ifndef HS_DECK_CHECK_NAMES_H
 #define HS_DECK_CHECK_NAMES_H
 
+#include "deck/name_list.h"
 #include "deck/variables.h"
 #include "style/args.h"
-
-typedef struct hs_name_list {
-    char **name; /**< owned [n] */
-    int n;
-    size_t capacity;
-} hs_name_list;
-
-HS_MUST_USE hs_status hs_name_list_add(hs_name_list *list, const char *name, hs_error *err);
-bool hs_name_list_has(const hs_name_list *list, const char *name);
-void hs_name_list_fini(hs_name_list *list);
 
 /** A variable and the literal values it may have. */
 typedef struct hs_known_variable {

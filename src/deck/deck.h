@@ -4,6 +4,7 @@
 
 #include "base/message.h"
 #include "base/text.h"
+#include "deck/name_list.h"
 #include "sim/sim.h"
 
 struct hs_variables;
@@ -20,6 +21,7 @@ typedef struct hs_deck {
     FILE *log_opened;       /**< log file opened by -log or the command `log`; owned; NULL: out->log is not ours */
     char *label_wanted;     /**< owned; skipping to this label (jump); NULL: not skipping */
     char *log_name;         /**< owned; name of the log file, for going on with it; NULL: none */
+    hs_name_list folders;   /**< owned; those that it makes itself (shell mkdir): deck/outputs.h */
     char *printed;          /**< owned; on rank 0: files that print has written to (deck/printed.h), NULL: none */
     hs_text done;           /**< owned; the commands carried out, for checkpoints: deck/save.c */
     struct hs_frame *frame; /**< innermost `if` or `run every` that is being carried out; borrowed from its stack */

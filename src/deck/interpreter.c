@@ -6,6 +6,7 @@
 #include "deck/frames.h"
 #include "deck/interpreter.h"
 #include "deck/lexer.h"
+#include "deck/outputs.h"
 #include "deck/source.h"
 #include "deck/substitute.h"
 #include "deck/unwritten.h"
@@ -122,6 +123,7 @@ void hs_deck_destroy(hs_deck **deck)
     HS_FREE((*deck)->label_wanted);
     HS_FREE((*deck)->log_name);
     HS_FREE((*deck)->printed);
+    hs_name_list_fini(&(*deck)->folders);
     hs_text_fini(&(*deck)->done);
     HS_FREE(*deck);
 }
@@ -178,6 +180,8 @@ static hs_status run_words(hs_deck *deck, const hs_words *words, hs_error *err)
     HS_TRY(refuse_dollars(&args, err));
     HS_TRY(hs_syntax_check(&command->about.syntax, &args, false, err));
     if (command->check != NULL) HS_TRY(command->check(&args, false, err));
+    for (int i = -1; (i = hs_outputs_next(command, &args, i + 1)) < args.n;)
+        HS_TRY(hs_outputs_check(deck, args.command, args.word[i], err));
     HS_TRY(command->run(deck, &args, err));
     return hs_deck_remember(deck, &args, err);
 }

@@ -10,7 +10,7 @@ is() { # WHAT GIVEN EXPECTED
 
 cat >in.steps <<'D'
 units lj
-shell mkdir -p frames/all res
+shell mkdir -p res
 shell mkdir res
 lattice fcc 0.8442
 region box block 0 3 0 3 0 3
@@ -34,6 +34,7 @@ variable f equal stride(0,100000,60)
 variable g equal logfreq(10,3,10)
 dump 1 all custom 1000 frames/all/d.dump id x y z
 dump_modify 1 sort id every v_f
+shell mkdir frames/all/
 dump 2 all custom 10 e.dump id x y z c_k
 dump_modify 2 sort id every v_g first yes
 run 100
@@ -71,4 +72,4 @@ mkdir bad && cd bad || exit 1
 [ ! -e frames ] || fail "check has made a folder"
 touch frames
 "$HALFSHELL" -in ../in.steps -log none >out 2>&1 && fail "a file is no folder"
-is "message" "$(tail -1 out)" "../in.steps:2: error: shell mkdir: the folder 'frames/all' cannot be made: Not a directory"
+is "message" "$(tail -1 out)" "../in.steps:26: error: shell mkdir: the folder 'frames/all/' cannot be made: Not a directory"

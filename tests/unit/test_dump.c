@@ -442,7 +442,7 @@ START_TEST(test_refusals)
         snprintf(lines, sizeof lines, "dump 1 all custom 5 x id x\ndump_modify 1 %s\nrun 0\n", bad[k][0]);
         expect_error(lines, bad[k][1]);
     }
-    expect_error("dump 1 all atom 5 no/such/folder/x\nrun 0\n", "'no/such/folder/x' could not be opened for writing");
+    expect_error("dump 1 all atom 5 no/such/folder/x\nrun 0\n", "there is no folder 'no/such/folder'");
     hs_test_leave_folder();
 }
 END_TEST
