@@ -25,17 +25,11 @@ HS_EVALUATE(const hs_vec *p, hs_vec r2, hs_vec *force_over_r, hs_vec *energy, bo
 
 #include "style/pair_coeffs.h"
 
-enum { STRENGTH, RHO, SIZE, DISPERSION, QUADRUPOLE, N_COEFFS };
+enum { STRENGTH, RHO, SIZE, DISPERSION, QUADRUPOLE };
 
 static hs_status coeff(hs_pair *pair, int i, int j, const hs_args *args, hs_error *err)
 {
-    hs_pair_coeff c = {.cutoff = 0.0};
-    HS_TRY(hs_arg_double(args, 0, &c.c[STRENGTH], err));
-    HS_TRY(hs_arg_positive(args, 1, &c.c[RHO], err));
-    for (int k = SIZE; k < N_COEFFS; ++k) HS_TRY(hs_arg_double(args, k, &c.c[k], err));
-    HS_TRY(hs_pair_coeffs_read_cutoff(pair, args, N_COEFFS, &c.cutoff, err));
-    *hs_pair_coeffs_at(pair, i, j) = c;
-    return HS_OK;
+    return hs_pair_coeffs_set(pair, i, j, "n+nnn", args, err);
 }
 
 static void params(const hs_pair *pair, int i, int j, double *cutoff, double *p)
@@ -84,14 +78,11 @@ const hs_pair_style hs_pair_style_born = {
               .example = "pair_style born 2.5\npair_coeff * * 2.0 0.3 1.0 1.0 0.5"},
     .coeff_syntax = {.usage = "<A> <rho> <sigma> <C> <D> [<cutoff>]", .n_min = 5, .n_max = 6},
     .adaptable = (const hs_pair_adaptable[]){{"a", STRENGTH}, {"c", DISPERSION}, {"d", QUADRUPOLE}, {NULL, 0}},
-    .state_size = sizeof(hs_pair_coeffs),
-    .settings = hs_pair_coeffs_settings,
-    .destroy = hs_pair_coeffs_destroy,
+    HS_PAIR_COEFFS_HOOKS,
     .coeff = coeff,
 
     .params = params,
     .tail = tail,
-    .write_coeff = hs_pair_coeffs_write,
     .evaluator = &hs_evaluator_born,
 };
 

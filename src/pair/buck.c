@@ -23,17 +23,11 @@ HS_EVALUATE(const hs_vec *p, hs_vec r2, hs_vec *force_over_r, hs_vec *energy, bo
 
 #include "style/pair_coeffs.h"
 
-enum { STRENGTH, RHO, DISPERSION, N_COEFFS };
+enum { STRENGTH, RHO, DISPERSION };
 
 static hs_status coeff(hs_pair *pair, int i, int j, const hs_args *args, hs_error *err)
 {
-    hs_pair_coeff c = {.cutoff = 0.0};
-    HS_TRY(hs_arg_double(args, 0, &c.c[STRENGTH], err));
-    HS_TRY(hs_arg_positive(args, 1, &c.c[RHO], err));
-    HS_TRY(hs_arg_double(args, 2, &c.c[DISPERSION], err));
-    HS_TRY(hs_pair_coeffs_read_cutoff(pair, args, 3, &c.cutoff, err));
-    *hs_pair_coeffs_at(pair, i, j) = c;
-    return HS_OK;
+    return hs_pair_coeffs_set(pair, i, j, "n+n", args, err);
 }
 
 static void params(const hs_pair *pair, int i, int j, double *cutoff, double *p)
@@ -74,14 +68,11 @@ const hs_pair_style hs_pair_style_buck = {
               .example = "pair_style buck 2.5\npair_coeff * * 100.0 0.35 1.0"},
     .coeff_syntax = {.usage = "<A> <rho> <C> [<cutoff>]", .n_min = 3, .n_max = 4},
     .adaptable = (const hs_pair_adaptable[]){{"a", STRENGTH}, {"c", DISPERSION}, {NULL, 0}},
-    .state_size = sizeof(hs_pair_coeffs),
-    .settings = hs_pair_coeffs_settings,
-    .destroy = hs_pair_coeffs_destroy,
+    HS_PAIR_COEFFS_HOOKS,
     .coeff = coeff,
 
     .params = params,
     .tail = tail,
-    .write_coeff = hs_pair_coeffs_write,
     .evaluator = &hs_evaluator_buck,
 };
 

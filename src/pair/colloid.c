@@ -99,9 +99,7 @@ enum { ENERGY, SIGMA, D1, D2 };
 static hs_status coeff(hs_pair *pair, int i, int j, const hs_args *args, hs_error *err)
 {
     hs_pair_coeff c = {.cutoff = 0.0};
-    HS_TRY(hs_arg_double(args, 0, &c.c[ENERGY], err));
-    for (int k = SIGMA; k <= D2; ++k) HS_TRY(hs_arg_not_negative(args, k, &c.c[k], err));
-    HS_TRY(hs_pair_coeffs_read_cutoff(pair, args, 4, &c.cutoff, err));
+    HS_TRY(hs_pair_coeffs_read(pair, "n000", args, &c, err));
     if (i == j && c.c[D1] != c.c[D2])
         return hs_fail(err, HS_ERROR_INPUT, "pair_coeff: atoms of type %d cannot have both diameters %g and %g", i,
                        c.c[D1], c.c[D2]);
@@ -172,13 +170,10 @@ const hs_pair_style hs_pair_style_colloid = {
          .example = "pair_style colloid 12.5\npair_coeff 1 1 1.0 1.0 5.0 5.0 12.5\npair_coeff 1 2 5.0 1.0 5.0 0.0 "
                     "7.0\npair_coeff 2 2 10.0 1.0 0.0 0.0 2.5"},
     .coeff_syntax = {.usage = "<A> <sigma> <d1> <d2> [<cutoff>]", .n_min = 4, .n_max = 5},
-    .state_size = sizeof(hs_pair_coeffs),
-    .settings = hs_pair_coeffs_settings,
-    .destroy = hs_pair_coeffs_destroy,
+    HS_PAIR_COEFFS_HOOKS,
     .coeff = coeff,
     .mix = mix,
     .params = params,
-    .write_coeff = hs_pair_coeffs_write,
     .evaluator = &hs_evaluator_colloid,
 };
 

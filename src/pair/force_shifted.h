@@ -40,10 +40,9 @@ extern const hs_evaluator hs_evaluator_lj_smooth_linear;
                       "no long-range part. Unlike pairs are mixed as in lj/cut.",                                      \
                   .reference = "S. Toxvaerd, J. C. Dyre, J. Chem. Phys. 134, 081102 (2011), doi:10.1063/1.3558787",    \
                   .example = "pair_style " its_name " 2.5\npair_coeff * * 1.0 1.0"},                                   \
-        .coeff_syntax = {.usage = "<epsilon> <sigma> [<cutoff>]", .n_min = 2, .n_max = 3},                             \
-        .adaptable = HS_LJ_ADAPTABLE, .state_size = sizeof(hs_pair_coeffs), .settings = hs_pair_coeffs_settings,       \
-        .destroy = hs_pair_coeffs_destroy, .coeff = hs_lj_coeff, .mix = hs_lj_mix, .params = hs_force_shifted_params,  \
-        .write_coeff = hs_pair_coeffs_write, .evaluator = &hs_evaluator_lj_smooth_linear,                              \
+        .coeff_syntax = {.usage = "<epsilon> <sigma> [<cutoff>]", .n_min = 2, .n_max = 3}, HS_PAIR_COEFFS_HOOKS,       \
+        .adaptable = HS_LJ_ADAPTABLE, .coeff = hs_lj_coeff, .mix = hs_lj_mix, .params = hs_force_shifted_params,       \
+        .evaluator = &hs_evaluator_lj_smooth_linear,                                                                   \
     }
 
 #endif

@@ -25,12 +25,7 @@ HS_EVALUATE(const hs_vec *p, hs_vec r2, hs_vec *force_over_r, hs_vec *energy, bo
 
 static hs_status coeff(hs_pair *pair, int i, int j, const hs_args *args, hs_error *err)
 {
-    hs_pair_coeff c = {.cutoff = 0.0};
-    HS_TRY(hs_arg_double(args, 0, &c.c[0], err));
-    HS_TRY(hs_arg_double(args, 1, &c.c[1], err));
-    HS_TRY(hs_pair_coeffs_read_cutoff(pair, args, 2, &c.cutoff, err));
-    *hs_pair_coeffs_at(pair, i, j) = c;
-    return HS_OK;
+    return hs_pair_coeffs_set(pair, i, j, "nn", args, err);
 }
 
 /** Width sigma of exp(-r^2/(2 sigma^2)) is what mixes as a distance. */
@@ -71,14 +66,10 @@ const hs_pair_style hs_pair_style_gauss = {
               .example = "pair_style gauss 3.0\npair_coeff * * -10.0 1.0"},
     .coeff_syntax = {.usage = "<A> <B> [<cutoff>]", .n_min = 2, .n_max = 3},
     .adaptable = (const hs_pair_adaptable[]){{"a", 0}, {NULL, 0}},
-    .state_size = sizeof(hs_pair_coeffs),
-    .settings = hs_pair_coeffs_settings,
-    .destroy = hs_pair_coeffs_destroy,
+    HS_PAIR_COEFFS_HOOKS,
     .coeff = coeff,
     .mix = mix,
     .params = params,
-
-    .write_coeff = hs_pair_coeffs_write,
     .evaluator = &hs_evaluator_gauss,
 };
 

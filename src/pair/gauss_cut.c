@@ -29,13 +29,7 @@ enum { H, R0, WIDTH };
 
 static hs_status coeff(hs_pair *pair, int i, int j, const hs_args *args, hs_error *err)
 {
-    hs_pair_coeff c = {.cutoff = 0.0};
-    HS_TRY(hs_arg_double(args, 0, &c.c[H], err));
-    HS_TRY(hs_arg_double(args, 1, &c.c[R0], err));
-    HS_TRY(hs_arg_positive(args, 2, &c.c[WIDTH], err));
-    HS_TRY(hs_pair_coeffs_read_cutoff(pair, args, 3, &c.cutoff, err));
-    *hs_pair_coeffs_at(pair, i, j) = c;
-    return HS_OK;
+    return hs_pair_coeffs_set(pair, i, j, "nn+", args, err);
 }
 
 static void params(const hs_pair *pair, int i, int j, double *cutoff, double *p)
@@ -67,12 +61,9 @@ const hs_pair_style hs_pair_style_gauss_cut = {
                     "pair_coeff * * gauss/cut 0.5 1.5 0.15"},
     .coeff_syntax = {.usage = "<H> <r0> <w> [<cutoff>]", .n_min = 3, .n_max = 4},
     .adaptable = (const hs_pair_adaptable[]){{"hgauss", H}, {"rmh", R0}, {"sigmah", WIDTH}, {NULL, 0}},
-    .state_size = sizeof(hs_pair_coeffs),
-    .settings = hs_pair_coeffs_settings,
-    .destroy = hs_pair_coeffs_destroy,
+    HS_PAIR_COEFFS_HOOKS,
     .coeff = coeff,
     .params = params,
-    .write_coeff = hs_pair_coeffs_write,
     .evaluator = &hs_evaluator_gauss_cut,
 };
 

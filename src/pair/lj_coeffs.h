@@ -14,12 +14,7 @@ enum { HS_LJ_EPSILON, HS_LJ_SIGMA, HS_LJ_N_COEFFS };
 
 static inline HS_MUST_USE hs_status hs_lj_coeff(hs_pair *pair, int i, int j, const hs_args *args, hs_error *err)
 {
-    hs_pair_coeff c = {.cutoff = 0.0};
-    HS_TRY(hs_arg_double(args, 0, &c.c[HS_LJ_EPSILON], err));
-    HS_TRY(hs_arg_not_negative(args, 1, &c.c[HS_LJ_SIGMA], err));
-    HS_TRY(hs_pair_coeffs_read_cutoff(pair, args, 2, &c.cutoff, err));
-    *hs_pair_coeffs_at(pair, i, j) = c;
-    return HS_OK;
+    return hs_pair_coeffs_set(pair, i, j, "n0", args, err);
 }
 
 /** Coefficients of (i, j) from the like pairs by the chosen rule; the cutoff mixes as a distance. */

@@ -54,14 +54,11 @@ const hs_pair_style hs_pair_style_lj_cut = {
               .example = "pair_style lj/cut 2.5\npair_coeff * * 1.0 1.0\npair_coeff 1 2 0.8 1.1 2.8"},
     .coeff_syntax = {.usage = "<epsilon> <sigma> [<cutoff>]", .n_min = 2, .n_max = 3},
     .adaptable = HS_LJ_ADAPTABLE,
-    .state_size = sizeof(hs_pair_coeffs),
-    .settings = hs_pair_coeffs_settings,
-    .destroy = hs_pair_coeffs_destroy,
+    HS_PAIR_COEFFS_HOOKS,
     .coeff = hs_lj_coeff,
     .mix = hs_lj_mix,
     .params = params,
     .tail = tail,
-    .write_coeff = hs_pair_coeffs_write,
     .evaluator = &hs_evaluator_lj_cut,
 };
 

@@ -23,15 +23,12 @@ HS_EVALUATE(const hs_vec *p, hs_vec r2, hs_vec *force_over_r, hs_vec *energy, bo
 
 #include "style/pair_coeffs.h"
 
-enum { EPSILON, SIGMA, LENGTH, N_COEFFS };
+enum { EPSILON, SIGMA, LENGTH };
 
 static hs_status coeff(hs_pair *pair, int i, int j, const hs_args *args, hs_error *err)
 {
     hs_pair_coeff c = {.cutoff = 0.0};
-    HS_TRY(hs_arg_double(args, 0, &c.c[EPSILON], err));
-    HS_TRY(hs_arg_not_negative(args, 1, &c.c[SIGMA], err));
-    HS_TRY(hs_arg_double(args, 2, &c.c[LENGTH], err));
-    HS_TRY(hs_pair_coeffs_read_cutoff(pair, args, 3, &c.cutoff, err));
+    HS_TRY(hs_pair_coeffs_read(pair, "n0n", args, &c, err));
     if (c.cutoff + c.c[LENGTH] < 0.0) return hs_arg_refuse(args, 2, "a shift above minus the cutoff", NULL, err);
     *hs_pair_coeffs_at(pair, i, j) = c;
     return HS_OK;
@@ -93,14 +90,11 @@ const hs_pair_style hs_pair_style_lj_expand = {
          .example = "pair_style lj/expand 2.5\npair_coeff * * 1.0 1.0 0.5\npair_coeff 1 2 1.0 1.0 -0.2 2.0"},
     .coeff_syntax = {.usage = "<epsilon> <sigma> <delta> [<cutoff>]", .n_min = 3, .n_max = 4},
     .adaptable = (const hs_pair_adaptable[]){{"epsilon", EPSILON}, {"sigma", SIGMA}, {"delta", LENGTH}, {NULL, 0}},
-    .state_size = sizeof(hs_pair_coeffs),
-    .settings = hs_pair_coeffs_settings,
-    .destroy = hs_pair_coeffs_destroy,
+    HS_PAIR_COEFFS_HOOKS,
     .coeff = coeff,
     .mix = mix,
     .params = params,
     .tail = tail,
-    .write_coeff = hs_pair_coeffs_write,
     .evaluator = &hs_evaluator_lj_expand,
 };
 

@@ -73,15 +73,12 @@ const hs_pair_style hs_pair_style_mie_cut = {
                                              {"gamma_repulsive", REPULSION},
                                              {"gamma_attractive", ATTRACTION},
                                              {NULL, 0}},
-    .state_size = sizeof(hs_pair_coeffs),
-    .settings = hs_pair_coeffs_settings,
-    .destroy = hs_pair_coeffs_destroy,
+    HS_PAIR_COEFFS_HOOKS,
     .coeff = coeff,
     .mix = mix,
     .init = init,
     .params = hs_powers_params,
     .tail = hs_powers_tail,
-    .write_coeff = hs_pair_coeffs_write,
     .evaluator = &hs_evaluator_mie_cut,
 };
 

@@ -25,11 +25,7 @@ HS_EVALUATE(const hs_vec *p, hs_vec r2, hs_vec *force_over_r, hs_vec *energy, bo
 
 static hs_status coeff(hs_pair *pair, int i, int j, const hs_args *args, hs_error *err)
 {
-    hs_pair_coeff c = {.cutoff = 0.0};
-    for (int k = 0; k < 3; ++k) HS_TRY(hs_arg_double(args, k, &c.c[k], err));
-    HS_TRY(hs_pair_coeffs_read_cutoff(pair, args, 3, &c.cutoff, err));
-    *hs_pair_coeffs_at(pair, i, j) = c;
-    return HS_OK;
+    return hs_pair_coeffs_set(pair, i, j, "nnn", args, err);
 }
 
 static void params(const hs_pair *pair, int i, int j, double *cutoff, double *p)
@@ -56,14 +52,10 @@ const hs_pair_style hs_pair_style_morse = {
               .example = "pair_style morse 2.5\npair_coeff * * 100.0 2.0 1.5"},
     .coeff_syntax = {.usage = "<D> <alpha> <r0> [<cutoff>]", .n_min = 3, .n_max = 4},
     .adaptable = (const hs_pair_adaptable[]){{"d0", 0}, {"alpha", 1}, {"r0", 2}, {NULL, 0}},
-    .state_size = sizeof(hs_pair_coeffs),
-    .settings = hs_pair_coeffs_settings,
-    .destroy = hs_pair_coeffs_destroy,
+    HS_PAIR_COEFFS_HOOKS,
     .coeff = coeff,
 
     .params = params,
-
-    .write_coeff = hs_pair_coeffs_write,
     .evaluator = &hs_evaluator_morse,
 };
 

@@ -46,13 +46,10 @@ const hs_pair_style hs_pair_style_nm_cut = {
     .coeff_syntax = {.usage = "<E0> <r0> <n> <m> [<cutoff>]", .n_min = 4, .n_max = 5},
     .adaptable =
         (const hs_pair_adaptable[]){{"e0", DEPTH}, {"r0", PLACE}, {"nn", REPULSION}, {"mm", ATTRACTION}, {NULL, 0}},
-    .state_size = sizeof(hs_pair_coeffs),
-    .settings = hs_pair_coeffs_settings,
-    .destroy = hs_pair_coeffs_destroy,
+    HS_PAIR_COEFFS_HOOKS,
     .coeff = coeff,
     .init = init,
     .params = hs_powers_params,
     .tail = hs_powers_tail,
-    .write_coeff = hs_pair_coeffs_write,
     .evaluator = &hs_evaluator_mie_cut,
 };

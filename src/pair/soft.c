@@ -48,14 +48,10 @@ const hs_pair_style hs_pair_style_soft = {
               .example = "pair_style soft 1.12\npair_coeff * * 10.0\npair_coeff 1 2 5.0 1.5"},
     .coeff_syntax = {.usage = "<A> [<cutoff>]", .n_min = 1, .n_max = 2},
     .adaptable = (const hs_pair_adaptable[]){{"a", 0}, {NULL, 0}},
-    .state_size = sizeof(hs_pair_coeffs),
-    .settings = hs_pair_coeffs_settings,
-    .destroy = hs_pair_coeffs_destroy,
+    HS_PAIR_COEFFS_HOOKS,
     .coeff = hs_pair_coeffs_read_one,
     .mix = hs_pair_coeffs_mix_one,
     .params = params,
-
-    .write_coeff = hs_pair_coeffs_write,
     .evaluator = &hs_evaluator_soft,
 };
 

@@ -8,11 +8,7 @@ static const double minimum = 1.122462048309373; /* 2^(1/6), in units of sigma *
 
 static hs_status coeff(hs_pair *pair, int i, int j, const hs_args *args, hs_error *err)
 {
-    hs_pair_coeff c = {.cutoff = 0.0};
-    HS_TRY(hs_arg_not_negative(args, 0, &c.c[HS_LJ_EPSILON], err));
-    HS_TRY(hs_arg_positive(args, 1, &c.c[HS_LJ_SIGMA], err));
-    *hs_pair_coeffs_at(pair, i, j) = c;
-    return HS_OK;
+    return hs_pair_coeffs_set(pair, i, j, "0+", args, err);
 }
 
 /** The cutoff follows from sigma, which fix adapt may have changed. */

@@ -38,6 +38,25 @@ hs_status hs_pair_coeffs_read_cutoff(const hs_pair *pair, const hs_args *args, i
     return args->n > i ? hs_arg_not_negative(args, i, cutoff, err) : HS_OK;
 }
 
+hs_status hs_pair_coeffs_read(const hs_pair *pair, const char *kinds, const hs_args *args, hs_pair_coeff *coeff,
+                              hs_error *err)
+{
+    int n = 0;
+    for (; kinds[n] != '\0'; ++n)
+        HS_TRY(kinds[n] == '+'   ? hs_arg_positive(args, n, &coeff->c[n], err)
+               : kinds[n] == '0' ? hs_arg_not_negative(args, n, &coeff->c[n], err)
+                                 : hs_arg_double(args, n, &coeff->c[n], err));
+    return hs_pair_coeffs_read_cutoff(pair, args, n, &coeff->cutoff, err);
+}
+
+hs_status hs_pair_coeffs_set(const hs_pair *pair, int i, int j, const char *kinds, const hs_args *args, hs_error *err)
+{
+    hs_pair_coeff coeff = {.cutoff = 0.0};
+    HS_TRY(hs_pair_coeffs_read(pair, kinds, args, &coeff, err));
+    *hs_pair_coeffs_at(pair, i, j) = coeff;
+    return HS_OK;
+}
+
 /** A number with as many digits as bring it back. */
 static hs_status write_number(double value, hs_text *words, hs_error *err)
 {
@@ -95,11 +114,7 @@ void hs_pair_coeffs_destroy(hs_pair *pair)
 
 hs_status hs_pair_coeffs_read_one(hs_pair *pair, int i, int j, const hs_args *args, hs_error *err)
 {
-    hs_pair_coeff c = {.cutoff = 0.0};
-    HS_TRY(hs_arg_double(args, 0, &c.c[0], err));
-    HS_TRY(hs_pair_coeffs_read_cutoff(pair, args, 1, &c.cutoff, err));
-    *hs_pair_coeffs_at(pair, i, j) = c;
-    return HS_OK;
+    return hs_pair_coeffs_set(pair, i, j, "n", args, err);
 }
 
 hs_status hs_pair_coeffs_mix_one(hs_pair *pair, int i, int j, hs_error *err)

@@ -34,6 +34,13 @@ HS_MUST_USE hs_status hs_pair_coeffs_no_settings(hs_pair *pair, const hs_args *a
 /** Cutoff of a pair from word @p i, or the one of all pairs when there is no such word. */
 HS_MUST_USE hs_status hs_pair_coeffs_read_cutoff(const hs_pair *pair, const hs_args *args, int i, double *cutoff,
                                                  hs_error *err);
+/** One pair_coeff: words 0, 1 ... are coefficients, of the kinds that the letters tell ('n' any number, '0' one that is not
+ *  negative, '+' a positive one), and the word behind them, where there is one, is the cutoff. */
+HS_MUST_USE hs_status hs_pair_coeffs_read(const hs_pair *pair, const char *kinds, const hs_args *args,
+                                          hs_pair_coeff *coeff, hs_error *err);
+/** The same into the pair of types i, j, which keeps what it has when a word is refused. */
+HS_MUST_USE hs_status hs_pair_coeffs_set(const hs_pair *pair, int i, int j, const char *kinds, const hs_args *args,
+                                         hs_error *err);
 /** The coefficients that fix adapt may change, of all pairs of types: moved into a checkpoint or back; their names
  *  there begin with @p name. */
 HS_MUST_USE hs_status hs_pair_coeffs_keep(hs_pair *pair, const char *name, hs_state *state, hs_error *err);
@@ -47,5 +54,10 @@ HS_MUST_USE hs_status hs_pair_coeffs_read_one(hs_pair *pair, int i, int j, const
 HS_MUST_USE hs_status hs_pair_coeffs_mix_one(hs_pair *pair, int i, int j, hs_error *err);
 /** ->destroy of all these styles. */
 void hs_pair_coeffs_destroy(hs_pair *pair);
+
+/** State and hooks of styles whose pair_style is a cutoff, and whose pair_coeff are coefficients and perhaps another. */
+#define HS_PAIR_COEFFS_HOOKS                                                                                           \
+    .state_size = sizeof(hs_pair_coeffs), .settings = hs_pair_coeffs_settings, .destroy = hs_pair_coeffs_destroy,      \
+    .write_coeff = hs_pair_coeffs_write
 
 #endif
