@@ -30,8 +30,6 @@ typedef struct hs_scaling_point {
     double efficiency;                                        /**< 1: as fast as one rank and thread by workers */
 } hs_scaling_point;
 
-/** Names in the log. */
-extern const char *const hs_scaling_phases[HS_N_PHASES], *const hs_scaling_parts[HS_N_COMM_PARTS];
 /** "droplet" or "uniform"; "weak" or "strong". */
 const char *hs_scaling_system_of(const hs_scaling_point *p);
 const char *hs_scaling_kind_of(const hs_scaling_point *p);

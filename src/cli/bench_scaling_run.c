@@ -17,8 +17,9 @@ extern char **environ;
 
 enum { WARM_UP_STEPS = 40 };
 
-const char *const hs_scaling_phases[HS_N_PHASES] = {"Pair", "Neigh", "Comm", "Output", "Modify"};
-const char *const hs_scaling_parts[HS_N_COMM_PARTS] = {"Pack", "Wait", "Unpack", "Agree", "Exchange"};
+/* Names in the log. */
+static const char *const phases[HS_N_PHASES] = {"Pair", "Neigh", "Comm", "Output", "Modify"};
+static const char *const parts[HS_N_COMM_PARTS] = {"Pack", "Wait", "Unpack", "Agree", "Exchange"};
 
 const char *hs_scaling_system_of(const hs_scaling_point *p) { return p->is_droplet ? "droplet" : "uniform"; }
 const char *hs_scaling_kind_of(const hs_scaling_point *p) { return p->is_weak ? "weak" : "strong"; }
@@ -182,9 +183,9 @@ static hs_status read_log(const char *path, hs_scaling_point *p, hs_error *err)
             now.imbalance = 1.0;
         } else if (sscanf(line, "%31s | %lf | %lf", name, &first, &mean) == 3) {
             for (int k = 0; k < HS_N_PHASES; ++k)
-                if (strcmp(name, hs_scaling_phases[k]) == 0) now.phase_s[k] = mean;
+                if (strcmp(name, phases[k]) == 0) now.phase_s[k] = mean;
             for (int k = 0; k < HS_N_COMM_PARTS; ++k)
-                if (strcmp(name, hs_scaling_parts[k]) == 0) now.comm_s[k] = mean;
+                if (strcmp(name, parts[k]) == 0) now.comm_s[k] = mean;
         }
         (void)sscanf(line, "Nghost: %lf", &now.halo_atoms);
         (void)sscanf(line, "Load imbalance (largest/mean) = %lf", &now.imbalance);

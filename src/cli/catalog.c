@@ -82,8 +82,8 @@ static bool get_entry(const hs_catalog *family, int i, hs_catalog_entry *entry)
     *entry = (hs_catalog_entry){.family = family};
     if (strcmp(family->name, "commands") == 0) return get_command(i, entry);
     if (strcmp(family->name, "thermo") == 0) {
-        if (hs_thermo_keywords[2 * i] == NULL) return false;
-        entry->about = (hs_description){.name = hs_thermo_keywords[2 * i], .summary = hs_thermo_keywords[2 * i + 1]};
+        if (hs_thermo_entries[i].name == NULL) return false;
+        entry->about = (hs_description){.name = hs_thermo_entries[i].name, .summary = hs_thermo_entries[i].help};
         return true;
     }
     if (strcmp(family->name, "neighbor") == 0) {

@@ -9,7 +9,8 @@
 
 const char *hs_version(void) { return HALFSHELL_VERSION; }
 
-void hs_api_enter(hs_simulation *simulation)
+/** Set the calling thread's locale and threads aside. */
+static void enter(hs_simulation *simulation)
 {
     hs_api_caller *caller = &simulation->caller;
     caller->threads = hs_threads_save();
@@ -17,7 +18,8 @@ void hs_api_enter(hs_simulation *simulation)
     if (caller->own != (locale_t)0) caller->before = uselocale(caller->own);
 }
 
-void hs_api_leave(hs_simulation *simulation)
+/** Put them back. */
+static void leave(hs_simulation *simulation)
 {
     hs_api_caller *caller = &simulation->caller;
     hs_threads_restore(caller->threads);
@@ -29,7 +31,7 @@ void hs_api_leave(hs_simulation *simulation)
 hs_status hs_api_begin(hs_simulation *simulation)
 {
     if (simulation == NULL) return HS_ERROR_MEMORY; /* so it came from hs_simulation_create */
-    hs_api_enter(simulation);
+    enter(simulation);
     hs_error_clear(&simulation->error);
     simulation->message[0] = '\0';
     if (simulation->deck != NULL) return HS_OK;
@@ -39,7 +41,7 @@ hs_status hs_api_begin(hs_simulation *simulation)
 hs_code hs_api_finish(hs_simulation *simulation, hs_status status)
 {
     if (simulation == NULL) return (hs_code)hs_exit_code(status);
-    hs_api_leave(simulation);
+    leave(simulation);
     if (status == HS_OK) return HS_CODE_OK;
     const hs_error *error = &simulation->error;
     char line[32] = "";
@@ -83,16 +85,16 @@ hs_code hs_simulation_create(hs_simulation **simulation, const hs_simulation_opt
     hs_error err = {0};
     *simulation = NULL;
     if (HS_ALLOC(*simulation, 1, &err) != HS_OK) return (hs_code)hs_exit_code(err.status);
-    hs_api_enter(*simulation);
+    enter(*simulation);
     return hs_api_finish(*simulation, create(*simulation, options));
 }
 
 void hs_simulation_destroy(hs_simulation **simulation)
 {
     if (simulation == NULL || *simulation == NULL) return;
-    hs_api_enter(*simulation); /* what is still to be written has numbers in it */
+    enter(*simulation); /* what is still to be written has numbers in it */
     hs_deck_destroy(&(*simulation)->deck);
-    hs_api_leave(*simulation);
+    leave(*simulation);
     HS_FREE(*simulation);
 }
 
@@ -108,7 +110,8 @@ hs_code hs_simulation_set_variable(hs_simulation *simulation, const char *name, 
     return hs_api_finish(simulation, status);
 }
 
-void hs_api_take_over(hs_simulation *simulation)
+/** Before anything that may run threads or steps: both belong to this simulation now. */
+static void take_over(hs_simulation *simulation)
 {
     simulation->stop_requested = 0;
     simulation->deck->sim->stop_requested = &simulation->stop_requested;
@@ -119,7 +122,7 @@ hs_code hs_simulation_get_variable(hs_simulation *simulation, const char *name, 
 {
     hs_status status = hs_api_begin(simulation);
     if (status == HS_OK) {
-        hs_api_take_over(simulation);
+        take_over(simulation);
         hs_env *env = &simulation->deck->sim->env;
         status = env->variable_value(env->deck, name, value, &simulation->error);
     }
@@ -129,7 +132,7 @@ hs_code hs_simulation_get_variable(hs_simulation *simulation, const char *name, 
 static hs_status run_deck(hs_simulation *simulation, const char *path)
 {
     hs_error *err = &simulation->error;
-    hs_api_take_over(simulation);
+    take_over(simulation);
     HS_TRY(hs_deck_check(simulation->deck, path, err));
     return hs_deck_run(simulation->deck, path, err);
 }
@@ -165,7 +168,7 @@ hs_code hs_simulation_command(hs_simulation *simulation, const char *line)
 {
     hs_status status = hs_api_begin(simulation);
     if (status == HS_OK) {
-        hs_api_take_over(simulation);
+        take_over(simulation);
         status = hs_deck_command(simulation->deck, line, &simulation->error);
     }
     return hs_api_finish(simulation, status);
@@ -201,7 +204,7 @@ int hs_simulation_n_types(const hs_simulation *simulation)
 hs_status hs_api_need_forces(hs_simulation *simulation)
 {
     hs_sim *sim = simulation->deck->sim;
-    hs_api_take_over(simulation);
+    take_over(simulation);
     if (sim->is_initialized && sim->env.energy_step == sim->env.step) return HS_OK;
     return hs_sim_setup(sim, &simulation->error);
 }
@@ -214,11 +217,7 @@ hs_code hs_simulation_thermo(hs_simulation *simulation, const char *keyword, dou
     if (status == HS_OK)
         status = hs_thermo_keyword(simulation->deck->sim->thermo, keyword, value, &found, &simulation->error);
     if (status == HS_OK && !found) {
-        const char *names[256];
-        size_t n = 0;
-        for (; hs_thermo_keywords[2 * n] != NULL && n < sizeof names / sizeof names[0]; ++n)
-            names[n] = hs_thermo_keywords[2 * n];
-        const char *nearest = hs_text_nearest(keyword, names, n);
+        const char *nearest = hs_thermo_nearest(keyword);
         status = hs_fail(&simulation->error, HS_ERROR_INPUT, "'%s' is not a thermo keyword%s%s%s", keyword,
                          nearest != NULL ? "; did you mean '" : "", nearest != NULL ? nearest : "",
                          nearest != NULL ? "'?" : "");

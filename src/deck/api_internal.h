@@ -25,16 +25,10 @@ struct hs_simulation {
     hs_api_caller caller; /**< during a call */
 };
 
-/** Set the calling thread's locale and threads aside, and put them back. */
-void hs_api_enter(hs_simulation *simulation);
-void hs_api_leave(hs_simulation *simulation);
-
 /** Begin a call: forget the last error. Calls on a simulation that could not be made fail at once. */
 HS_MUST_USE hs_status hs_api_begin(hs_simulation *simulation);
 /** End a call: put the message together. */
 hs_code hs_api_finish(hs_simulation *simulation, hs_status status);
-/** Before anything that may run threads or steps: both belong to this simulation now. */
-void hs_api_take_over(hs_simulation *simulation);
 /** Forces, energy and virial of the present positions, unless the last run left them (collective). */
 HS_MUST_USE hs_status hs_api_need_forces(hs_simulation *simulation);
 

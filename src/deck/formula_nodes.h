@@ -144,8 +144,6 @@ typedef struct hs_word_function {
 extern const hs_function hs_math_functions[];       /**< ended by a NULL name */
 extern const hs_word_function hs_group_functions[]; /**< the same */
 extern const hs_word_function hs_special_functions[];
-/** Names of LAMMPS's functions that are refused, each followed by why; ended by NULL. */
-extern const char *const hs_refused_functions[];
 
 /** Names of per-atom attributes, ended by NULL. */
 extern const char *const hs_formula_attributes[];

@@ -20,7 +20,8 @@ typedef struct parser {
 const char *const hs_formula_attributes[] = {"id", "mass", "type", "x",  "y",  "z", "vx",
                                              "vy", "vz",   "fx",   "fy", "fz", NULL};
 
-const char *const hs_refused_functions[] = {
+/** Names of LAMMPS's functions that are refused, each followed by why; ended by NULL. */
+static const char *const refused_functions[] = {
     "charge",
     "Halfshell's atoms carry no charge",
     "is_active",
@@ -231,7 +232,7 @@ static hs_status refuse_name(const parser *p, const char *name, bool is_function
     for (const hs_word_function *f = hs_group_functions; f->name != NULL && n < MAX; ++f) names[n++] = f->name;
     for (const hs_word_function *f = hs_special_functions; f->name != NULL && n < MAX; ++f) names[n++] = f->name;
     if (!is_function) {
-        for (int i = 0; hs_thermo_keywords[i] != NULL && n < MAX; i += 2) names[n++] = hs_thermo_keywords[i];
+        for (const hs_thermo_entry *e = hs_thermo_entries; e->name != NULL && n < MAX; ++e) names[n++] = e->name;
         for (int i = 0; hs_formula_attributes[i] != NULL && n < MAX; ++i) names[n++] = hs_formula_attributes[i];
         for (size_t i = 0; i < sizeof constants / sizeof constants[0] && n < MAX; ++i) names[n++] = constants[i].name;
     }
@@ -251,10 +252,10 @@ static hs_status parse_function(parser *p, const char *name, int *node)
         if (strcmp(f->name, name) == 0) return parse_word_call(p, f, HS_NODE_GROUP, node);
     for (const hs_word_function *f = hs_special_functions; f->name != NULL; ++f)
         if (strcmp(f->name, name) == 0) return parse_word_call(p, f, HS_NODE_SPECIAL, node);
-    for (int i = 0; hs_refused_functions[i] != NULL; i += 2)
-        if (strcmp(hs_refused_functions[i], name) == 0)
+    for (int i = 0; refused_functions[i] != NULL; i += 2)
+        if (strcmp(refused_functions[i], name) == 0)
             return hs_fail(p->err, HS_ERROR_INPUT, "formula '%.400s': the function %s() is not supported: %s",
-                           p->formula->text, name, hs_refused_functions[i + 1]);
+                           p->formula->text, name, refused_functions[i + 1]);
     return refuse_name(p, name, true);
 }
 
@@ -285,14 +286,13 @@ static hs_status parse_plain_name(parser *p, char *name, int *node)
         plain.kind = HS_NODE_ATTRIBUTE;
         return add_node(p, &plain, node);
     }
-    for (int i = 0; hs_thermo_keywords[i] != NULL; i += 2)
-        if (strcmp(hs_thermo_keywords[i], name) == 0) {
-            plain.kind = HS_NODE_KEYWORD;
-            HS_TRY(hs_memory_strdup(&plain.text, name, p->err));
-            hs_status status = add_node(p, &plain, node);
-            if (status != HS_OK) HS_FREE(plain.text);
-            return status;
-        }
+    if (hs_thermo_find_entry(name) != NULL) {
+        plain.kind = HS_NODE_KEYWORD;
+        HS_TRY(hs_memory_strdup(&plain.text, name, p->err));
+        hs_status status = add_node(p, &plain, node);
+        if (status != HS_OK) HS_FREE(plain.text);
+        return status;
+    }
     if (plain.attribute >= 0)
         return hs_fail(p->err, HS_ERROR_INPUT,
                        "formula '%.400s': '%s' has one value per atom: only atom-style variables may use it (%s[ID] is "

@@ -26,8 +26,6 @@ typedef enum {
 
 /** Names of the styles in that order, ended by NULL. */
 extern const char *const hs_variable_styles[];
-/** LAMMPS's other styles, each followed by why it is refused; ended by NULL. */
-extern const char *const hs_variable_styles_refused[];
 
 typedef struct hs_variable {
     char *name; /**< owned */

@@ -3,7 +3,8 @@
 
 #include "deck/variables.h"
 
-const char *const hs_variable_styles_refused[] = {
+/** LAMMPS's other styles, each followed by why it is refused; ended by NULL. */
+static const char *const refused_styles[] = {
     "python", "decks cannot run Python", "timer", "Halfshell times its phases itself; see the timing table of the log",
     NULL,
 };
@@ -14,10 +15,10 @@ static bool is_open(const char *word, bool first_pass) { return first_pass && st
 static hs_status check_style(const hs_args *args, hs_error *err)
 {
     const char *word = args->word[1];
-    for (int i = 0; hs_variable_styles_refused[i] != NULL; i += 2)
-        if (strcmp(word, hs_variable_styles_refused[i]) == 0)
+    for (int i = 0; refused_styles[i] != NULL; i += 2)
+        if (strcmp(word, refused_styles[i]) == 0)
             return hs_fail(err, HS_ERROR_INPUT, "variable: LAMMPS's style '%s' is not supported: %s", word,
-                           hs_variable_styles_refused[i + 1]);
+                           refused_styles[i + 1]);
     int style;
     return hs_arg_choice(args, 1, hs_variable_styles, &style, err);
 }

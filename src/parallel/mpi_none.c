@@ -22,8 +22,6 @@ void hs_parallel_world(hs_parallel *parallel) { *parallel = (hs_parallel){.rank 
 
 void hs_parallel_fini(hs_parallel *parallel) { (void)parallel; }
 
-void hs_parallel_abort(const hs_parallel *parallel, int exit_code) { (void)parallel, (void)exit_code; }
-
 hs_status hs_parallel_agree(const hs_parallel *parallel, hs_error *err)
 {
     (void)parallel;

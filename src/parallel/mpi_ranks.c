@@ -70,7 +70,8 @@ void hs_parallel_fini(hs_parallel *parallel)
     MPI_Finalize();
 }
 
-void hs_parallel_abort(const hs_parallel *parallel, int exit_code)
+/** Stop all ranks at once. Does not return when there is more than one rank. */
+static void stop_all(const hs_parallel *parallel, int exit_code)
 {
     if (parallel->n_ranks > 1 && is_running()) MPI_Abort(MPI_COMM_WORLD, exit_code);
 }
@@ -126,7 +127,7 @@ hs_status hs_parallel_settle(const hs_parallel *parallel, bool *stop, hs_error *
     if (!wait_for_all(&request, parallel->rank, err->status != HS_OK)) {
         hs_error_print(err, stderr);
         fflush(NULL);
-        hs_parallel_abort(parallel, hs_exit_code(err->status));
+        stop_all(parallel, hs_exit_code(err->status));
     }
     *stop = all[1] != 0;
     return share_error(parallel, process.settle, -all[0], err);

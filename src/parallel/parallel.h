@@ -26,8 +26,6 @@ HS_MUST_USE hs_status hs_parallel_init(hs_parallel *parallel, hs_error *err);
 void hs_parallel_world(hs_parallel *parallel);
 /** Collective. */
 void hs_parallel_fini(hs_parallel *parallel);
-/** Stop all ranks at once. Does not return when there is more than one rank. */
-void hs_parallel_abort(const hs_parallel *parallel, int exit_code);
 
 /** Agree on an error: when any rank holds one, every rank ends up with that of the lowest such rank (collective). */
 HS_MUST_USE hs_status hs_parallel_agree(const hs_parallel *parallel, hs_error *err);

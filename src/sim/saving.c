@@ -10,7 +10,7 @@
 #include "base/timer.h"
 #include "io/writer.h"
 
-const char hs_saving_pattern[] = "checkpoint.*.h5";
+static const char default_pattern[] = "checkpoint.*.h5";
 static const char automatic_pattern[] = "autosave.*.h5";
 
 void hs_saving_fini(hs_saving *saving)
@@ -53,7 +53,7 @@ void hs_sim_remove_automatic(hs_sim *sim)
 static const char *pattern_of(const hs_saving *saving)
 {
     if (saving->is_automatic) return automatic_pattern;
-    return saving->pattern != NULL ? saving->pattern : hs_saving_pattern;
+    return saving->pattern != NULL ? saving->pattern : default_pattern;
 }
 
 /** Whether a name is the pattern with a number in place of its star. */
@@ -169,7 +169,7 @@ static hs_status save(hs_sim *sim, char **path, hs_error *err)
 hs_status hs_sim_save_now(hs_sim *sim, char **path, hs_error *err)
 {
     if (!sim->saving->is_automatic) return save(sim, path, err);
-    HS_TRY(hs_writer_step_name(path, hs_saving_pattern, sim->env.step, 0, err));
+    HS_TRY(hs_writer_step_name(path, default_pattern, sim->env.step, 0, err));
     HS_TRY(write_file(sim, *path, err));
     hs_sim_remove_automatic(sim); /* this one, of which the user hears, is newer */
     return HS_OK;

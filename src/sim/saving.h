@@ -37,9 +37,6 @@ typedef struct hs_saving {
     hs_status (*write)(void *deck, const char *path, hs_error *err);
 } hs_saving;
 
-/** Default of the names of checkpoints. */
-extern const char hs_saving_pattern[];
-
 void hs_saving_fini(hs_saving *saving);
 /** For runs whose deck says nothing of checkpoints: one each so many seconds, autosave.STEP.h5, each in place of the
  *  one before; when it cannot be written, the run goes on without. 0 or less: none. */

@@ -32,8 +32,20 @@ HS_MUST_USE hs_status hs_thermo_row(hs_thermo *thermo, hs_error *err);
  *  when there is no such keyword. */
 HS_MUST_USE hs_status hs_thermo_keyword(hs_thermo *thermo, const char *keyword, double *value, bool *found,
                                         hs_error *err);
-/** All keywords with one line of help each: pairs (keyword, help), ended by NULL. */
-extern const char *const hs_thermo_keywords[];
+/** A keyword: what thermo_style custom, formulas and the API can ask for. */
+typedef struct hs_thermo_entry {
+    const char *name;   /**< in decks: "etotal" */
+    const char *header; /**< above its column: "TotEng" */
+    const char *help;   /**< one line */
+    bool is_int;
+    HS_MUST_USE hs_status (*eval)(hs_thermo *thermo, double *value, hs_error *err); /**< collective */
+} hs_thermo_entry;
+/** All keywords, ended by an entry without a name. */
+extern const hs_thermo_entry hs_thermo_entries[];
+/** The keyword of that name, or NULL. */
+const hs_thermo_entry *hs_thermo_find_entry(const char *name);
+/** The name that a wrong one may have been meant for, or NULL. */
+const char *hs_thermo_nearest(const char *word);
 /** Table of means and errors after a run, when thermo_modify means asks for it. */
 void hs_thermo_say_means(hs_thermo *thermo);
 /** Keywords of thermo_modify: its syntax. */
@@ -41,7 +53,5 @@ extern const hs_keyword hs_thermo_modify_keywords[];
 /** First-pass check of the words of thermo_style custom: NULL when the word may be a column, else the nearest
  *  keyword or "". */
 const char *hs_thermo_check_word(const char *word);
-/** Units of a keyword's column for plots: "time", "energy", "pressure", ... or NULL. */
-const char *hs_thermo_quantity(const char *keyword);
 
 #endif

@@ -6,15 +6,6 @@
 #include "sim/thermo.h"
 #include "style/value.h"
 
-/** One keyword of the table of keywords (thermo_keywords.c). */
-typedef struct hs_thermo_entry {
-    const char *name;     /**< in decks: "etotal" */
-    const char *header;   /**< above its column: "TotEng" */
-    const char *quantity; /**< for plots: "energy", ...; NULL for plain numbers */
-    bool is_int;
-    HS_MUST_USE hs_status (*eval)(hs_thermo *thermo, double *value, hs_error *err);
-} hs_thermo_entry;
-
 /** One column of the table. */
 typedef struct hs_thermo_column {
     const hs_thermo_entry *entry; /**< NULL: a compute, fix or variable */
@@ -63,7 +54,6 @@ struct hs_thermo {
     char *neighbor_info;    /**< owned; sim/report.c: the neighbor block printed last */
 };
 
-const hs_thermo_entry *hs_thermo_find_entry(const char *name);
 /** Find thermo_temp, thermo_press, thermo_pe (or those of thermo_modify); an error when one is gone. */
 HS_MUST_USE hs_status hs_thermo_find_computes(hs_thermo *thermo, hs_error *err);
 /** Value of a column at the present step, normalised if it is to be (collective). */

@@ -231,102 +231,97 @@ static hs_status get_density(T *t, double *value, hs_error *err)
     return HS_OK;
 }
 
-/* KEYWORD(name, getter, header, quantity, is whole number, help) */
-#define KEYWORDS(KEYWORD)                                                                                              \
-    KEYWORD(step, step, "Step", "step", true, "number of the timestep")                                                \
-    KEYWORD(elapsed, elapsed, "Elapsed", "step", true, "timesteps since the start of this run")                        \
-    KEYWORD(elaplong, elaplong, "Elaplong", "step", true, "timesteps since the start of a series of runs")             \
-    KEYWORD(dt, dt, "Dt", "time", false, "timestep size")                                                              \
-    KEYWORD(time, time, "Time", "time", false, "simulated time")                                                       \
-    KEYWORD(cpu, cpu, "CPU", NULL, false, "wall time since the start of this run, seconds")                            \
-    KEYWORD(tpcpu, tpcpu, "T/CPU", NULL, false, "simulated time per second of wall time")                              \
-    KEYWORD(spcpu, spcpu, "S/CPU", NULL, false, "timesteps per second of wall time")                                   \
-    KEYWORD(cpuremain, cpuremain, "CPULeft", NULL, false, "estimated wall time to the end of the run, s")              \
-    KEYWORD(part, zero, "Part", NULL, true, "partition of a multi-replica run: always 0")                              \
-    KEYWORD(timeremain, zero, "TimeoutLeft", NULL, false, "seconds left of a time limit: 0, there is none")            \
-    KEYWORD(atoms, atoms, "Atoms", "count", true, "number of atoms")                                                   \
-    KEYWORD(temp, temp, "Temp", "temperature", false, "temperature")                                                   \
-    KEYWORD(press, press, "Press", "pressure", false, "pressure")                                                      \
-    KEYWORD(pe, pe, "PotEng", "energy", false, "potential energy")                                                     \
-    KEYWORD(ke, ke, "KinEng", "energy", false, "kinetic energy")                                                       \
-    KEYWORD(etotal, etotal, "TotEng", "energy", false, "total energy, pe + ke")                                        \
-    KEYWORD(evdwl, epair, "E_vdwl", "energy", false, "van der Waals energy of pairs, with tail")                       \
-    KEYWORD(ecoul, zero, "E_coul", "energy", false, "Coulomb energy of pairs: 0, this version has none")               \
-    KEYWORD(epair, epair, "E_pair", "energy", false, "energy of all pairs, evdwl + ecoul + elong")                     \
-    KEYWORD(ebond, zero, "E_bond", "energy", false, "bond energy: 0, this version has none")                           \
-    KEYWORD(eangle, zero, "E_angle", "energy", false, "angle energy: 0")                                               \
-    KEYWORD(edihed, zero, "E_dihed", "energy", false, "dihedral energy: 0")                                            \
-    KEYWORD(eimp, zero, "E_impro", "energy", false, "improper energy: 0")                                              \
-    KEYWORD(emol, zero, "E_mol", "energy", false, "molecular energy, ebond + eangle + edihed + eimp: 0")               \
-    KEYWORD(elong, zero, "E_long", "energy", false, "long-range Coulomb energy: 0")                                    \
-    KEYWORD(etail, etail, "E_tail", "energy", false, "long-range correction of pair_modify tail yes")                  \
-    KEYWORD(enthalpy, enthalpy, "Enthalpy", "energy", false, "enthalpy, etotal + press * vol")                         \
-    KEYWORD(ecouple, ecouple, "Ecouple", "energy", false, "energy given to thermostats and barostats")                 \
-    KEYWORD(econserve, econserve, "Econserve", "energy", false, "conserved energy, etotal + ecouple")                  \
-    KEYWORD(vol, vol, "Volume", "volume", false, "volume (area in two dimensions)")                                    \
-    KEYWORD(density, density, "Density", "density", false, "mass density")                                             \
-    KEYWORD(lx, lx, "Lx", "distance", false, "box length in x")                                                        \
-    KEYWORD(ly, ly, "Ly", "distance", false, "box length in y")                                                        \
-    KEYWORD(lz, lz, "Lz", "distance", false, "box length in z")                                                        \
-    KEYWORD(xlo, xlo, "Xlo", "distance", false, "lower box bound in x")                                                \
-    KEYWORD(xhi, xhi, "Xhi", "distance", false, "upper box bound in x")                                                \
-    KEYWORD(ylo, ylo, "Ylo", "distance", false, "lower box bound in y")                                                \
-    KEYWORD(yhi, yhi, "Yhi", "distance", false, "upper box bound in y")                                                \
-    KEYWORD(zlo, zlo, "Zlo", "distance", false, "lower box bound in z")                                                \
-    KEYWORD(zhi, zhi, "Zhi", "distance", false, "upper box bound in z")                                                \
-    KEYWORD(xy, xy, "Xy", "distance", false, "tilt of the box, of y along x")                                          \
-    KEYWORD(xz, xz, "Xz", "distance", false, "tilt of z along x")                                                      \
-    KEYWORD(yz, yz, "Yz", "distance", false, "tilt of z along y")                                                      \
-    KEYWORD(xlat, xlat, "Xlat", "distance", false, "lattice spacing in x")                                             \
-    KEYWORD(ylat, ylat, "Ylat", "distance", false, "lattice spacing in y")                                             \
-    KEYWORD(zlat, zlat, "Zlat", "distance", false, "lattice spacing in z")                                             \
-    KEYWORD(bonds, zero, "Bonds", "count", true, "number of bonds: 0")                                                 \
-    KEYWORD(angles, zero, "Angles", "count", true, "number of angles: 0")                                              \
-    KEYWORD(dihedrals, zero, "Diheds", "count", true, "number of dihedrals: 0")                                        \
-    KEYWORD(impropers, zero, "Impros", "count", true, "number of impropers: 0")                                        \
-    KEYWORD(pxx, pxx, "Pxx", "pressure", false, "pressure tensor, xx")                                                 \
-    KEYWORD(pyy, pyy, "Pyy", "pressure", false, "pressure tensor, yy")                                                 \
-    KEYWORD(pzz, pzz, "Pzz", "pressure", false, "pressure tensor, zz")                                                 \
-    KEYWORD(pxy, pxy, "Pxy", "pressure", false, "pressure tensor, xy")                                                 \
-    KEYWORD(pxz, pxz, "Pxz", "pressure", false, "pressure tensor, xz")                                                 \
-    KEYWORD(pyz, pyz, "Pyz", "pressure", false, "pressure tensor, yz")                                                 \
-    KEYWORD(fmax, fmax, "Fmax", "force", false, "largest force component on any atom")                                 \
-    KEYWORD(fnorm, fnorm, "Fnorm", "force", false, "length of the vector of all forces")                               \
-    KEYWORD(nbuild, nbuild, "Nbuild", "count", true, "neighbor list builds of this run")                               \
-    KEYWORD(ndanger, ndanger, "Ndanger", "count", true, "dangerous neighbor list builds of this run")                  \
-    KEYWORD(cella, lx, "Cella", "distance", false, "length of the cell vector a")                                      \
-    KEYWORD(cellb, cellb, "Cellb", "distance", false, "length of the cell vector b")                                   \
-    KEYWORD(cellc, cellc, "Cellc", "distance", false, "length of the cell vector c")                                   \
-    KEYWORD(cellalpha, cellalpha, "CellAlpha", NULL, false, "cell angle alpha, degrees")                               \
-    KEYWORD(cellbeta, cellbeta, "CellBeta", NULL, false, "cell angle beta, degrees")                                   \
-    KEYWORD(cellgamma, cellgamma, "CellGamma", NULL, false, "cell angle gamma, degrees")
-#define ENTRY(name, getter, header, quantity, is_int, help) {#name, header, quantity, is_int, get_##getter},
-#define HELP(name, getter, header, quantity, is_int, help)  #name, help,
-#define NAME(name, getter, header, quantity, is_int, help)  #name,
-
-static const hs_thermo_entry entries[] = {KEYWORDS(ENTRY)};
-static const char *const names[] = {KEYWORDS(NAME)};
-const char *const hs_thermo_keywords[] = {KEYWORDS(HELP) NULL, NULL};
-
-enum { N_ENTRIES = sizeof entries / sizeof entries[0] };
+const hs_thermo_entry hs_thermo_entries[] = {
+    {"step", "Step", "number of the timestep", true, get_step},
+    {"elapsed", "Elapsed", "timesteps since the start of this run", true, get_elapsed},
+    {"elaplong", "Elaplong", "timesteps since the start of a series of runs", true, get_elaplong},
+    {"dt", "Dt", "timestep size", false, get_dt},
+    {"time", "Time", "simulated time", false, get_time},
+    {"cpu", "CPU", "wall time since the start of this run, seconds", false, get_cpu},
+    {"tpcpu", "T/CPU", "simulated time per second of wall time", false, get_tpcpu},
+    {"spcpu", "S/CPU", "timesteps per second of wall time", false, get_spcpu},
+    {"cpuremain", "CPULeft", "estimated wall time to the end of the run, s", false, get_cpuremain},
+    {"part", "Part", "partition of a multi-replica run: always 0", true, get_zero},
+    {"timeremain", "TimeoutLeft", "seconds left of a time limit: 0, there is none", false, get_zero},
+    {"atoms", "Atoms", "number of atoms", true, get_atoms},
+    {"temp", "Temp", "temperature", false, get_temp},
+    {"press", "Press", "pressure", false, get_press},
+    {"pe", "PotEng", "potential energy", false, get_pe},
+    {"ke", "KinEng", "kinetic energy", false, get_ke},
+    {"etotal", "TotEng", "total energy, pe + ke", false, get_etotal},
+    {"evdwl", "E_vdwl", "van der Waals energy of pairs, with tail", false, get_epair},
+    {"ecoul", "E_coul", "Coulomb energy of pairs: 0, this version has none", false, get_zero},
+    {"epair", "E_pair", "energy of all pairs, evdwl + ecoul + elong", false, get_epair},
+    {"ebond", "E_bond", "bond energy: 0, this version has none", false, get_zero},
+    {"eangle", "E_angle", "angle energy: 0", false, get_zero},
+    {"edihed", "E_dihed", "dihedral energy: 0", false, get_zero},
+    {"eimp", "E_impro", "improper energy: 0", false, get_zero},
+    {"emol", "E_mol", "molecular energy, ebond + eangle + edihed + eimp: 0", false, get_zero},
+    {"elong", "E_long", "long-range Coulomb energy: 0", false, get_zero},
+    {"etail", "E_tail", "long-range correction of pair_modify tail yes", false, get_etail},
+    {"enthalpy", "Enthalpy", "enthalpy, etotal + press * vol", false, get_enthalpy},
+    {"ecouple", "Ecouple", "energy given to thermostats and barostats", false, get_ecouple},
+    {"econserve", "Econserve", "conserved energy, etotal + ecouple", false, get_econserve},
+    {"vol", "Volume", "volume (area in two dimensions)", false, get_vol},
+    {"density", "Density", "mass density", false, get_density},
+    {"lx", "Lx", "box length in x", false, get_lx},
+    {"ly", "Ly", "box length in y", false, get_ly},
+    {"lz", "Lz", "box length in z", false, get_lz},
+    {"xlo", "Xlo", "lower box bound in x", false, get_xlo},
+    {"xhi", "Xhi", "upper box bound in x", false, get_xhi},
+    {"ylo", "Ylo", "lower box bound in y", false, get_ylo},
+    {"yhi", "Yhi", "upper box bound in y", false, get_yhi},
+    {"zlo", "Zlo", "lower box bound in z", false, get_zlo},
+    {"zhi", "Zhi", "upper box bound in z", false, get_zhi},
+    {"xy", "Xy", "tilt of the box, of y along x", false, get_xy},
+    {"xz", "Xz", "tilt of z along x", false, get_xz},
+    {"yz", "Yz", "tilt of z along y", false, get_yz},
+    {"xlat", "Xlat", "lattice spacing in x", false, get_xlat},
+    {"ylat", "Ylat", "lattice spacing in y", false, get_ylat},
+    {"zlat", "Zlat", "lattice spacing in z", false, get_zlat},
+    {"bonds", "Bonds", "number of bonds: 0", true, get_zero},
+    {"angles", "Angles", "number of angles: 0", true, get_zero},
+    {"dihedrals", "Diheds", "number of dihedrals: 0", true, get_zero},
+    {"impropers", "Impros", "number of impropers: 0", true, get_zero},
+    {"pxx", "Pxx", "pressure tensor, xx", false, get_pxx},
+    {"pyy", "Pyy", "pressure tensor, yy", false, get_pyy},
+    {"pzz", "Pzz", "pressure tensor, zz", false, get_pzz},
+    {"pxy", "Pxy", "pressure tensor, xy", false, get_pxy},
+    {"pxz", "Pxz", "pressure tensor, xz", false, get_pxz},
+    {"pyz", "Pyz", "pressure tensor, yz", false, get_pyz},
+    {"fmax", "Fmax", "largest force component on any atom", false, get_fmax},
+    {"fnorm", "Fnorm", "length of the vector of all forces", false, get_fnorm},
+    {"nbuild", "Nbuild", "neighbor list builds of this run", true, get_nbuild},
+    {"ndanger", "Ndanger", "dangerous neighbor list builds of this run", true, get_ndanger},
+    {"cella", "Cella", "length of the cell vector a", false, get_lx},
+    {"cellb", "Cellb", "length of the cell vector b", false, get_cellb},
+    {"cellc", "Cellc", "length of the cell vector c", false, get_cellc},
+    {"cellalpha", "CellAlpha", "cell angle alpha, degrees", false, get_cellalpha},
+    {"cellbeta", "CellBeta", "cell angle beta, degrees", false, get_cellbeta},
+    {"cellgamma", "CellGamma", "cell angle gamma, degrees", false, get_cellgamma},
+    {NULL, NULL, NULL, false, NULL},
+};
 
 const hs_thermo_entry *hs_thermo_find_entry(const char *name)
 {
-    for (int k = 0; k < N_ENTRIES; ++k)
-        if (strcmp(entries[k].name, name) == 0) return &entries[k];
+    for (const hs_thermo_entry *entry = hs_thermo_entries; entry->name != NULL; ++entry)
+        if (strcmp(entry->name, name) == 0) return entry;
     return NULL;
 }
 
-const char *hs_thermo_quantity(const char *keyword)
+const char *hs_thermo_nearest(const char *word)
 {
-    const hs_thermo_entry *entry = hs_thermo_find_entry(keyword);
-    return entry != NULL ? entry->quantity : NULL;
+    enum { MAX = 256 };
+    const char *names[MAX];
+    size_t n = 0;
+    for (; hs_thermo_entries[n].name != NULL && n < MAX; ++n) names[n] = hs_thermo_entries[n].name;
+    return hs_text_nearest(word, names, n);
 }
 
 const char *hs_thermo_check_word(const char *word)
 {
     if (strchr(word, '$') != NULL || hs_value_is_reference(word) || hs_thermo_find_entry(word) != NULL) return NULL;
-    const char *nearest = hs_text_nearest(word, names, N_ENTRIES);
+    const char *nearest = hs_thermo_nearest(word);
     return nearest != NULL ? nearest : "";
 }
 

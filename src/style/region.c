@@ -9,7 +9,8 @@
 #include "base/text.h"
 #include "core/lattice.h"
 
-const hs_keyword hs_region_keywords[] = {
+/** Keywords common to all region styles. */
+static const hs_keyword common_keywords[] = {
     {"side", 1, "in|out", "the region is the inside of the shape (default) or everything outside of it"},
     {"units", 1, "lattice|box", "lengths are in lattice spacings (default) or in the distance units of the run"},
     {"move", 3, "<v_x> <v_y> <v_z>",
@@ -77,7 +78,7 @@ static hs_status refuse_style(const char *command, const char *style, hs_error *
 
 static bool is_common_keyword(const char *word)
 {
-    for (const hs_keyword *keyword = hs_region_keywords; keyword->name != NULL; ++keyword)
+    for (const hs_keyword *keyword = common_keywords; keyword->name != NULL; ++keyword)
         if (strcmp(keyword->name, word) == 0) return true;
     return false;
 }
@@ -101,7 +102,7 @@ static hs_status check_keywords(const hs_region_style *style, const hs_args *arg
                            "%s: the keyword 'open' is not supported: regions have no open faces; a face at INF is no "
                            "wall; the keywords are side, units, move and rotate",
                            args->command);
-    const hs_syntax syntax = {style->about.syntax.usage, 0, 0, hs_region_keywords};
+    const hs_syntax syntax = {style->about.syntax.usage, 0, 0, common_keywords};
     return hs_syntax_check(&syntax, args, has_variables, err);
 }
 
@@ -138,7 +139,7 @@ hs_status hs_region_check(const hs_args *args, bool has_variables, hs_error *err
 
 static const hs_keyword *find_keyword(const char *word)
 {
-    const hs_keyword *keyword = hs_region_keywords;
+    const hs_keyword *keyword = common_keywords;
     while (strcmp(keyword->name, word) != 0) ++keyword;
     return keyword;
 }

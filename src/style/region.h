@@ -142,9 +142,6 @@ HS_MUST_USE hs_status hs_region_bound(hs_region *region, const hs_args *args, in
 /** What INF stands for: farther than any atom, distance. */
 #define HS_REGION_FAR 1.0e20
 
-/** Keywords common to all region styles, ended by a NULL name. */
-extern const hs_keyword hs_region_keywords[];
-
 /** All region styles, ended by NULL; made by the build. */
 extern const hs_region_style *const hs_region_styles[];
 
