@@ -44,8 +44,10 @@ void hs_balance_measure(const hs_parallel *parallel, double load, double *larges
 }
 
 /** Place of an atom along an axis as a fraction of the box, wrapped into it. */
-static double fraction_of(const hs_box *box, int axis, const hs_atoms *atoms, int i)
+static double fraction_of(const hs_balance_work *of, int axis, int i)
 {
+    const hs_box *box = of->box;
+    const hs_atoms *atoms = of->atoms;
     const double x = hs_box_upright(box, (const double[3]){atoms->x[0][i], atoms->x[1][i], atoms->x[2][i]}, axis);
     const double fraction = (x - box->lo[axis]) / hs_box_length(box, axis);
     if (box->periodic[axis]) return fraction - floor(fraction);
@@ -59,20 +61,19 @@ static int owner_of(const hs_domain *domain, int axis, double fraction)
     return k;
 }
 
-static double weight_of(const double *weight, int i) { return weight != NULL ? weight[i] : 1.0; }
+static double cost_of(const hs_balance_work *work, int i) { return work->cost != NULL ? work->cost[i] : 1.0; }
 
-hs_status hs_balance_predict(const hs_domain *domain, const hs_box *box, const hs_atoms *atoms, const double *weight,
-                             const hs_parallel *parallel, double *load, hs_error *err)
+hs_status hs_balance_predict(const hs_domain *domain, const hs_balance_work *work, double *load, hs_error *err)
 {
     double *loads = NULL;
     HS_UNLESS_FAILED(err, HS_ALLOC(loads, (size_t)domain->n_ranks, err));
-    HS_TRY(hs_parallel_agree(parallel, err));
-    for (int i = 0; i < atoms->n_local; ++i) {
+    HS_TRY(hs_parallel_agree(work->parallel, err));
+    for (int i = 0; i < work->atoms->n_local; ++i) {
         int at[3];
-        for (int axis = 0; axis < 3; ++axis) at[axis] = owner_of(domain, axis, fraction_of(box, axis, atoms, i));
-        loads[hs_domain_rank(domain, at)] += weight_of(weight, i);
+        for (int axis = 0; axis < 3; ++axis) at[axis] = owner_of(domain, axis, fraction_of(work, axis, i));
+        loads[hs_domain_rank(domain, at)] += cost_of(work, i);
     }
-    hs_parallel_sum_double(parallel, loads, domain->n_ranks);
+    hs_parallel_sum_double(work->parallel, loads, domain->n_ranks);
     *load = loads[domain->rank];
     HS_FREE(loads);
     return HS_OK;
@@ -105,23 +106,22 @@ static void fini_drawers(drawers *d)
 }
 
 /** The local atoms by their places along an axis, as fractions of the box. */
-static hs_status fill_drawers(drawers *d, const hs_box *box, const hs_atoms *atoms, const double *weight, int axis,
-                              hs_error *err)
+static hs_status fill_drawers(drawers *d, const hs_balance_work *work, int axis, hs_error *err)
 {
     enum { VALUES_A_DRAWER = 16 };
-    d->n = atoms->n_local;
+    d->n = work->atoms->n_local;
     d->n_drawers = d->n / VALUES_A_DRAWER + 1;
     HS_TRY(HS_ALLOC(d->item, (size_t)d->n, err));
     HS_TRY(HS_ALLOC(d->below, (size_t)d->n_drawers + 1, err));
     HS_TRY(HS_ALLOC(d->start, (size_t)d->n_drawers + 2, err)); /* zeroed; one place on while they are filled */
     int64_t *next = d->start + 1;
-    for (int i = 0; i < d->n; ++i) ++next[drawer_of(d, fraction_of(box, axis, atoms, i)) + 1];
+    for (int i = 0; i < d->n; ++i) ++next[drawer_of(d, fraction_of(work, axis, i)) + 1];
     for (int64_t k = 0; k < d->n_drawers; ++k) next[k + 1] += next[k];
     for (int i = 0; i < d->n; ++i) {
-        const double place = fraction_of(box, axis, atoms, i);
+        const double place = fraction_of(work, axis, i);
         const int64_t drawer = drawer_of(d, place);
-        d->item[next[drawer]++] = (placed){.place = place, .weight = weight_of(weight, i)};
-        d->below[drawer + 1] += weight_of(weight, i);
+        d->item[next[drawer]++] = (placed){.place = place, .weight = cost_of(work, i)};
+        d->below[drawer + 1] += cost_of(work, i);
     }
     for (int64_t k = 0; k < d->n_drawers; ++k) d->below[k + 1] += d->below[k];
     return HS_OK;
@@ -195,30 +195,29 @@ static void place_planes(const search *s, double *cut, double least)
     for (int k = n - 1; k > 0; --k) cut[k] = fmin(cut[k], cut[k + 1] - least);
 }
 
-static hs_status begin_search(search *s, const hs_box *box, const hs_atoms *atoms, const double *weight, int axis,
-                              hs_error *err)
+static hs_status begin_search(search *s, const hs_balance_work *work, int axis, hs_error *err)
 {
-    HS_TRY(fill_drawers(&s->place, box, atoms, weight, axis, err));
+    HS_TRY(fill_drawers(&s->place, work, axis, err));
     HS_TRY(HS_ALLOC(s->plane, (size_t)s->n_planes, err));
     return HS_ALLOC(s->work, (size_t)s->n_planes * N_TRIES, err);
 }
 
-static hs_status shift_axis(const hs_balance *balance, hs_domain *domain, const hs_box *box, const hs_atoms *atoms,
-                            int axis, const double *weight, const hs_parallel *parallel, int *n_iterations,
-                            hs_error *err)
+static hs_status shift_axis(const hs_balance *balance, hs_domain *domain, const hs_balance_work *work, int axis,
+                            int *n_iterations, hs_error *err)
 {
     search s = {.n_planes = domain->n[axis] - 1};
-    HS_UNLESS_FAILED(err, begin_search(&s, box, atoms, weight, axis, err));
-    if (hs_parallel_agree(parallel, err) == HS_OK) {
+    HS_UNLESS_FAILED(err, begin_search(&s, work, axis, err));
+    if (hs_parallel_agree(work->parallel, err) == HS_OK) {
         s.total = s.place.below[s.place.n_drawers];
-        hs_parallel_sum_double(parallel, &s.total, 1);
+        hs_parallel_sum_double(work->parallel, &s.total, 1);
         for (int k = 0; k < s.n_planes; ++k) s.plane[k] = (bracket){.hi = 1.0};
         for (int iteration = 0; iteration < balance->n_iterations; ++iteration) {
-            narrow(&s, parallel);
+            narrow(&s, work->parallel);
             ++*n_iterations;
             if (factor_of(&s) <= balance->stop_factor) break;
         }
-        if (s.total > 0.0) place_planes(&s, domain->cut[axis], balance->least_width / hs_box_thickness(box, axis));
+        if (s.total > 0.0)
+            place_planes(&s, domain->cut[axis], balance->least_width / hs_box_thickness(work->box, axis));
     }
     fini_drawers(&s.place);
     HS_FREE(s.plane);
@@ -226,14 +225,13 @@ static hs_status shift_axis(const hs_balance *balance, hs_domain *domain, const 
     return err->status;
 }
 
-hs_status hs_balance_shift(const hs_balance *balance, hs_domain *domain, const hs_box *box, const hs_atoms *atoms,
-                           const double *weight, const hs_parallel *parallel, int *n_iterations, hs_error *err)
+hs_status hs_balance_shift(const hs_balance *balance, hs_domain *domain, const hs_balance_work *work, int *n_iterations,
+                           hs_error *err)
 {
     *n_iterations = 0;
     for (int k = 0; k < balance->n_axes; ++k) {
         const int axis = balance->axis[k];
-        if (domain->n[axis] > 1)
-            HS_TRY(shift_axis(balance, domain, box, atoms, axis, weight, parallel, n_iterations, err));
+        if (domain->n[axis] > 1) HS_TRY(shift_axis(balance, domain, work, axis, n_iterations, err));
     }
     return err->status;
 }

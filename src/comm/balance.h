@@ -20,19 +20,25 @@ typedef struct hs_balance {
 HS_MUST_USE hs_status hs_balance_read_axes(hs_balance *balance, const char *word, int dimension, const char *command,
                                            hs_error *err);
 
+/** The work that is to be spread: that of all atoms of all ranks. All borrowed. */
+typedef struct hs_balance_work {
+    const hs_parallel *parallel;
+    const hs_box *box;
+    const hs_atoms *atoms;
+    const double *cost; /**< [n_local] of the atoms; NULL: all the same */
+} hs_balance_work;
+
 /** What stands for LAMMPS's style rcb, whose parts are not in rows: all axes, to within 5 %. */
 void hs_balance_take_rcb(hs_balance *balance, int dimension);
-/** Move the planes so that the costs of atoms, weight[n_local] (NULL: all the same), are spread evenly over the slabs of each axis.
- *  Atoms stay where they are until the next migration. *n_iterations counts what was needed. Collective, errors agreed. */
-HS_MUST_USE hs_status hs_balance_shift(const hs_balance *balance, hs_domain *domain, const hs_box *box,
-                                       const hs_atoms *atoms, const double *weight, const hs_parallel *parallel,
+/** Move the planes so that the work is spread evenly over the slabs of each axis. Atoms stay where they are until the next
+ *  migration. *n_iterations counts what was needed. Collective, errors agreed. */
+HS_MUST_USE hs_status hs_balance_shift(const hs_balance *balance, hs_domain *domain, const hs_balance_work *work,
                                        int *n_iterations, hs_error *err);
 
 /** The largest load of a rank, and its ratio to the mean: 1 when all are equal, or there is no load (collective). */
 void hs_balance_measure(const hs_parallel *parallel, double load, double *largest, double *factor);
-/** The load that this rank would have if all atoms, each as costly as its weight says, were where the planes say. Collective, errors agreed. */
-HS_MUST_USE hs_status hs_balance_predict(const hs_domain *domain, const hs_box *box, const hs_atoms *atoms,
-                                         const double *weight, const hs_parallel *parallel, double *load,
+/** The load that this rank would have if all atoms were where the planes say. Collective, errors agreed. */
+HS_MUST_USE hs_status hs_balance_predict(const hs_domain *domain, const hs_balance_work *work, double *load,
                                          hs_error *err);
 
 #endif

@@ -5,14 +5,14 @@
 
 #include "base/memory.h"
 
-static hs_status allocate(hs_multi_tau *tau, int (*pair)[2], const int *column, hs_error *err)
+static hs_status allocate(hs_multi_tau *tau, const hs_multi_tau_plan *plan, hs_error *err)
 {
     const size_t n_values = (size_t)tau->n_values, n_lags = (size_t)tau->n_lags;
     HS_TRY(HS_ALLOC(tau->pair, (size_t)tau->n_pairs, err));
     HS_TRY(HS_ALLOC(tau->column, (size_t)tau->n_pairs, err));
     for (int p = 0; p < tau->n_pairs; ++p) {
-        memcpy(tau->pair[p], pair[p], sizeof *pair);
-        tau->column[p] = column != NULL ? column[p] : p;
+        memcpy(tau->pair[p], plan->pair[p], sizeof *plan->pair);
+        tau->column[p] = plan->column != NULL ? plan->column[p] : p;
         if (tau->column[p] >= tau->n_columns) tau->n_columns = tau->column[p] + 1;
     }
     const size_t n_sums = n_lags * (size_t)tau->n_columns;
@@ -28,16 +28,18 @@ static hs_status allocate(hs_multi_tau *tau, int (*pair)[2], const int *column, 
     return hs_correlator_create(&tau->correlator, tau->n_lags, err);
 }
 
-hs_status hs_multi_tau_init(hs_multi_tau *tau, int n_values, int n_pairs, int (*pair)[2], const int *column, int n_lags,
-                            int n_levels, bool has_errors, hs_error *err)
+hs_status hs_multi_tau_init(hs_multi_tau *tau, const hs_multi_tau_plan *plan, hs_error *err)
 {
-    *tau = (hs_multi_tau){
-        .n_values = n_values, .n_pairs = n_pairs, .n_lags = n_lags, .n_levels = n_levels, .has_errors = has_errors};
-    if ((int64_t)n_lags * n_pairs > INT32_MAX / 2 ||
-        (int64_t)n_lags + (n_levels - 1) * ((int64_t)n_lags / 2) > INT32_MAX)
-        return hs_fail(err, HS_ERROR_INPUT, "%d lags of %d correlations on %d levels are too many", n_lags, n_pairs,
-                       n_levels);
-    return allocate(tau, pair, column, err);
+    *tau = (hs_multi_tau){.n_values = plan->n_values,
+                          .n_pairs = plan->n_pairs,
+                          .n_lags = plan->n_lags,
+                          .n_levels = plan->n_levels,
+                          .has_errors = plan->has_errors};
+    if ((int64_t)plan->n_lags * plan->n_pairs > INT32_MAX / 2 ||
+        (int64_t)plan->n_lags + (plan->n_levels - 1) * ((int64_t)plan->n_lags / 2) > INT32_MAX)
+        return hs_fail(err, HS_ERROR_INPUT, "%d lags of %d correlations on %d levels are too many", plan->n_lags,
+                       plan->n_pairs, plan->n_levels);
+    return allocate(tau, plan, err);
 }
 
 void hs_multi_tau_fini(hs_multi_tau *tau)

@@ -32,13 +32,18 @@ typedef struct hs_multi_tau {
     bool has_errors;
 } hs_multi_tau;
 
-/** Lags 0 .. n_lags - 1 and, with more levels than one, n_lags up to (n_lags - 1) 2^(n_levels - 1); n_lags is even
- *  then.
- *  @p pair [n_pairs] is copied, and @p column, of which NULL means that each pair has its own; correlations of several
- *  pairs in one column are added up. Zero the object before; hs_multi_tau_fini frees it, also after an error. Not
- *  collective. */
-HS_MUST_USE hs_status hs_multi_tau_init(hs_multi_tau *tau, int n_values, int n_pairs, int (*pair)[2], const int *column,
-                                        int n_lags, int n_levels, bool has_errors, hs_error *err);
+/** What is to be correlated: lags 0 .. n_lags - 1 and, with more levels than one, n_lags up to (n_lags - 1) 2^(n_levels - 1);
+ *  n_lags is even then. */
+typedef struct hs_multi_tau_plan {
+    int n_values, n_pairs;
+    int (*pair)[2];    /**< borrowed [n_pairs]: C_ij(t) = <V_i(s) V_j(s + t)> */
+    const int *column; /**< borrowed [n_pairs]: pairs of one column are added up; NULL: each has its own */
+    int n_lags, n_levels;
+    bool has_errors;
+} hs_multi_tau_plan;
+
+/** Zero the object before; hs_multi_tau_fini frees it, also after an error. Not collective. */
+HS_MUST_USE hs_status hs_multi_tau_init(hs_multi_tau *tau, const hs_multi_tau_plan *plan, hs_error *err);
 void hs_multi_tau_fini(hs_multi_tau *tau);
 /** The next sample: values[n_values]. */
 HS_MUST_USE hs_status hs_multi_tau_add(hs_multi_tau *tau, const double *values, hs_error *err);

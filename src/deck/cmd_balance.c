@@ -126,20 +126,20 @@ static void tell_planes(const hs_sim *sim)
 static hs_status place(hs_sim *sim, const hs_args *args, request *r, const double *costs, hs_error *err)
 {
     hs_sink *const out = sim->env.out;
+    const hs_balance_work work = {&sim->parallel, &sim->box, &sim->atoms, costs};
     const double start_s = hs_time_now_s();
     double load, largest[2], factor[2];
     int n_iterations = 0;
-    HS_TRY(hs_balance_predict(&sim->domain, &sim->box, &sim->atoms, costs, &sim->parallel, &load, err));
+    HS_TRY(hs_balance_predict(&sim->domain, &work, &load, err));
     hs_balance_measure(&sim->parallel, load, &largest[0], &factor[0]);
     hs_say(out, "Balancing ...\n");
     if (r->plan.n_axes == 0) {
         HS_TRY(set_planes(&sim->domain, args, r, err));
     } else if (factor[0] > r->threshold) {
         r->plan.least_width = 0.5 * sim->env.reach;
-        HS_TRY(hs_balance_shift(&r->plan, &sim->domain, &sim->box, &sim->atoms, costs, &sim->parallel, &n_iterations,
-                                err));
+        HS_TRY(hs_balance_shift(&r->plan, &sim->domain, &work, &n_iterations, err));
     }
-    HS_TRY(hs_balance_predict(&sim->domain, &sim->box, &sim->atoms, costs, &sim->parallel, &load, err));
+    HS_TRY(hs_balance_predict(&sim->domain, &work, &load, err));
     hs_balance_measure(&sim->parallel, load, &largest[1], &factor[1]);
     hs_sim_atoms_changed(sim); /* the next run brings them to their ranks */
     hs_say(out,

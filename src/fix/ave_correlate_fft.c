@@ -16,15 +16,12 @@ static const hs_keyword keywords[] = {
 static hs_status create(hs_fix *fix, const hs_args *args, hs_error *err)
 {
     fft_state *state = fix->state;
-    const hs_correlation *table = &state->table;
     int64_t n_lags;
     HS_TRY(hs_correlation_numbers(fix, args, 2, 1 << 28, &n_lags, err));
     HS_TRY(hs_correlation_values(fix, args, err));
     HS_TRY(hs_correlation_tau_keywords(fix, &state->sums, args, n_lags, err));
     HS_TRY(hs_correlation_pair(fix, args, err));
-    HS_TRY(hs_multi_tau_init(&state->sums.tau, table->n_values, table->n_pairs, table->pair, NULL, (int)n_lags,
-                             (int)state->sums.n_levels, table->has_errors, err));
-    return hs_correlation_tau_create(fix, &state->sums, hs_correlation_product, err);
+    return hs_correlation_tau_of_pairs(fix, &state->sums, (int)n_lags, err);
 }
 
 static void destroy(hs_fix *fix)

@@ -68,9 +68,7 @@ static hs_status create(hs_fix *fix, const hs_args *args, hs_error *err)
     HS_TRY(hs_values_create(&table->values, &table->n_values, fix->env, args, 2, n_words, HS_VALUE_NUMBER, err));
     HS_TRY(read_keywords(fix, args, &n_lags, err));
     HS_TRY(hs_correlation_pair(fix, args, err));
-    HS_TRY(hs_multi_tau_init(&state->sums.tau, table->n_values, table->n_pairs, table->pair, NULL, (int)n_lags,
-                             (int)state->sums.n_levels, table->has_errors, err));
-    HS_TRY(hs_correlation_tau_create(fix, &state->sums, hs_correlation_product, err));
+    HS_TRY(hs_correlation_tau_of_pairs(fix, &state->sums, (int)n_lags, err));
     return make_head(fix, table, err);
 }
 

@@ -97,9 +97,14 @@ static hs_status make_correlator(isf_state *state, int n_lags, hs_error *err)
         pair[v][0] = pair[v][1] = v;
         column[v] = state->shell_of[v / 2];
     }
-    if (status == HS_OK)
-        status = hs_multi_tau_init(&state->sums.tau, n, n, pair, column, n_lags, (int)state->sums.n_levels,
-                                   state->table.has_errors, err);
+    const hs_multi_tau_plan plan = {.n_values = n,
+                                    .n_pairs = n,
+                                    .pair = pair,
+                                    .column = column,
+                                    .n_lags = n_lags,
+                                    .n_levels = (int)state->sums.n_levels,
+                                    .has_errors = state->table.has_errors};
+    if (status == HS_OK) status = hs_multi_tau_init(&state->sums.tau, &plan, err);
     HS_FREE(pair);
     HS_FREE(column);
     return status;

@@ -102,11 +102,11 @@ static hs_status shift(hs_fix *fix, const double *costs, hs_error *err)
 {
     balance_state *state = fix->state;
     const hs_env *env = fix->env;
+    const hs_balance_work work = {env->parallel, env->box, env->atoms, costs};
     double load;
     state->plan.least_width = 0.5 * env->reach;
-    HS_TRY(hs_balance_shift(&state->plan, env->domain, env->box, env->atoms, costs, env->parallel, &state->n_iterations,
-                            err));
-    HS_TRY(hs_balance_predict(env->domain, env->box, env->atoms, costs, env->parallel, &load, err));
+    HS_TRY(hs_balance_shift(&state->plan, env->domain, &work, &state->n_iterations, err));
+    HS_TRY(hs_balance_predict(env->domain, &work, &load, err));
     hs_balance_measure(env->parallel, load, &state->largest, &state->factor);
     return HS_OK;
 }

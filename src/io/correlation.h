@@ -92,6 +92,8 @@ HS_MUST_USE hs_status hs_correlation_tau_keywords(hs_fix *fix, hs_correlation_ta
 /** The table, a row for each lag, and room for sample and means. */
 HS_MUST_USE hs_status hs_correlation_tau_create(hs_fix *fix, hs_correlation_tau *t, hs_correlation_name name,
                                                 hs_error *err);
+/** The correlator of all pairs of the deck's values (after hs_correlation_pair), and these. */
+HS_MUST_USE hs_status hs_correlation_tau_of_pairs(hs_fix *fix, hs_correlation_tau *t, int n_lags, hs_error *err);
 void hs_correlation_tau_fini(hs_correlation_tau *t);
 /** At the end of a step, for fixes whose sample are the values of the deck: take it in, and where output is due (*is_due) bring count
  *  and result up to date (collective). */

@@ -32,6 +32,19 @@ hs_status hs_correlation_tau_create(hs_fix *fix, hs_correlation_tau *t, hs_corre
     return HS_ALLOC(t->sample, (size_t)t->tau.n_values, err);
 }
 
+hs_status hs_correlation_tau_of_pairs(hs_fix *fix, hs_correlation_tau *t, int n_lags, hs_error *err)
+{
+    const hs_correlation *c = fix->state;
+    const hs_multi_tau_plan plan = {.n_values = c->n_values,
+                                    .n_pairs = c->n_pairs,
+                                    .pair = c->pair,
+                                    .n_lags = n_lags,
+                                    .n_levels = (int)t->n_levels,
+                                    .has_errors = c->has_errors};
+    HS_TRY(hs_multi_tau_init(&t->tau, &plan, err));
+    return hs_correlation_tau_create(fix, t, hs_correlation_product, err);
+}
+
 void hs_correlation_tau_fini(hs_correlation_tau *t)
 {
     hs_multi_tau_fini(&t->tau);

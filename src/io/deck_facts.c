@@ -6,7 +6,7 @@
 #include "io/quantity.h"
 #include "io/table.h"
 
-enum { WORDS_MAX = 6, WORD_SIZE = 128, LINE_SIZE = 1024 };
+enum { WORDS_MAX = 6, LINE_SIZE = 1024 };
 
 static hs_status add_name(hs_deck_facts *facts, char kind, const char *id, const char *style, hs_error *err)
 {

@@ -33,7 +33,7 @@ HS_EVALUATE(const hs_vec *p, hs_vec r2, hs_vec *force_over_r, hs_vec *energy, bo
 
 #include "style/pair_coeffs.h"
 
-enum { EPSILON, SIGMA, INNER_CUTOFF, N_COEFFS };
+enum { EPSILON, SIGMA, INNER_CUTOFF };
 
 typedef struct smooth_state {
     hs_pair_coeffs coeffs;

@@ -265,7 +265,7 @@ static hs_status begin_run(hs_sim *sim, const hs_run_plan *plan, hs_error *err)
     sim->env.ramp_stop = plan->stop;
     if (plan->pre || !sim->is_initialized) {
         HS_TRY(hs_sim_setup(sim, err));
-        if (!plan->is_quiet) hs_report_setup(sim);
+        hs_report_setup(sim);
     } else {
         HS_TRY(init_styles(sim, err));
         hs_neighbor_continue(&sim->neighbor);

@@ -56,7 +56,13 @@ START_TEST(multiple_tau_equals_the_direct_sum)
     hs_error err = {0};
     hs_multi_tau tau = {0};
     uint64_t state = 5;
-    ck_assert_hs_ok(hs_multi_tau_init(&tau, 2, N_PAIRS, pair, NULL, TAU_LAGS, TAU_LEVELS, true, &err), err);
+    const hs_multi_tau_plan plan = {.n_values = 2,
+                                    .n_pairs = N_PAIRS,
+                                    .pair = pair,
+                                    .n_lags = TAU_LAGS,
+                                    .n_levels = TAU_LEVELS,
+                                    .has_errors = true};
+    ck_assert_hs_ok(hs_multi_tau_init(&tau, &plan, &err), err);
     ck_assert_int_eq(hs_multi_tau_rows(&tau), N_ROWS);
     for (int s = 0; s < TAU_SAMPLES; ++s) {
         series[0][0][s] = uniform(&state) - 0.3;
