@@ -59,6 +59,8 @@ void hs_threads_restore(hs_threads threads)
 
 int hs_threads_get(void) { return omp_get_max_threads(); }
 
+bool hs_threads_need_region(void) { return omp_get_max_threads() > 1 || omp_in_parallel(); }
+
 int hs_threads_available(void)
 {
     pthread_once(&cores.once, find_cores);

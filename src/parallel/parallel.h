@@ -75,11 +75,14 @@ void hs_threads_unbind(void);
 /** Number of the calling thread in its parallel region, and the region's threads. */
 int hs_thread_number(void);
 int hs_thread_count(void);
-/** Make a call on every thread of a parallel region; with one thread make it as it is, for a region of one costs GNU OpenMP system
+/** Whether loops and barriers need a region of their own: with several threads, and with one within the parallel region of a
+ *  library's caller, whose other threads they would else wait for. */
+bool hs_threads_need_region(void);
+/** Make a call on every thread of a parallel region; where it needs none make it as it is, for a region of one costs GNU OpenMP system
  *  calls. Loops in what is called are shared by `omp for`. */
 #define HS_ON_THREADS(call)                                                                                            \
     do {                                                                                                               \
-        if (hs_threads_get() > 1) {                                                                                    \
+        if (hs_threads_need_region()) {                                                                                \
             _Pragma("omp parallel") call;                                                                              \
         } else {                                                                                                       \
             call;                                                                                                      \

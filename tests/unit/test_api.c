@@ -405,9 +405,15 @@ START_TEST(test_openmp_of_the_caller)
         ck_assert_int_eq(omp_get_max_threads(), 3);
         hs_code code = HS_CODE_FAILED;
         need(other, hs_simulation_deck_text(other, melt));
-#pragma omp parallel
+        int n_callers = 0;
+        omp_set_dynamic(0); /* which makes the team small on a busy machine: it must have another thread */
+#pragma omp parallel num_threads(2)
 #pragma omp single
-        code = hs_simulation_run(other, 20);
+        {
+            n_callers = omp_get_num_threads();
+            code = hs_simulation_run(other, 20);
+        }
+        ck_assert_int_eq(n_callers, 2);
         need(other, code);
         need(other, hs_simulation_get_positions(other, HS_ORDER_ID, N_ATOMS, within));
         ck_assert_mem_eq(within, alone, sizeof alone);
