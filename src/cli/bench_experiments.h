@@ -35,12 +35,13 @@ typedef struct hs_bench_series {
     int64_t n_atoms_max; /**< beyond, it is left out; 0: no limit */
 } hs_bench_series;
 
-/** What is drawn of the samples: a picture and a table of its own. */
+/** A number of the samples, with a table of its own. */
 typedef struct hs_bench_metric {
     const char *suffix; /**< of the files' names; "" for the first */
     const char *label;  /**< of the vertical axis */
     size_t offset;      /**< of the number in hs_bench_sample */
     bool is_linear;     /**< vertical axis; else logarithmic */
+    bool is_drawn;      /**< it has a picture, too */
 } hs_bench_metric;
 
 typedef struct hs_bench_experiment {

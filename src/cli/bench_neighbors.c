@@ -281,9 +281,11 @@ static hs_status write_files(const request *r, const hs_bench_experiment *e, con
     hs_text path = {0};
     hs_status status = hs_text_printf(&path, err, "%s/neighbors-%s%s.csv", r->out, e->name, metric->suffix);
     if (status == HS_OK) status = write_csv(e, found, metric, hs_text_get(&path), err);
-    hs_text_clear(&path);
-    if (status == HS_OK) status = hs_text_printf(&path, err, "%s/neighbors-%s%s.png", r->out, e->name, metric->suffix);
-    if (status == HS_OK) status = draw(e, found, metric, hs_text_get(&path), err);
+    if (status == HS_OK && metric->is_drawn) {
+        hs_text_clear(&path);
+        status = hs_text_printf(&path, err, "%s/neighbors-%s%s.png", r->out, e->name, metric->suffix);
+        if (status == HS_OK) status = draw(e, found, metric, hs_text_get(&path), err);
+    }
     hs_text_fini(&path);
     return status;
 }
