@@ -10,7 +10,7 @@ typedef struct ave_state {
     hs_schedule schedule;
     char *chunk_id; /**< owned */
     hs_chunk_columns columns;
-    bool is_locking; /**< a window has begun */
+    bool is_holding; /**< the chunks: a window has begun, or means are of several */
     int64_t n_chunks;
     double *sum;    /**< owned [n_chunks][1 + n]: counts and values of the present window */
     double *sample; /**< owned [1 + n][n_chunks] */
@@ -89,23 +89,10 @@ static hs_status create(hs_fix *fix, const hs_args *args, hs_error *err)
     return HS_OK;
 }
 
-/** Chunks stay as many as they are while a window is averaged. */
-static void lock_chunks(hs_fix *fix, bool is_locking)
-{
-    ave_state *state = fix->state;
-    hs_compute *compute;
-    hs_error ignored = {0};
-    if (state->is_locking == is_locking || state->chunk_id == NULL) return;
-    state->is_locking = is_locking;
-    if (hs_chunks_find(fix->env, state->chunk_id, "", &compute, &ignored) != HS_OK) return;
-    hs_chunks *chunks = hs_chunks_of(compute);
-    if (is_locking || chunks->n_locks > 0) chunks->n_locks += is_locking ? 1 : -1; /* perhaps another in its place */
-}
-
 static void destroy(hs_fix *fix)
 {
     ave_state *state = fix->state;
-    lock_chunks(fix, false); /* in the middle of a window */
+    hs_chunks_hold(fix->env, state->chunk_id, false, &state->is_holding);
     hs_chunk_columns_fini(&state->columns);
     HS_FREE(state->chunk_id);
     HS_FREE(state->sum);
@@ -249,7 +236,7 @@ static hs_status end_of_step(hs_fix *fix, hs_error *err)
     if (is_first) {
         HS_TRY(reserve(fix, compute, err));
         memset(state->sum, 0, (size_t)chunks->n * (size_t)width * sizeof *state->sum);
-        lock_chunks(fix, true);
+        hs_chunks_hold(fix->env, state->chunk_id, true, &state->is_holding);
     }
     HS_TRY(take_sample(fix, compute, err));
     if (!hs_schedule_advance(&state->schedule, fix->env->step)) return HS_OK;
@@ -264,7 +251,7 @@ static hs_status end_of_step(hs_fix *fix, hs_error *err)
     }
     hs_fold_add(&state->fold, state->sum);
     hs_fold_find_errors(&state->fold);
-    lock_chunks(fix, false);
+    if (state->fold.mode == HS_FOLD_ONE) hs_chunks_hold(fix->env, state->chunk_id, false, &state->is_holding);
     return write_window(fix, chunks, err);
 }
 
@@ -295,7 +282,7 @@ static hs_status keep_state(hs_fix *fix, hs_state *kept, hs_error *err)
     HS_TRY(hs_state_int64(kept, "n_taken", &state->schedule.n_taken, 1, err));
     HS_TRY(hs_state_int64(kept, "n_chunks", &state->n_chunks, 1, err));
     HS_TRY(hs_state_int64(kept, "n_folded", &fold->n_added, 1, err));
-    HS_TRY(hs_state_bool(kept, "is_locking", &state->is_locking, err));
+    HS_TRY(hs_state_bool(kept, "is_holding", &state->is_holding, err));
     HS_TRY(hs_state_doubles(kept, "sum", &state->sum, &n_sum, err));
     HS_TRY(hs_state_doubles(kept, "folded", &fold->sum, &n_fold, err));
     if (fold->mode == HS_FOLD_WINDOW) HS_TRY(hs_state_doubles(kept, "ring", &fold->ring, &n_ring, err));

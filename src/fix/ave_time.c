@@ -4,6 +4,7 @@
 
 #include "base/memory.h"
 #include "io/average.h"
+#include "style/chunks.h"
 #include "style/value.h"
 
 typedef struct ave_state {
@@ -12,6 +13,7 @@ typedef struct ave_state {
     int n_values;
     bool is_vector;     /**< mode vector: each value is a vector of n_rows elements */
     int n_rows;         /**< 1 in mode scalar */
+    bool *is_holding;   /**< owned [n_values]: the chunks that the value is of */
     bool *is_off;       /**< owned [n_values]: keyword off: the last sample counts, not the mean */
     bool *is_extensive; /**< owned [3 n_values]: of means, errors, inefficiencies: grows with the number of atoms */
     double *sum;        /**< owned [n_rows][n_values]: of the present window */
@@ -132,6 +134,7 @@ static hs_status create(hs_fix *fix, const hs_args *args, hs_error *err)
                             state->is_vector ? HS_VALUE_VECTOR : HS_VALUE_NUMBER, err));
     fix->has_variable_length = state->is_vector && hs_value_is_variable(fix->env, &state->values[0]);
     HS_TRY(HS_ALLOC(state->is_off, (size_t)state->n_values, err));
+    HS_TRY(HS_ALLOC(state->is_holding, (size_t)state->n_values, err));
     HS_TRY(read_keywords(state, args, first, err));
     HS_TRY(hs_fold_check_errors(&state->fold, &state->schedule, args->command, err));
     HS_TRY(find_length(fix, args->command, err));
@@ -140,9 +143,22 @@ static hs_status create(hs_fix *fix, const hs_args *args, hs_error *err)
     return make_head(state, err);
 }
 
+/** Rows of chunks stay those of the same chunks while a window is averaged; means of several windows hold them for good. */
+static void hold_chunks(hs_fix *fix, bool hold)
+{
+    ave_state *state = fix->state;
+    for (int k = 0; k < state->n_values && state->is_vector; ++k) {
+        const hs_value *value = &state->values[k];
+        const hs_compute *compute = value->kind == 'c' ? fix->env->find_compute(fix->env, value->id) : NULL;
+        if (compute != NULL) hs_chunks_hold(fix->env, compute->chunk_id, hold, &state->is_holding[k]);
+    }
+}
+
 static void destroy(hs_fix *fix)
 {
     ave_state *state = fix->state;
+    if (state->is_holding != NULL) hold_chunks(fix, false);
+    HS_FREE(state->is_holding);
     hs_values_destroy(&state->values, state->n_values);
     HS_FREE(state->is_off);
     HS_FREE(state->is_extensive);
@@ -175,11 +191,11 @@ static bool needs_energy(const hs_fix *fix, int64_t step)
            hs_values_need_energy(fix->env, state->values, state->n_values);
 }
 
-/** Vectors whose length varies, as the number of chunks does: each window may have another (ave one). */
+/** Vectors whose length varies, as the number of chunks does: each window may have its own, means of several that of the first. */
 static hs_status fit_length(hs_fix *fix, hs_error *err)
 {
     ave_state *state = fix->state;
-    if (!state->is_vector || state->fold.mode != HS_FOLD_ONE) return HS_OK;
+    if (!state->is_vector || (state->fold.mode != HS_FOLD_ONE && state->fold.n_added > 0)) return HS_OK;
     for (int k = 0; k < state->n_values; ++k) HS_TRY(hs_value_refresh(fix->env, &state->values[k], err));
     if (hs_value_length(fix->env, &state->values[0]) == state->n_rows) return HS_OK;
     return find_length(fix, hs_fix_who(fix).text, err);
@@ -246,7 +262,10 @@ static hs_status end_of_step(hs_fix *fix, hs_error *err)
     ave_state *state = fix->state;
     HS_TRY(hs_fix_need_sample(fix, state->schedule.next, err));
     if (!hs_schedule_is_due(&state->schedule, fix->env->step)) return HS_OK;
-    if (state->schedule.n_taken == 0) HS_TRY(fit_length(fix, err));
+    if (state->schedule.n_taken == 0) {
+        HS_TRY(fit_length(fix, err));
+        hold_chunks(fix, true);
+    }
     const int n = state->n_rows * state->n_values;
     if (state->schedule.n_taken == 0) memset(state->sum, 0, (size_t)n * sizeof *state->sum);
     HS_TRY(take_sample(fix, err));
@@ -258,6 +277,7 @@ static hs_status end_of_step(hs_fix *fix, hs_error *err)
     for (int i = 0; i < n; ++i)
         if (state->is_off[i % state->n_values]) state->fold.sum[i] = state->sum[i] * hs_fold_count(&state->fold);
     hs_fold_find_errors(&state->fold);
+    if (state->fold.mode == HS_FOLD_ONE) hold_chunks(fix, false);
     return write_window(fix, err);
 }
 
@@ -307,6 +327,11 @@ static hs_status keep_state(hs_fix *fix, hs_state *kept, hs_error *err)
     ave_state *state = fix->state;
     int64_t n_rows = state->n_rows;
     HS_TRY(hs_schedule_keep(&state->schedule, kept, err));
+    for (int k = 0; k < state->n_values && state->is_vector; ++k) {
+        char name[32];
+        snprintf(name, sizeof name, "is_holding %d", k);
+        HS_TRY(hs_state_bool(kept, name, &state->is_holding[k], err));
+    }
     HS_TRY(hs_state_int64(kept, "rows", &n_rows, 1, err));
     if (n_rows != state->n_rows) HS_TRY(set_length(fix, (int)n_rows, err));
     HS_TRY(hs_state_double(kept, "sum", state->sum, (int64_t)state->n_rows * state->n_values, err));

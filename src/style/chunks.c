@@ -16,6 +16,17 @@ hs_status hs_chunks_find(hs_env *env, const char *id, const char *command, hs_co
                    hs_compute_who(*compute).text);
 }
 
+void hs_chunks_hold(hs_env *env, const char *id, bool hold, bool *is_holding)
+{
+    hs_compute *compute;
+    hs_error ignored = {0};
+    if (*is_holding == hold || id == NULL) return;
+    *is_holding = hold;
+    if (hs_chunks_find(env, id, "", &compute, &ignored) != HS_OK) return;
+    hs_chunks *chunks = hs_chunks_of(compute);
+    if (hold || chunks->n_locks > 0) chunks->n_locks += hold ? 1 : -1; /* perhaps another in its place */
+}
+
 hs_status hs_bins_sum(const hs_env *env, uint32_t mask, const double *bin, size_t n_bins, const double *values,
                       double *sums, hs_error *err)
 {

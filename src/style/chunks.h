@@ -13,7 +13,7 @@ typedef struct hs_chunks {
     int64_t *original;  /**< owned [n]: numbers before they were compressed; NULL when they were not */
     double volume;      /**< of one chunk: distance^3, distance^2 in two dimensions */
     double *volumes;    /**< owned [n]: where they differ; NULL: all have `volume` */
-    int64_t n_locks;    /**< while there are some, chunks stay as many as they are */
+    int64_t n_locks;    /**< while there are some (hs_chunks_hold), chunks stay as many, and where, they are */
     bool is_compressed; /**< only chunks with atoms have numbers */
     bool is_once;       /**< counted or numbered once: at the start of the first run */
     bool is_by_window;  /**< ids nfreq: who averages asks for new numbers at the start of a window */
@@ -23,6 +23,9 @@ typedef struct hs_chunks {
 /** The compute chunk/atom of that ID; an error naming @p command otherwise. */
 HS_MUST_USE hs_status hs_chunks_find(hs_env *env, const char *id, const char *command, hs_compute **compute,
                                      hs_error *err);
+/** Let the compute chunk/atom of that ID keep its chunks, as many and where they are (@p hold), or no longer. *is_holding says whether
+ *  the caller, who calls again with false when it ends, has them kept. Without such a compute nothing happens. */
+void hs_chunks_hold(hs_env *env, const char *id, bool hold, bool *is_holding);
 /** Volume of chunk c, from 0. */
 static inline double hs_chunks_volume(const hs_chunks *chunks, int64_t c)
 {

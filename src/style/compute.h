@@ -79,6 +79,8 @@ typedef struct hs_compute {
     bool has_scalar, has_vector, has_array, has_atoms, has_local;
     /** Vector or rows of the array: as many as the latest evaluation found; elements beyond are 0. Set by create. */
     bool has_variable_length;
+    /** Set by create: the compute chunk/atom whose chunks the vector or the rows are of; borrowed from the style. NULL: none. */
+    const char *chunk_id;
     /** Set by create: made from other values that may need the pair energy or virial, or measured at the places of the
      *  forces (style/places.h), which steps remember that compute these. */
     bool may_need_energy;

@@ -36,6 +36,7 @@ hs_status hs_per_chunk_create(hs_compute *compute, const hs_args *args, int n_co
     compute->has_vector = !compute->has_array;
     compute->n_columns = compute->has_array ? n_columns : 0;
     compute->has_variable_length = true;
+    compute->chunk_id = state->chunk_id;
     return set_rows(compute, hs_chunks_of(state->chunk_atom)->n, err);
 }
 

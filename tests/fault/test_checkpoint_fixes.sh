@@ -144,6 +144,14 @@ fix 1 all nvt temp 1.0 1.2 0.5
 fix_modify 1 temp bath
 D
 
+check held_chunks <<'D'
+fix 1 all nph iso 30 30 0.3
+compute layers all chunk/atom bin/1d y upper 0.7 units box
+compute flow all vcm/chunk layers
+fix c all ave/chunk 2 3 10 layers vy temp ave running file layers.txt
+fix t all ave/time 2 3 10 c_flow[*] mode vector ave running file flow.txt
+D
+
 check exclusions <<'D'
 fix 1 all nve
 group few id 1:60
