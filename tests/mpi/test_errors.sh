@@ -98,9 +98,9 @@ cmp failed.10.dump failed.ranks >&2 || fail "failed.10.dump of one rank and of f
 { cat in.good; printf 'group g id 17\nfix f g addforce 1e300 0 0\nrun 40\n'; } >in.thrown
 expect 2 "in.thrown:16: error: at step 1 atom 17" 4 ranks 4 in.thrown -log none
 
-# Files that cannot be written: no folder, a full disk from the first byte on and in mid-run, a limit of the shell.
+# Files that cannot be written: no folder (which is known before anything runs), a full disk from the first byte on and in mid-run, a limit of the shell.
 { cat in.good; echo 'dump 1 all atom 2 no/such/folder/dump'; echo 'run 4'; } >in.folder
-expect 2 "no/such/folder" 2 ranks 2 in.folder -log none
+expect 1 "no/such/folder" 2 ranks 2 in.folder -log none
 { cat in.good; echo 'dump 1 all atom 2 /dev/full'; echo 'run 4'; } >in.full
 expect 2 "/dev/full" 4 ranks 4 in.full -log none
 { cat in.good; echo 'write_data /dev/full'; } >in.data
