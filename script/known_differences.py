@@ -52,7 +52,7 @@ KNOWN = [
           "first row after displace_atoms between runs: LAMMPS takes the chunks' velocities of before"),
     Known(None, r"^compute (?P<id>\S+) \S+ chunk/atom .*exact compress yes", None, "LAMMPS writes whatever is in memory for chunks that compression leaves empty"),
     Known(BOX_CHANGES + r"|^boundary .*[sm]", r"^fix (?P<id>\S+) \S+ ave/chunk .*density", None, "LAMMPS takes the box's volume at a window's start"),
-    Known(r"^run .*every|^(run|minimize|include)(.|\n)*^(run|rerun|jump)", r"^(compute (?=\S+ \S+ (global|centro)/atom)|variable (?=\S+ vector))(?P<id>\S+)", None,
+    Known(r"^run .*every|^(run|minimize|include)(.|\n)*^(run|rerun|jump)", r"^(compute (?=\S+ \S+ (global|centro|chunk/spread)/atom)|variable (?=\S+ vector))(?P<id>\S+)", None,
           "first row of a later run: LAMMPS keeps what it had at that step, though the box or the time in the run has changed"),
     Known(None, r"^compute (?P<id>\S+) .*bin/(cylinder|sphere)", None, "LAMMPS leaves out atoms that have left the box since its last list"),
     Known(r"^boundary .*[sm]", r"^compute (?P<id>\S+) .*(compress yes|chunk/atom bin/)", None, "LAMMPS leaves out atoms that have left the box since its last list"),
@@ -73,6 +73,13 @@ KNOWN = [
           "LAMMPS's energies of lj/cubic are nan, or others, where pair_coeff names unlike types instead of leaving them to be mixed"),
     Known(r"^region (\S+) .*\brotate (.|\n)*^region \S+ (union|intersect) \d+ (.* )?\1\b", None, None,
           "LAMMPS turns unions and intersections with parts that turn by an angle that was never set (uninitialized memory, valgrind says)"),
+    Known(r"^pair_style lj/cubic(.|\n)*^fix \S+ (all (nph|npt|press)|\S+ (ave/\S+|vector) .*thermo_press)", None, None,
+          "barostats and averages of the pressure with lj/cubic: LAMMPS's has its virial only at steps with output of energies"),
+    Known(r"remap v(.|\n)*^balance", None, None, "LAMMPS's command balance wraps atoms without the change of velocity that remap v gives them"),
+    Known(r"^fix \S+ \S+ (ave/\S+|vector) .*thermo_press(.|\n)*^fix \S+ \S+ (heat|ehex)", None, r"^(P[xyz]|c_)",
+          "fixes that change velocities at the end of a step, after one that has asked for the pressure: LAMMPS shows that of before"),
+    Known(r"^fix \S+ all dt/reset(.|\n)*^fix \S+ \S+ (addforce|setforce|aveforce|spring|gravity|indent|wall|viscous|lineforce|planeforce)", None, None,
+          "fix dt/reset before fixes with forces: LAMMPS chooses the first timestep without these"),
     Known(r"^min_style fire", None, r"^Dt$", "rows of minimize show the deck's timestep, LAMMPS's that of fire"),
 ]
 

@@ -29,7 +29,7 @@ def add_integrator(deck):
         deck.add(f"group rest subtract all {first}" if first != "all" else "")
         deck.add(f"fix int {first} {deck.pick('nve', 'nvt ' + heat_bath_words(deck) + chains)}")
         if first != "all":
-            deck.add(f"fix int2 rest {deck.pick('nve', 'nve/limit ' + deck.value(0.03, 'length'), 'nvt ' + heat_bath_words(deck))}"
+            deck.add(f"fix int2 rest {deck.pick('nve', 'nve/noforce', 'nve/limit ' + deck.value(0.03, 'length'), 'nvt ' + heat_bath_words(deck))}"
                      if deck.chance(0.7) else "")
     elif deck.integrator == "biased":
         style = deck.pick("temp/com", "temp/partial 1 1 0", "temp/profile 1 0 0 y 3", "temp")
@@ -88,6 +88,14 @@ def own_fix_choices(deck):
     choices += [f"drag {middle[0]} {deck.pick('NULL', middle[1])} NULL {n(-1, 1, 'force')} {n(0, 1, 'length')}",
                 f"spring/rg {n(1, 10, 'stiffness')} {deck.pick('NULL', n(1, 4, 'length'))}",
                 f"oneway {steps} {live_region(deck)} {deck.pick('x', 'y', '-x', '-y')}"]
+    axis, other = deck.pick(("x", "y"), ("y", "x"))
+    choices += [f"viscosity {steps} {axis} {other} {deck.pick(4, 6)}{deck.pick('', ' swap 2', ' vtarget ' + n(0.5, 2, 'velocity'))}", f"flow/gauss {deck.pick('1 0 0', '1 1 0', '0 1 0')}{deck.pick('', ' energy yes')}",
+                f"controller {deck.pick(2, 5)} 1.0 {n(0.1, 1)} {n(0, 0.1)} 0 c_thermo_temp {warm} knob",
+                f"ave/correlate/fft {deck.pick(1, 2)} 8 4 c_thermo_temp c_thermo_press[1] type full{deck.pick('', ' levels 3', ' error yes levels 2')} file fft.ave",
+                f"ave/correlate/long 1 5 c_thermo_temp c_thermo_press[2] type auto/upper nlen 4 ncorr 3{deck.pick('', ' overwrite', ' error yes')} file long.ave"]
+    if deck.boundary[0] != "p":
+        wall = f"EDGE {warm} 0 {n(-0.2, 0.2, 'velocity')} 0"
+        choices += [f"wall/reflect/stochastic {kind} {seed} xlo {wall}{more} xhi {wall}{more}" for kind, more in (("diffusive", ""), ("maxwell", " 0.7"), ("ccl", " 0.9 0.8 0.8"))]
     if deck.n_types > 1:
         potentials = " ".join(n(-1, 1, "energy") for _ in range(deck.n_types))
         types = " ".join(str(kind + 1) for kind in range(deck.n_types))
@@ -154,10 +162,11 @@ def fix_choices(deck):
         f"dt/reset {steps} {deck.value(0.0005, 'time')} {deck.value(0.005, 'time')} {deck.value(0.02, 'length')} units box",
     ]
     choices = [choice.replace("{n}", n(-1, 1, "force")) for choice in choices]
-    if len(deck.groups) > 2:
+    if len(deck.groups) > 2 and not deck.is_inner:  # where groups have atoms
         choices += [f"spring couple {deck.groups[1]} {n(5, 50, 'stiffness')} {n(0, 1, 'length')} NULL NULL {n(0, 1, 'length')}"]
     if plane:
         choices += ["enforce2d"] * 2
+    choices += [f"balance {steps} {deck.pick('1.0', '1.1')} {deck.pick('shift xy 5 1.05', 'shift x 10 1.0', 'shift yx 3 1.1 weight neigh 0.8')}"]
     if deck.is_inner:
         choices.append(f"wall/region in {deck.pick('lj93', 'lj126', 'harmonic', 'lj1043')} {n(0.5, 1, 'energy')} "
                        f"{n(0.2, 0.3, 'length')} {n(0.4, 0.5, 'length')}")
@@ -249,9 +258,11 @@ def add_own_fix(deck):
     if deck.has(rf"fix \S+ \S+ {style}\b"):
         return
     name = deck.name("o")
+    deck.add("variable knob internal 1.0" if style == "controller" else "")
     deck.add(f"fix {name} {deck.group() if style in ('evaporate', 'gcmc', 'atom/swap', 'ave/self', 'drag', 'spring/rg', 'oneway') else 'all'} {words}")
     deck.columns += {"widom": [f"f_{name}[2]", f"f_{name}[3]"], "atom/swap": [f"f_{name}[1]", f"f_{name}[2]"], "evaporate": [f"f_{name}"],
                      "gcmc": [f"f_{name}[2]", f"f_{name}[4]", f"f_{name}[6]"], "deposit": [f"f_{name}"], "rhok": [f"f_{name}", f"f_{name}[3]"],
+                     "viscosity": [f"f_{name}"], "flow/gauss": [f"f_{name}", f"f_{name}[1]"], "controller": [f"f_{name}[1]", f"f_{name}[2]", "v_knob"],
                      "drag": [f"f_{name}[1]", f"f_{name}[3]"]}.get(style, [])
 
 

@@ -1,7 +1,7 @@
 """Computes of a random deck: of numbers, of values per atom, of chunks."""
 from random_decks.formulas import atom_formula
 from random_decks.system import live_region
-from random_decks.pairs import PAIRS
+from random_decks.pairs import OWN_PAIRS, PAIRS
 
 # Computes with numbers of all of a group: words after the style, and the columns that they give.
 GLOBAL_COMPUTES = {
@@ -17,7 +17,7 @@ DIPOLE_COMPUTES = {"dipole": ("{geometry}", ["", "[1]", "[3]"])}
 ALL_ATOMS_ONLY = ("pressure", "pressure virial", "pe", "heat/flux")
 # Computes with values per atom: words, number of columns (0: a vector).
 ATOM_COMPUTES = {"stress/atom": ("{stress}", 6), "pe/atom": ("{energies_pair}", 0), "ke/atom": ("", 0), "coord/atom": ("cutoff {reach}{of}", 0),
-                 "displace/atom": ("", 4), "cluster/atom": ("{reach}", 0), "centro/atom": ("{neighbors}", 0),
+                 "displace/atom": ("", 4), "cluster/atom": ("{reach}", 0), "centro/atom": ("{neighbors}", 0), "cna/atom": ("{reach}", 0),
                  "property/atom": ("x xu vx ix fx mass", 6), "property/atom ": ("id type xs ys vz iy", 6),
                  "property/atom  ": ("xu yu zs xs fy vy", 6),
                  "orientorder/atom": ("{order}", 2)}
@@ -59,6 +59,8 @@ def add_computes(deck):
         add_local_values(deck)
     if deck.is_alone and deck.chance(0.3):
         add_own_measures(deck)
+    if deck.chance(0.15):
+        add_kept_values(deck)
     if deck.chance(0.2):
         add_vectors(deck)
     if deck.chance(0.1):
@@ -85,8 +87,8 @@ def add_global_compute(deck):
 
 def add_pair_energy(deck):
     """What one of the pair styles adds to the energy."""
-    line = next(line for line in deck.lines if line.startswith("pair_style"))
-    style = deck.random.choice([word for word in line.split()[1:] if word in PAIRS])
+    line = [line for line in deck.lines if line.startswith("pair_style")][-1]
+    style = deck.random.choice([word for word in line.split()[1:] if word in (*PAIRS, *OWN_PAIRS, "table")])
     number = f" {deck.pick(1, 2)}" if line.split().count(style) > 1 else ""
     name = deck.name("c")
     deck.add(f"compute {name} all pair {style}{number}{deck.pick('', ' epair', ' evdwl', ' ecoul')}")
@@ -114,6 +116,14 @@ def add_own_measures(deck):
              f"compute {gyration} {group} gyration", f"compute {shape} {group} gyration/shape {gyration}",
              f"compute {total} all reduce {deck.pick('sum', 'max', 'ave')} c_{listed}[1] c_{listed}[2]")
     deck.columns += [f"c_{shape}[{deck.random.randint(1, 6)}]", f"c_{total}[1]"]
+    if deck.chance(0.5):
+        name = deck.name("c")
+        deck.add(f"compute {name} {group} msd/nongauss{deck.pick('', ' com yes')}")
+        deck.columns += [f"c_{name}[1]", f"c_{name}[3]"]
+    if deck.dimension == 2 and deck.chance(0.6):
+        name = deck.name("c")
+        deck.add(f"compute {name} {group} hexorder/atom {deck.pick('', 'degree 4 nnn 4', 'nnn NULL cutoff ' + deck.value(1.5, 'length'))}".rstrip())
+        deck.atom_values += [f"c_{name}[1]", f"c_{name}[2]"]
     if deck.chance(0.7):
         dump = deck.name("d")
         deck.add(f"dump {dump} all local {deck.pick(1, 4, 5)} {dump}.{deck.pick('', '*.')}dump index c_{ids}[*] c_{pairs}[*]",
@@ -153,6 +163,15 @@ def add_values_of_file(deck):
     deck.add(f'print "3" file {file} screen no', *(f'print "{atom} {deck.number(-2, 2)}" append {file} screen no' for atom in deck.random.sample(range(1, 20), 3)),
              f"variable {name} atomfile {file}", f'variable {other} atom "v_{name}*{deck.pick("x", "vy", "type")}+v_{name}"')
     deck.atom_values += [f"v_{name}", f"v_{other}"]
+
+
+def add_kept_values(deck):
+    """Values of atoms that are stored, or averaged over time."""
+    name, total = deck.name("y"), deck.name("c")
+    value = deck.random.choice(["vx"] + [value for value in deck.atom_values if value.startswith("c_")])
+    kept = [f"store/state {deck.pick(0, 0, 3, 5)} {deck.pick('x', 'xu', 'vx', 'yu', 'type')} {value}{deck.pick('', ' com yes')}", f"ave/atom {deck.pick('1 1 1', '1 2 5', '2 3 10')} {value} {deck.pick('fx', 'vy')}"]
+    deck.add(f"fix {name} {deck.group()} {deck.random.choice(kept)}", f'variable {name} atom "f_{name}[1]*2-f_{name}[2]"')
+    deck.atom_values += [f"f_{name}[1]", f"f_{name}[2]", f"v_{name}"]
 
 
 def add_heat_flux(deck):

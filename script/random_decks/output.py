@@ -91,7 +91,10 @@ def add_dump(deck):
         file = f"{name}.*.dump"
     style = deck.pick(f"custom {n} {file} id " + " ".join(columns), f"atom {n} {file}", f"custom {n} {file} id x y z vx vy vz", f"xyz {n} {file}",
                       f"cfg {n} {name}.*.dump mass type {deck.pick('xs ys zs', 'xsu ysu zsu')} id {' '.join(columns[:3])}",
-                      f"dcd {n} {name}.dcd" if deck.is_alone else f"atom {n} {file}")
+                      f"dcd {n} {name}.dcd" if deck.is_alone else f"atom {n} {file}", f"extxyz {n} {file} vx vy vz fx" if deck.is_alone else f"xyz {n} {file}")
+    if style.startswith("extxyz"):
+        deck.add(f"dump {name} {deck.group()} {style}", deck.pick("", f"dump_modify {name} format float %.17g", f"dump_modify {name} first yes"))
+        return
     if style.startswith("dcd"):
         deck.add(f"dump {name} all {style}", deck.pick("", f"dump_modify {name} unwrap yes", f"dump_modify {name} pbc yes"))
         return

@@ -17,12 +17,27 @@ PAIRS = {
     "gauss": (["cutoff"], [(-3, 3, "energy"), (0.5, 2, "1/area")]),
     "soft": ([(1.3, 1.5, "length")], [(5, 30, "energy")]),
     "zero": (["cutoff"], []),
+    "lj96/cut": (["cutoff"], [EPSILON, SIGMA]),
+    "lj/class2": (["cutoff"], [EPSILON, (1, 1.1, "length")]),
+    "mie/cut": (["cutoff"], [EPSILON, SIGMA, (9, 14), (5, 7)]),
+    "nm/cut": (["cutoff"], [EPSILON, (1, 1.2, "length"), (9, 14), (5, 7)]),
+    "gauss/cut": (["cutoff"], [(-1, 1, "energy length"), (1, 1.5, "length"), (0.1, 0.3, "length")]),
+    "cosine/squared": (["cutoff"], [EPSILON, (1, 1.1, "length")]),
 }
-MIXES = ["lj/cut", "lj/smooth", "lj/expand", "lj/cubic", "lj/smooth/linear", "lj/sf"]
-WITH_CUTOFF = ["lj/cut", "morse", "yukawa", "born", "buck", "gauss", "lj/smooth/linear", "lj/expand", "lj/sf", "soft", "zero"]  # pair_coeff takes one
-WITH_SHIFT = ["lj/cut", "morse", "yukawa", "born", "buck", "gauss", "lj/smooth", "lj/expand", "lj/cubic", "lj/smooth/linear", "lj/sf"]
-PAIR_WEIGHTS = ["lj/cut"] * 4 + list(PAIRS)
-PARTNERS = ["morse", "yukawa", "gauss", "soft", "born", "buck"]  # of lj/cut in hybrids
+# What lmp has not; without cutoffs of their own.
+OWN_PAIRS = {
+    "harmonic/cut": ([], [(20, 100, "stiffness"), (1, 1.3, "length")]),
+    "harmonic/repulsion": ([], [(20, 100, "energy"), (1, 1.3, "length")]),
+    "harmonic/sphere": ([], [(20, 100, "energy")]),
+    "wca": ([], [EPSILON, SIGMA]),
+}
+MIXES = ["lj/cut", "lj/smooth", "lj/expand", "lj/cubic", "lj/smooth/linear", "lj/sf", "lj96/cut", "lj/class2", "mie/cut"]
+WITH_CUTOFF = ["lj/cut", "morse", "yukawa", "born", "buck", "gauss", "lj/smooth/linear", "lj/expand", "lj/sf", "soft", "zero", "lj96/cut", "lj/class2",
+               "mie/cut", "nm/cut", "gauss/cut", "cosine/squared"]  # pair_coeff takes one
+WITH_SHIFT = ["lj/cut", "morse", "yukawa", "born", "buck", "gauss", "lj/smooth", "lj/expand", "lj/cubic", "lj/smooth/linear", "lj/sf", "lj96/cut", "lj/class2",
+              "mie/cut", "nm/cut", "gauss/cut"]
+PAIR_WEIGHTS = ["lj/cut"] * 5 + list(PAIRS)
+PARTNERS = ["morse", "yukawa", "gauss", "soft", "born", "buck", "gauss/cut", "lj96/cut", "mie/cut", "nm/cut"]  # of lj/cut in hybrids
 
 
 def words_of(deck, entries):
@@ -34,6 +49,12 @@ def words_of(deck, entries):
 def add_pairs(deck):
     deck.cutoff = round(deck.random.uniform(1.75, 2.6), 2)
     deck.pair = deck.random.choice(PAIR_WEIGHTS + ["hybrid", "hybrid/overlay"] * 2)
+    if deck.is_alone and deck.chance(0.1):
+        add_own_pairs(deck)
+        return
+    if deck.chance(0.06):
+        add_table(deck)
+        return
     if deck.pair.startswith("hybrid"):
         add_hybrid(deck)
         return
@@ -54,6 +75,26 @@ def add_pairs(deck):
         if deck.pair == "lj/smooth" and deck.chance(0.2):
             own_cutoff = f" {deck.number(1.3, 1.6, 'length')} {deck.number(1.75, 2.5, 'length')}"
         deck.add(f"pair_coeff {one} {two} {words_of(deck, PAIRS[deck.pair][1])}{own_cutoff}")
+
+
+def add_own_pairs(deck):
+    """Pair styles that lmp has not."""
+    deck.pair = deck.random.choice([style for style in OWN_PAIRS if style != "harmonic/sphere" or deck.is_sphere()])
+    deck.add(f"pair_style {deck.pair}", f"pair_coeff * * {words_of(deck, OWN_PAIRS[deck.pair][1])}")
+    if deck.n_types > 1 and deck.chance(0.5):
+        deck.add(f"pair_coeff 2 2 {words_of(deck, OWN_PAIRS[deck.pair][1])}")
+
+
+def add_table(deck):
+    """A potential that is written to a table, and read from there."""
+    cutoff = deck.value(deck.cutoff, "length")
+    style = deck.pick("lj/cut", "morse", "gauss")
+    near, far = deck.value(0.5, "length"), deck.value(deck.cutoff - 0.01, "length")
+    deck.add(f"pair_style {style} {cutoff}", f"pair_coeff * * {words_of(deck, PAIRS[style][1])}",
+             f"pair_write 1 1 {deck.pick(300, 1000)} {deck.pick('r', 'rsq')} {near} {far} pair.table ONE",
+             f"pair_style table {deck.pick('lookup', 'linear', 'spline')} {deck.pick(500, 2000)}",
+             f"pair_coeff * * pair.table ONE{deck.pick('', ' ' + deck.value(deck.cutoff - 0.1, 'length'))}")
+    deck.pair = "table"
 
 
 def add_hybrid(deck):

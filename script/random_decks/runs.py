@@ -5,7 +5,7 @@ from random_decks.fixes import add_fixes
 from random_decks.formulas import random_formula
 from random_decks.measures import add_atom_compute, add_global_compute
 from random_decks.output import add_average, add_dump, thermo_words
-from random_decks.pairs import PAIRS, words_of
+from random_decks.pairs import OWN_PAIRS, PAIRS, words_of
 from random_decks.system import add_group, velocity_change
 
 
@@ -58,6 +58,8 @@ def change_computes(deck):
 
 def change_pairs(deck):
     style = deck.pair
+    if style == "table" or style in OWN_PAIRS:
+        return
     if style in PAIRS and deck.chance(0.5):
         deck.add(f"pair_coeff * * {words_of(deck, PAIRS[style][1])}".rstrip())
     elif style in PAIRS and style not in ("soft", "zero") and not deck.has(r"fix \S+ \S+ adapt"):
@@ -92,6 +94,7 @@ def change_system(deck):
                f"print 'step $(step) ke $(ke:%.9g) box $(lx:%.8g)' append printed.ave screen no"]
     if deck.n_types > 1:
         choices += ["set type 2 type 1", f"set group {deck.groups[-1]} type 2"]
+    choices += ["write_coeff written.coeff", "timer full", "balance 1.1 shift xy 5 1.05", "balance 1.0 x uniform"]
     words = deck.random.choice(choices)
     if "v_shove" in words and not deck.has("variable shove"):
         deck.add(f"variable shove atom {length}*(id%2)")

@@ -104,7 +104,7 @@ def more_regions(deck):
     side = deck.pick("", "", " side out", " side in")
     low_z, high_z = ("-0.25", "0.25") if deck.dimension == 2 else ("0.31", f"{nz - 0.4:.3g}")
     z_middle = 0 if deck.dimension == 2 else nz / 2
-    kind = deck.pick("plane", "prism", "half", "union", "intersect", "cylinder", "words", "box units", "edge", "three")
+    kind = deck.pick("plane", "prism", "cone", "half", "union", "intersect", "cylinder", "words", "box units", "edge", "three")
     if kind == "plane":
         deck.add(f"region {name} plane {nx / 2} {ny / 2} {z_middle} {deck.number(-1, 1)} {deck.number(0.2, 1)} 0{side}")
     elif kind == "prism":
@@ -115,6 +115,8 @@ def more_regions(deck):
         deck.add(f"region {name} block EDGE {nx * 0.47:.4g} {ny * 0.13:.4g} EDGE EDGE EDGE{side}")
     elif kind == "box units":
         deck.add(f"region {name} block {deck.number(0.2, 1, 'length')} {deck.number(3, 5, 'length')} INF INF INF INF units box{side}")
+    elif kind == "cone" and deck.dimension == 3:
+        deck.add(f"region {name} cone {deck.pick('x', 'y')} {ny / 2} {nz / 2} {deck.pick(deck.number(0.3, 1), 0)} {deck.number(1.2, 2.5)} 0.3 {min(nx, ny) * 0.7:.3g}{side}")
     elif kind == "cylinder" and deck.dimension == 3:
         deck.add(f"region {name} cylinder {deck.pick('x', 'y')} {ny / 2} {nz / 2} {deck.number(1, 2)} INF INF{side}")
     elif kind in ("union", "intersect"):
