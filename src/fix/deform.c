@@ -8,7 +8,8 @@
 #include "style/deform_aim.h"
 #include "style/fix.h"
 
-static const char *const path_names[] = {"x", "y", "z", "xy", "xz", "yz"};
+/** The words of the fix: of the paths, in their order, and the others. */
+static const char *const words[] = {"x", "y", "z", "xy", "xz", "yz", "remap", "flip", "units", NULL};
 
 typedef struct deform_state {
     hs_box_flow flow; /**< env->box_flow, as long as this fix lives */
@@ -69,8 +70,8 @@ static hs_status check_volumes(const deform_state *state, const hs_args *args, h
 static hs_status read_path(hs_fix *fix, const hs_args *args, int i, bool is_box, int *n_used, hs_error *err)
 {
     deform_state *state = fix->state;
-    int k = 0;
-    while (strcmp(args->word[i], path_names[k]) != 0) ++k;
+    int k;
+    HS_TRY(hs_arg_choice(args, i, words, &k, err)); /* one of the paths: the caller knows the others */
     const bool is_tilt = k >= 3;
     const int axis = is_tilt ? hs_tilt_first(k - 3) : k;
     HS_TRY(is_tilt ? hs_box_check_tilt_changes(fix->env->box, k - 3, args->command, err)
