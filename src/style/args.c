@@ -38,15 +38,22 @@ int hs_syntax_first_keyword(const hs_syntax *syntax, const hs_args *args)
     return i < args->n ? i : args->n;
 }
 
-/** Whether word i of a usage is an <output-file>. */
-static bool is_output_place(const char *usage, int i)
+/** Whether a word, number i of a usage, is an <output-file>, and not one of the words that may stand in its place
+ *  (`<output-file>|none`). */
+static bool is_output(const char *usage, int i, const char *word)
 {
     for (; i > 0 && *usage != '\0'; --i) {
         usage += strcspn(usage, " ");
         usage += strspn(usage, " ");
     }
-    const char *const found = strstr(usage, output_file);
-    return found != NULL && found < usage + strcspn(usage, " ");
+    const char *const end = usage + strcspn(usage, " ");
+    const char *at = strstr(usage, output_file);
+    if (at == NULL || at > end) return false;
+    for (at += strlen(output_file); *at == '|'; at += strcspn(at, "| ")) {
+        ++at;
+        if (strlen(word) == strcspn(at, "| ") && strncmp(at, word, strlen(word)) == 0) return false;
+    }
+    return true;
 }
 
 int hs_syntax_next_output(const hs_syntax *syntax, const hs_args *args, int from)
@@ -54,7 +61,7 @@ int hs_syntax_next_output(const hs_syntax *syntax, const hs_args *args, int from
     const int n_positional = hs_syntax_first_keyword(syntax, args);
     for (int i = from; i < args->n; ++i) {
         const hs_keyword *keyword = i > n_positional ? find_keyword(syntax, args->word[i - 1]) : NULL;
-        if (i < n_positional ? is_output_place(syntax->usage, i)
+        if (i < n_positional ? is_output(syntax->usage, i, args->word[i])
                              : keyword != NULL && keyword->values != NULL && strcmp(keyword->values, output_file) == 0)
             return i;
     }

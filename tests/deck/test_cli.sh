@@ -93,6 +93,10 @@ grep -q "WARNING: $n_threads threads take turns on" out || wrong "no warning" -t
 expect 2 "cannot write 'folder'" "$HALFSHELL" good.in -log folder
 expect 2 "cannot write 'nowhere/log'" "$HALFSHELL" good.in -log nowhere/log
 expect 2 "cannot write 'folder'" "$HALFSHELL" good.in -log none -screen folder
+# `log none` is no file, even where no file of that name could be written
+mkdir none && { echo "log none"; cat good.in; } >none.in
+expect 0 "" "$HALFSHELL" none.in -log none -screen none
+rmdir none
 if [ -e /dev/full ]; then
     expect 2 "the log file could not be written in full" "$HALFSHELL" good.in -log /dev/full
     expect 2 "the screen output could not be written in full" "$HALFSHELL" good.in -log none -screen /dev/full
