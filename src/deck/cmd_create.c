@@ -44,11 +44,8 @@ static hs_status create_check(const hs_args *args, bool has_variables, hs_error 
 
 static hs_status read_type(const hs_sim *sim, const hs_args *args, int i, int *type, hs_error *err)
 {
-    int64_t number = 0;
-    if (!hs_text_to_int64(args->word[i], &number)) return hs_arg_refuse(args, i, "an atom type", NULL, err);
-    if (number < 1 || number > sim->atoms.n_types)
-        return hs_fail(err, HS_ERROR_INPUT, "%s: there is no atom type %s; the box was made with %d", args->command,
-                       args->word[i], sim->atoms.n_types);
+    int64_t number;
+    HS_TRY(hs_arg_type(args, i, sim->atoms.n_types, &number, err));
     *type = (int)number;
     return HS_OK;
 }

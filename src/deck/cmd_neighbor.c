@@ -49,8 +49,8 @@ static hs_status exclude(hs_sim *sim, const hs_args *args, int i, int *n_used, h
     if (kind == 0) {
         int64_t a, b;
         HS_TRY(hs_sim_need_box(sim, "neigh_modify exclude type", err));
-        HS_TRY(hs_arg_int(args, i + 2, 1, sim->atoms.n_types, &a, err));
-        HS_TRY(hs_arg_int(args, i + 3, 1, sim->atoms.n_types, &b, err));
+        HS_TRY(hs_arg_type(args, i + 2, sim->atoms.n_types, &a, err));
+        HS_TRY(hs_arg_type(args, i + 3, sim->atoms.n_types, &b, err));
         return add_exclusion(sim, (hs_exclusion){HS_EXCLUDE_TYPE, (int)a, (int)b}, err);
     }
     if (kind == 1) {

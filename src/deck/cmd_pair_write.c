@@ -24,7 +24,7 @@ static hs_status read_plan(plan *p, const hs_sim *sim, const hs_args *args, hs_e
     int64_t n;
     int style;
     for (int k = 0; k < 2; ++k) {
-        HS_TRY(hs_arg_int(args, k, 1, sim->atoms.n_types, &n, err));
+        HS_TRY(hs_arg_type(args, k, sim->atoms.n_types, &n, err));
         p->type[k] = (int)n;
     }
     HS_TRY(hs_arg_int(args, 2, 2, 100000000, &n, err));

@@ -235,7 +235,7 @@ static hs_status set_keyword(const selection *s, const hs_args *args, int i, hs_
     const char *keyword = args->word[i];
     int64_t n = s->n_all, type;
     if (strncmp(keyword, "type/", 5) == 0) {
-        HS_TRY(hs_arg_int(args, i + 1, 1, s->sim->atoms.n_types, &type, err));
+        HS_TRY(hs_arg_type(args, i + 1, s->sim->atoms.n_types, &type, err));
         HS_TRY(hs_set_random_types(s->sim, s->flag, s->n_all, args, i, (int)type, &n, err));
         hs_parallel_sum_int64(&s->sim->parallel, &n, 1);
     } else if (hs_custom_atom_is_name(keyword)) {

@@ -70,7 +70,7 @@ static hs_status read_types(hs_fix *fix, const hs_args *args, int i, int n, hs_e
     HS_TRY(HS_GROW(state->type, 0, (size_t)n + 1, err));
     for (int k = 0; k < n; ++k) {
         int64_t type;
-        HS_TRY(hs_arg_int(args, i + k, 1, fix->env->atoms->n_types, &type, err));
+        HS_TRY(hs_arg_type(args, i + k, fix->env->atoms->n_types, &type, err));
         for (int other = 0; other < k; ++other)
             if (state->type[other] == type)
                 return hs_arg_refuse(args, i + k, "a type that was not named yet", NULL, err);

@@ -106,7 +106,7 @@ static hs_status create(hs_fix *fix, const hs_args *args, hs_error *err)
     state->n_attempts = 10;
     HS_TRY(hs_syntax_check(&fix->style->about.syntax, args, false, err));
     HS_TRY(hs_arg_int(args, 0, 1, INT64_MAX, &state->n_wanted, err));
-    HS_TRY(hs_arg_int(args, 1, 1, env->atoms->n_types, &type, err));
+    HS_TRY(hs_arg_type(args, 1, env->atoms->n_types, &type, err));
     HS_TRY(hs_arg_int(args, 2, 1, INT64_MAX, &state->every, err));
     HS_TRY(hs_arg_int(args, 3, 1, INT32_MAX - 1, &seed, err));
     HS_TRY(read_keywords(fix, args, &is_box, err));

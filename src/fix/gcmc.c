@@ -91,7 +91,7 @@ static hs_status create(hs_fix *fix, const hs_args *args, hs_error *err)
     HS_TRY(hs_arg_int(args, 0, 1, INT64_MAX, &state->every, err));
     HS_TRY(hs_arg_int(args, 1, 0, 1 << 20, &state->n_exchanges, err));
     HS_TRY(hs_arg_int(args, 2, 0, 1 << 20, &state->n_moves, err));
-    HS_TRY(hs_arg_int(args, 3, 1, fix->env->atoms->n_types, &state->type, err));
+    HS_TRY(hs_arg_type(args, 3, fix->env->atoms->n_types, &state->type, err));
     HS_TRY(hs_arg_int(args, 4, 1, INT32_MAX, &seed, err));
     HS_TRY(hs_arg_positive(args, 5, &state->temperature, err));
     HS_TRY(hs_arg_double(args, 6, &state->mu, err));

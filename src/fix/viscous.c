@@ -24,7 +24,7 @@ static hs_status create(hs_fix *fix, const hs_args *args, hs_error *err)
     for (int i = 1; i + 2 < args->n; i += 3) {
         int64_t type;
         double ratio;
-        HS_TRY(hs_arg_int(args, i + 1, 1, n_types, &type, err));
+        HS_TRY(hs_arg_type(args, i + 1, n_types, &type, err));
         HS_TRY(hs_arg_double(args, i + 2, &ratio, err));
         state->gamma[type] = gamma * ratio;
     }

@@ -36,7 +36,7 @@ static hs_status create(hs_fix *fix, const hs_args *args, hs_error *err)
     HS_TRY(hs_syntax_check(&fix->style->about.syntax, args, false, err));
     HS_TRY(hs_arg_int(args, 0, 1, INT64_MAX, &state->every, err));
     HS_TRY(hs_arg_int(args, 1, 1, INT32_MAX, &state->n_tests, err));
-    HS_TRY(hs_arg_int(args, 2, 1, fix->env->atoms->n_types, &state->type, err));
+    HS_TRY(hs_arg_type(args, 2, fix->env->atoms->n_types, &state->type, err));
     HS_TRY(hs_arg_int(args, 3, 1, INT32_MAX, &seed, err));
     HS_TRY(hs_arg_positive(args, 4, &state->temperature, err));
     for (int i = 5; i < args->n; ++i)

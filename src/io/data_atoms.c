@@ -60,7 +60,8 @@ static hs_status read_images(const hs_lines *lines, int first, int32_t image[3],
         int64_t value = 0;
         const char *word = lines->n_words > first ? lines->word[first + axis] : "0";
         if (!hs_text_to_int64(word, &value) || value > IMAGE_MAX || value < -IMAGE_MAX)
-            return hs_fail(err, HS_ERROR_INPUT, "'%s' is not an image flag (a whole number)", word);
+            return hs_fail(err, HS_ERROR_INPUT, "'%s' is not an image flag (a whole number from -%d to %d)", word,
+                           IMAGE_MAX, IMAGE_MAX);
         image[axis] = (int32_t)value;
     }
     return HS_OK;

@@ -5,6 +5,9 @@
 
 #include "io/data_internal.h"
 
+/** Distance: squares of lengths below it, and sums of them, are finite. */
+static const double longest = 1e150;
+
 /** Lines of the header by the words after their numbers. */
 typedef enum { ATOMS, TYPES, XBOUNDS, YBOUNDS, ZBOUNDS, TILT, MUST_BE_ZERO } header_kind;
 
@@ -57,7 +60,10 @@ static hs_status read_bounds(hs_data_reader *reader, int axis, hs_error *err)
         return hs_fail(err, HS_ERROR_INPUT, "box bounds must be two finite numbers, not '%s %s'", lines->word[0],
                        lines->word[1]);
     const double length = reader->hi[axis] - reader->lo[axis];
-    if (!(length > 0.0 && length < 1e150))
+    if (length >= longest)
+        return hs_fail(err, HS_ERROR_INPUT, "the box bounds '%s %s' are too far apart: a box is less than %g long",
+                       lines->word[0], lines->word[1], longest);
+    if (!(length > 0.0))
         return hs_fail(err, HS_ERROR_INPUT,
                        "the box bounds '%s %s' do not leave a box: the first must be less than the second",
                        lines->word[0], lines->word[1]);
@@ -69,8 +75,9 @@ static hs_status read_tilts(hs_data_reader *reader, hs_error *err)
 {
     const hs_lines *lines = &reader->lines;
     for (int k = 0; k < 3; ++k)
-        if (!hs_text_to_double(lines->word[k], &reader->tilt[k]) || !(fabs(reader->tilt[k]) < 1e150))
-            return hs_fail(err, HS_ERROR_INPUT, "tilts must be three finite numbers, and '%s' is none", lines->word[k]);
+        if (!hs_text_to_double(lines->word[k], &reader->tilt[k]) || !(fabs(reader->tilt[k]) < longest))
+            return hs_fail(err, HS_ERROR_INPUT, "tilts must be three numbers of a size below %g, and '%s' is none",
+                           longest, lines->word[k]);
     reader->is_tilted = true;
     return HS_OK;
 }

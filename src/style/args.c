@@ -222,6 +222,15 @@ hs_status hs_arg_choice(const hs_args *args, int i, const char *const *choices, 
     return status;
 }
 
+hs_status hs_arg_type(const hs_args *args, int i, int n_types, int64_t *type, hs_error *err)
+{
+    HS_TRY(hs_arg_need(args, i, "an atom type", err));
+    if (!hs_text_to_int64(args->word[i], type)) return hs_arg_refuse(args, i, "an atom type", NULL, err);
+    if (*type >= 1 && *type <= n_types) return HS_OK;
+    return hs_fail(err, HS_ERROR_INPUT, "%s: there is no atom type %s; the box was made with %d", args->command,
+                   args->word[i], n_types);
+}
+
 hs_status hs_arg_range(const hs_args *args, int i, int n_types, int *lo, int *hi, hs_error *err)
 {
     HS_TRY(hs_arg_need(args, i, "an atom type", err));

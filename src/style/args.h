@@ -62,6 +62,8 @@ HS_MUST_USE hs_status hs_arg_bool(const hs_args *args, int i, bool *value,
                                   hs_error *err); /**< yes|no (on|off, true|false too) */
 /** Index of the word in a NULL-ended list of allowed words. */
 HS_MUST_USE hs_status hs_arg_choice(const hs_args *args, int i, const char *const *choices, int *choice, hs_error *err);
+/** An atom type, from 1 to n_types. */
+HS_MUST_USE hs_status hs_arg_type(const hs_args *args, int i, int n_types, int64_t *type, hs_error *err);
 /** A type range as in `pair_coeff * 2*4 ...`: n, *, n*, *n, m*n; within [1, n_types]. */
 HS_MUST_USE hs_status hs_arg_range(const hs_args *args, int i, int n_types, int *lo, int *hi, hs_error *err);
 /** Fail unless word i exists. */

@@ -47,6 +47,10 @@ hs_status hs_deform_path_read(hs_deform_path *path, const hs_args *args, int i, 
         HS_TRY(hs_arg_double(args, i + 1 + k, &path->number[k], err));
         if (is_length) path->number[k] *= unit;
     }
+    if (path->style == HS_DEFORM_FINAL && !is_tilt && !(path->number[0] < path->number[1]))
+        return hs_fail(err, HS_ERROR_INPUT,
+                       "%s: 'final %s %s' leaves no box: the first bound must be less than the second", args->command,
+                       args->word[i + 1], args->word[i + 2]);
     if (path->style == HS_DEFORM_SCALE && !(path->number[0] > 0.0))
         return hs_arg_refuse(args, i + 1, "a factor above 0", NULL, err);
     if (path->style == HS_DEFORM_WIGGLE && !(path->number[1] > 0.0))
