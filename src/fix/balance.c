@@ -60,7 +60,6 @@ static hs_status create(hs_fix *fix, const hs_args *args, hs_error *err)
     balance_state *state = fix->state;
     int which;
     HS_TRY(hs_syntax_check(&fix->style->about.syntax, args, false, err));
-    if (fix->group != 0) return hs_fail(err, HS_ERROR_INPUT, "%s: the group must be all", args->command);
     HS_TRY(hs_arg_int(args, 0, 1, INT64_MAX, &state->every, err));
     HS_TRY(hs_arg_positive(args, 1, &state->threshold, err));
     HS_TRY(hs_arg_choice(args, 2, styles, &which, err));
@@ -159,7 +158,7 @@ const hs_fix_style hs_fix_style_balance = {
                   "along all axes here.\n\n" HS_BALANCE_WEIGHT_DETAILS "\n\n"
                   "`f_ID` is the imbalance after the last measurement (1 is perfect), `f_ID[1]` the largest load, "
                   "`f_ID[2]` the iterations, `f_ID[3]` the imbalance before. Results do not depend on where the planes "
-                  "are. On one rank only the lists are made.",
+                  "are. On one rank only the lists are made. The group has no meaning.",
               .example = "fix even all balance 1000 1.05 shift xyz 10 1.02\nfix even all balance 500 1.1 shift z 5 "
                          "1.05 weight time 1"},
     .state_size = sizeof(balance_state),

@@ -103,7 +103,7 @@ fix 1 all nve
 fix t two temp/berendsen 1.0 2.0 0.1
 fix f all viscous 0.3 scale 2 2.0
 fix d all dt/reset 3 NULL 0.01 0.02
-fix b all balance 4 1.0 rcb weight group 1 two 3.0 weight var w weight time 0.7
+fix b two balance 4 1.0 rcb weight group 1 two 3.0 weight var w weight time 0.7
 D
 } >in.adapt
 
