@@ -34,8 +34,9 @@ static hsize_t n_words(const hs_atom_field *field) { return field->size % 8 == 0
 static hid_t make_dataset(hid_t group, const char *name, const hs_atom_field *field, hsize_t n_all)
 {
     const hsize_t extents[2] = {n_all, n_words(field)};
-    const hid_t space = H5Screate_simple(extents[1] > 1 ? 2 : 1, extents, NULL);
-    const hid_t dataset = H5Dcreate2(group, name, word_type(field), space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
+    const hid_t space = H5Screate_simple(extents[1] > 1 ? 2 : 1, extents, NULL), create = hs_h5_dataset_list();
+    const hid_t dataset = H5Dcreate2(group, name, word_type(field), space, H5P_DEFAULT, create, H5P_DEFAULT);
+    H5Pclose(create);
     H5Sclose(space);
     return dataset;
 }

@@ -59,12 +59,20 @@ bool hs_h5_get_int_attribute(hid_t at, const char *name, int64_t *value)
     return is_fine;
 }
 
+hid_t hs_h5_dataset_list(void)
+{
+    const hid_t create = H5Pcreate(H5P_DATASET_CREATE);
+    H5Pset_obj_track_times(create, false);
+    return create;
+}
+
 bool hs_h5_put_text(hid_t at, const char *name, const char *text)
 {
-    const hid_t type = text_type(text), space = H5Screate(H5S_SCALAR);
-    const hid_t dataset = H5Dcreate2(at, name, type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
+    const hid_t type = text_type(text), space = H5Screate(H5S_SCALAR), create = hs_h5_dataset_list();
+    const hid_t dataset = H5Dcreate2(at, name, type, space, H5P_DEFAULT, create, H5P_DEFAULT);
     const bool is_fine = dataset >= 0 && H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, text) >= 0;
     H5Dclose(dataset);
+    H5Pclose(create);
     H5Sclose(space);
     H5Tclose(type);
     return is_fine;
@@ -73,10 +81,12 @@ bool hs_h5_put_text(hid_t at, const char *name, const char *text)
 bool hs_h5_put_values(hid_t at, const char *name, hid_t type, const void *values, hsize_t n)
 {
     const hid_t space = n == 1 ? H5Screate(H5S_SCALAR) : H5Screate_simple(1, &n, NULL);
-    const hid_t dataset = H5Dcreate2(at, name, file_type(type), space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
+    const hid_t create = hs_h5_dataset_list();
+    const hid_t dataset = H5Dcreate2(at, name, file_type(type), space, H5P_DEFAULT, create, H5P_DEFAULT);
     const bool is_fine =
         dataset >= 0 && (n == 0 || H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) >= 0);
     H5Dclose(dataset);
+    H5Pclose(create);
     H5Sclose(space);
     return is_fine;
 }
@@ -88,11 +98,10 @@ hid_t hs_h5_dataset(hid_t at, const char *name, const hs_h5_shape *shape)
     hsize_t most[3] = {H5S_UNLIMITED, shape->now[1], shape->now[2]};
     if (shape->grows_twice) most[1] = H5S_UNLIMITED;
     const hid_t space = H5Screate_simple(shape->rank, shape->now, most);
-    const hid_t create = H5Pcreate(H5P_DATASET_CREATE), use = H5Pcreate(H5P_DATASET_ACCESS);
+    const hid_t create = hs_h5_dataset_list(), use = H5Pcreate(H5P_DATASET_ACCESS);
     hsize_t chunk_bytes = H5Tget_size(shape->type);
     for (int k = 0; k < shape->rank; ++k) chunk_bytes *= shape->chunk[k];
     H5Pset_chunk(create, shape->rank, shape->chunk);
-    H5Pset_obj_track_times(create, false); /* the same run gives the same file */
     if (shape->fill != NULL) H5Pset_fill_value(create, shape->type, shape->fill);
     if (shape->deflate > 0) {
         H5Pset_shuffle(create);

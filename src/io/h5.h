@@ -12,6 +12,8 @@ bool hs_h5_put_text_attribute(hid_t at, const char *name, const char *text);
 bool hs_h5_put_int_attributes(hid_t at, const char *name, const int32_t *values, int n);
 /** False when there is no such attribute, or it is not one whole number. */
 bool hs_h5_get_int_attribute(hid_t at, const char *name, int64_t *value);
+/** How datasets are made: without the time when, so that the same run gives the same file, byte for byte. The caller closes it. */
+hid_t hs_h5_dataset_list(void);
 /** A dataset of one string. */
 bool hs_h5_put_text(hid_t at, const char *name, const char *text);
 /** A dataset of one value, or a list. @p type is the type in memory; the file's is the same, little-endian. */
