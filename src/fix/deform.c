@@ -146,24 +146,6 @@ static hs_status check_start(const hs_fix *fix, hs_error *err)
     return HS_OK;
 }
 
-/** A run starts from the present box; a series of runs (`run start`) from that when the fix was defined. */
-static hs_status init(hs_fix *fix, hs_error *err)
-{
-    deform_state *state = fix->state;
-    const hs_env *env = fix->env;
-    const bool is_single = env->first_step == env->ramp_start;
-    for (int axis = 0; axis < 3; ++axis) {
-        state->plan.start[axis][0] = is_single ? env->box->lo[axis] : state->first[axis][0];
-        state->plan.start[axis][1] = is_single ? env->box->hi[axis] : state->first[axis][1];
-        state->plan.start_tilt[axis] = is_single ? env->box->tilt[axis] : state->first_tilt[axis];
-        if (is_single) state->flips[axis] = 0;
-    }
-    state->plan.start_time = env->time_origin + (double)(env->ramp_start - env->time_origin_step) * env->dt;
-    state->flip_at = -1;
-    HS_TRY(check_start(fix, err));
-    return hs_deform_begin_flow(&state->plan, env, &state->flow, err);
-}
-
 /** Atoms that have crossed a face since the lists of the run before were made take the velocity of their image. */
 static hs_status pre_force(hs_fix *fix, bool is_setup, hs_error *err)
 {
@@ -203,6 +185,27 @@ static void plan_flip(deform_state *state, const hs_env *env)
     state->flip_now[0] = excess(box, 0, box->tilt[0]);
     const bool is_flipped = state->flip_now[0] != 0 || state->flip_now[1] != 0 || state->flip_now[2] != 0;
     state->flip_at = is_flipped ? env->step + 1 : -1;
+}
+
+/** A run starts from the present box; a series of runs (`run start`) from that when the fix was defined. */
+static hs_status init(hs_fix *fix, hs_error *err)
+{
+    deform_state *state = fix->state;
+    const hs_env *env = fix->env;
+    const bool is_single = env->first_step == env->ramp_start;
+    for (int axis = 0; axis < 3; ++axis) {
+        state->plan.start[axis][0] = is_single ? env->box->lo[axis] : state->first[axis][0];
+        state->plan.start[axis][1] = is_single ? env->box->hi[axis] : state->first[axis][1];
+        state->plan.start_tilt[axis] = is_single ? env->box->tilt[axis] : state->first_tilt[axis];
+        if (is_single) state->flips[axis] = 0;
+    }
+    state->plan.start_time = env->time_origin + (double)(env->ramp_start - env->time_origin_step) * env->dt;
+    if (state->flip_at == env->step + 1)
+        plan_flip(state, env); /* as the last step of the run before has, for the box that there is now */
+    else
+        state->flip_at = -1;
+    HS_TRY(check_start(fix, err));
+    return hs_deform_begin_flow(&state->plan, env, &state->flow, err);
 }
 
 static hs_status end_of_step(hs_fix *fix, hs_error *err)
