@@ -14,6 +14,8 @@ REFUSALS = [
     (r"the format line has \d+ words but a row has", "LAMMPS leaves columns out that a format line has no words for"),
     (r"to the broken power", "a root of a negative number, which LAMMPS lets be nan"),
     (r"there is no atom of that ID", "LAMMPS takes 0 for values of atoms that are not there"),
+    (r"whose members stay", "what remembers its atoms, or has lists of them, is given a dynamic group"),
+    (r"is on or behind the wall", "an atom behind a wall, which LAMMPS's wall/lj1043 lets go"),
     (r"elements and has", "the number of chunks changes within a window of fix ave/time, for which LAMMPS holds it"),
 ]
 
@@ -41,6 +43,7 @@ KNOWN = [
           "the box changes at the end of a step: LAMMPS tells pairs at the places after, Halfshell those of the step's forces"),
     Known(r"\A(?!(.|\n)*neigh_modify every 1 )", MEASURED, None,
           "LAMMPS measures pairs of its lists, which come late by neigh_modify; Halfshell all that are there"),
+    Known(r"^group \S+ dynamic", NEIGHBORS, None, "dynamic groups: LAMMPS's periodic images keep the groups of the atoms when lists were made"),
     Known(r"prism", r"^compute (?P<id>\S+) \S+ coord/atom", None, "LAMMPS misses neighbors in tilted boxes whose ghosts end too near"),
     Known(None, r"^compute (?P<id>\S+) \S+ reduce/chunk \S+ sum", None, "LAMMPS's sums of the last chunk grow from one call to the next"),
     Known(None, r"^compute (?P<id>\S+) \S+ reduce/chunk \S+ (min|max)", None, "chunks without atoms: LAMMPS gives 1e20, Halfshell 0"),

@@ -167,6 +167,7 @@ def fix_choices(deck):
     if plane:
         choices += ["enforce2d"] * 2
     choices += [f"balance {steps} {deck.pick('1.0', '1.1')} {deck.pick('shift xy 5 1.05', 'shift x 10 1.0', 'shift yx 3 1.1 weight neigh 0.8')}"]
+    choices += [f"halt {deck.pick(1, 3, 4)} v_{deck.pick('late', 'hot')} {deck.pick('>', '>=', '!=')} 1 {deck.pick('error soft', 'error continue', 'error continue message no', '')}".strip()]
     if deck.is_inner:
         choices.append(f"wall/region in {deck.pick('lj93', 'lj126', 'harmonic', 'lj1043')} {n(0.5, 1, 'energy')} "
                        f"{n(0.2, 0.3, 'length')} {n(0.4, 0.5, 'length')}")
@@ -236,6 +237,7 @@ def add_fixes(deck):
              f"variable warm equal {deck.value(1, 'temperature')}+{deck.value(0.01, 'temperature')}*step",
              f"variable pull equal {deck.value(0.02, 'acceleration')}*step", f"variable go equal {deck.value(1, 'length')}*(1+0.01*step)",
              f"variable wall equal {deck.value(-0.5, 'length')}*(1+0.01*step)",
+             f"variable late equal step/{deck.pick(7, 9, 14)}", f"variable hot equal temp/{deck.number(0.5, 2, 'temperature')}",
              f"variable longer equal {deck.value(0.005, 'length')}*elapsed", f"variable faster equal {deck.value(0.005, 'length')}/dt")
     for _ in range(deck.pick(0, 0, 1, 1, 2, 3)):
         add_fix(deck)
@@ -246,7 +248,7 @@ def add_fixes(deck):
 
 def unused_variables(deck):
     """Take the definitions of variables away that no other line uses."""
-    names = ("push", "grow", "grow1", "swell", "field", "potential", "warm", "pull", "go", "wall", "longer", "faster")
+    names = ("push", "grow", "grow1", "swell", "field", "potential", "warm", "pull", "go", "wall", "late", "hot", "longer", "faster")
     for name in names:
         if not any(f"v_{name}" in re.split(r"[ ]", line) for line in deck.lines):
             deck.lines = [line for line in deck.lines if not line.startswith(f"variable {name} ")]

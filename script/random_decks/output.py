@@ -92,6 +92,9 @@ def add_dump(deck):
     style = deck.pick(f"custom {n} {file} id " + " ".join(columns), f"atom {n} {file}", f"custom {n} {file} id x y z vx vy vz", f"xyz {n} {file}",
                       f"cfg {n} {name}.*.dump mass type {deck.pick('xs ys zs', 'xsu ysu zsu')} id {' '.join(columns[:3])}",
                       f"dcd {n} {name}.dcd" if deck.is_alone else f"atom {n} {file}", f"extxyz {n} {file} vx vy vz fx" if deck.is_alone else f"xyz {n} {file}")
+    if deck.is_alone and deck.chance(0.2):
+        deck.add(f"dump {name} {deck.group()} {deck.pick(f'h5md {n} {name}.h5 position velocity force', f'h5md {n} {name}.h5 image', f'image {n} {name}.*.ppm type type size 40 40')}")
+        return
     if style.startswith("extxyz"):
         deck.add(f"dump {name} {deck.group()} {style}", deck.pick("", f"dump_modify {name} format float %.17g", f"dump_modify {name} first yes"))
         return

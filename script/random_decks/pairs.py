@@ -1,6 +1,6 @@
 """Pair styles and neighbor lists of a random deck."""
 # Style: words of pair_style after the name and words of pair_coeff after the types; (low, high, quantity) is a random number,
-# "cutoff" and "inner" are those of the deck. Styles in MIXES know coefficients of unlike atoms from those of like ones.
+# "cutoff" and "inner" are those of the deck, "diameters" two of small or large spheres. Styles in MIXES know coefficients of unlike atoms from those of like ones.
 EPSILON, SIGMA = (0.6, 1.2, "energy"), (0.9, 1.05, "length")
 PAIRS = {
     "lj/cut": (["cutoff"], [EPSILON, SIGMA]),
@@ -23,6 +23,7 @@ PAIRS = {
     "nm/cut": (["cutoff"], [EPSILON, (1, 1.2, "length"), (9, 14), (5, 7)]),
     "gauss/cut": (["cutoff"], [(-1, 1, "energy length"), (1, 1.5, "length"), (0.1, 0.3, "length")]),
     "cosine/squared": (["cutoff"], [EPSILON, (1, 1.1, "length")]),
+    "colloid": (["cutoff"], [(5, 100, "energy"), (0.5, 0.8, "length"), "diameters"]),
 }
 # What lmp has not; without cutoffs of their own.
 OWN_PAIRS = {
@@ -33,17 +34,24 @@ OWN_PAIRS = {
 }
 MIXES = ["lj/cut", "lj/smooth", "lj/expand", "lj/cubic", "lj/smooth/linear", "lj/sf", "lj96/cut", "lj/class2", "mie/cut"]
 WITH_CUTOFF = ["lj/cut", "morse", "yukawa", "born", "buck", "gauss", "lj/smooth/linear", "lj/expand", "lj/sf", "soft", "zero", "lj96/cut", "lj/class2",
-               "mie/cut", "nm/cut", "gauss/cut", "cosine/squared"]  # pair_coeff takes one
+               "mie/cut", "nm/cut", "gauss/cut", "cosine/squared", "colloid"]  # pair_coeff takes one
 WITH_SHIFT = ["lj/cut", "morse", "yukawa", "born", "buck", "gauss", "lj/smooth", "lj/expand", "lj/cubic", "lj/smooth/linear", "lj/sf", "lj96/cut", "lj/class2",
-              "mie/cut", "nm/cut", "gauss/cut"]
-PAIR_WEIGHTS = ["lj/cut"] * 5 + list(PAIRS)
+              "mie/cut", "nm/cut", "gauss/cut", "colloid"]
+PAIR_WEIGHTS = ["lj/cut"] * 5 + list(PAIRS) + ["colloid"]
 PARTNERS = ["morse", "yukawa", "gauss", "soft", "born", "buck", "gauss/cut", "lj96/cut", "mie/cut", "nm/cut"]  # of lj/cut in hybrids
 
 
 def words_of(deck, entries):
     """Words of a table entry: numbers drawn, cutoffs filled in."""
     lengths = {"cutoff": deck.cutoff, "inner": deck.cutoff - 0.4}
-    return " ".join(deck.value(lengths[entry], "length") if entry in lengths else deck.number(*entry) for entry in entries)
+    words = []
+    for entry in entries:
+        if entry == "diameters":
+            size = deck.number(0.2, 0.5, "length")
+            words.append(deck.pick("0 0", f"{size} {size}"))
+        else:
+            words.append(deck.value(lengths[entry], "length") if entry in lengths else deck.number(*entry))
+    return " ".join(words)
 
 
 def add_pairs(deck):

@@ -6,7 +6,7 @@ from random_decks.formulas import random_formula
 from random_decks.measures import add_atom_compute, add_global_compute
 from random_decks.output import add_average, add_dump, thermo_words
 from random_decks.pairs import OWN_PAIRS, PAIRS, words_of
-from random_decks.system import add_group, velocity_change
+from random_decks.system import add_group, more_regions, velocity_change
 
 
 def simple_runs(deck):
@@ -95,12 +95,25 @@ def change_system(deck):
     if deck.n_types > 1:
         choices += ["set type 2 type 1", f"set group {deck.groups[-1]} type 2"]
     choices += ["write_coeff written.coeff", "timer full", "balance 1.1 shift xy 5 1.05", "balance 1.0 x uniform"]
+    choices += changes_of_atoms(deck)
     words = deck.random.choice(choices)
     if "v_shove" in words and not deck.has("variable shove"):
         deck.add(f"variable shove atom {length}*(id%2)")
     deck.add(words)
     if deck.chance(0.15):
         add_group(deck)
+
+
+def changes_of_atoms(deck):
+    """Atoms that come and go between runs, unless something remembers where each was."""
+    if deck.keeps_places() or deck.has(r"fix \S+ \S+ (ave/chunk|ave/histo|store)|compute \S+ \S+ \S*/chunk|dump "):
+        return []
+    choices = [f"delete_atoms region {more_regions(deck)}", "reset_atom_ids", "reset_atom_ids sort no"]
+    choices += [f"delete_atoms group {deck.group()} compress no"] if len(deck.groups) > 1 else []
+    if deck.integrator == "nve/limit" or deck.pair in ("soft", "gauss", "zero"):  # where atoms may be made upon others
+        place = " ".join(f"{x + 0.29:.3f}" if i < deck.dimension else "0" for i, x in enumerate(deck.middle()))
+        choices += [f"create_atoms 1 single {place}", f"create_atoms {deck.n_types} random 3 {deck.seed()} NULL"]
+    return choices
 
 
 def redefinitions(deck):

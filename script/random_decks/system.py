@@ -249,4 +249,13 @@ def add_group(deck):
     deck.add(f"group {name} {kind}")
     if deck.chance(0.1):
         deck.add(f"group {name} {deck.pick('id 3:60', 'type 1', 'clear')}", f"group {name} id 10:90")
+    if deck.chance(0.08):
+        add_dynamic_group(deck, name)
     deck.groups.append(name)
+
+
+def add_dynamic_group(deck, name):
+    """The group's atoms are chosen anew every few steps."""
+    every = deck.pick("", " every 1", " every 3")
+    formula = deck.pick("vx>0", "x>y", "(id%4==1)||(vy>0)")
+    deck.add(f'variable {name}v atom "{formula}"' , f"group {name} dynamic all {deck.pick(f'var {name}v', f'region {more_regions(deck)}', f'var {name}v region {more_regions(deck)}')}{every}")
