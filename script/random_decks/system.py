@@ -258,4 +258,4 @@ def add_dynamic_group(deck, name):
     """The group's atoms are chosen anew every few steps."""
     every = deck.pick("", " every 1", " every 3")
     formula = deck.pick("vx>0", "x>y", "(id%4==1)||(vy>0)")
-    deck.add(f'variable {name}v atom "{formula}"' , f"group {name} dynamic all {deck.pick(f'var {name}v', f'region {more_regions(deck)}', f'var {name}v region {more_regions(deck)}')}{every}")
+    deck.add(f'variable {name}v atom "{formula}"', f"group {name} dynamic all {deck.pick(f'var {name}v', f'region {more_regions(deck)}', f'var {name}v region {more_regions(deck)}')}{every}")

@@ -50,7 +50,6 @@ static bool is_counted(const count_context *c, int column, int j)
     return c->scan->mask[j] & c->mask && type >= c->state->range[column][0] && type <= c->state->range[column][1];
 }
 
-/** Sums of ones are exact in any order. */
 static void count(void *context, int thread, const hs_pair_batch *batch)
 {
     const count_context *c = context;
@@ -59,14 +58,8 @@ static void count(void *context, int thread, const hs_pair_batch *batch)
         double *n = c->scan->atoms.f[k];
         for (int p = 0; p < batch->n; ++p) {
             const int i = batch->i[p], j = batch->j[p];
-            if (is_counted(c, c->first + k, j)) {
-#pragma omp atomic
-                n[i] += 1.0;
-            }
-            if (is_counted(c, c->first + k, i)) {
-#pragma omp atomic
-                n[j] += 1.0;
-            }
+            n[i] += is_counted(c, c->first + k, j);
+            n[j] += is_counted(c, c->first + k, i);
         }
     }
 }

@@ -2,7 +2,7 @@
 #include <string.h>
 
 #include "style/compute.h"
-#include "style/pair_scan.h"
+#include "style/pair_shares.h"
 
 typedef struct pe_state {
     bool has_pair;
@@ -22,39 +22,23 @@ static hs_status create(hs_compute *compute, const hs_args *args, hs_error *err)
     compute->may_need_energy = true;
     state->has_pair = args->n == 0;
     for (int i = 0; i < args->n; ++i) state->has_pair |= strcmp(args->word[i], "pair") == 0;
+    if (state->has_pair) hs_pair_shares_want(compute->env->pair_shares, false);
     return HS_OK;
 }
 
-typedef struct energy_context {
-    const hs_pair_scan *scan;
-    hs_pair_view view;
-} energy_context;
-
-static void share(void *context, const hs_pair_batch *batch, double (*values)[HS_PAIR_BATCH])
+static void destroy(hs_compute *compute)
 {
-    const energy_context *c = context;
-    for (int p = 0; p < batch->n; ++p) {
-        double force_over_r, energy;
-        hs_pair_scan_eval(c->scan, &c->view, batch->i[p], batch->j[p], batch->r2[p], &force_over_r, &energy);
-        values[0][p] = 0.5 * energy;
-    }
+    if (((pe_state *)compute->state)->has_pair) hs_pair_shares_release(compute->env->pair_shares, false);
 }
 
 static hs_status per_atom(hs_compute *compute, hs_error *err)
 {
-    hs_env *env = compute->env;
-    const int n = env->atoms->n_local;
-    hs_pair_scan scan = {0};
-    energy_context context = {.scan = &scan};
-    memset(compute->atoms, 0, (size_t)n * sizeof *compute->atoms);
-    env->view_pairs(env, &context.view);
-    if (context.view.pair == NULL || !((pe_state *)compute->state)->has_pair) return HS_OK;
-    hs_status status = hs_pair_scan_begin_at_forces(&scan, env, context.view.cutoff_max, err);
-    if (status == HS_OK) status = hs_pair_scan_share(&scan, env, 1, false, share, &context, compute->atoms, err);
-    hs_pair_scan_end(&scan);
-    for (int i = 0; i < n; ++i)
-        if (!(env->atoms->mask[i] & compute->mask)) compute->atoms[i] = 0.0;
-    return status;
+    const hs_atoms *atoms = compute->env->atoms;
+    const double *energy = NULL, *virial;
+    if (((pe_state *)compute->state)->has_pair) HS_TRY(hs_pair_shares_get(compute->env, false, &energy, &virial, err));
+    for (int i = 0; i < atoms->n_local; ++i)
+        compute->atoms[i] = energy != NULL && atoms->mask[i] & compute->mask ? energy[i] : 0.0;
+    return HS_OK;
 }
 
 const hs_compute_style hs_compute_style_pe_atom = {
@@ -67,9 +51,11 @@ const hs_compute_style hs_compute_style_pe_atom = {
              "The value per atom `c_ID` is half of the energy of each pair that the atom is part of (energy units); "
              "atoms outside the group have 0. Their sum is the energy of compute pe, but for the long-range "
              "correction of `pair_modify tail yes`. Without keywords everything counts; with keywords only the "
-             "parts they name. The pairs are found anew for each evaluation, which takes some timesteps' time.",
+             "parts they name. The pairs are found once for all computes pe/atom and stress/atom of a step, "
+             "which takes some timesteps' time.",
          .example = "compute u all pe/atom\ncompute sum all reduce sum c_u"},
     .state_size = sizeof(pe_state),
     .create = create,
+    .destroy = destroy,
     .per_atom = per_atom,
 };

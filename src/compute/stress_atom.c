@@ -7,7 +7,7 @@
 #include "core/atom_style.h"
 #include "style/compute.h"
 #include "style/fix.h"
-#include "style/pair_scan.h"
+#include "style/pair_shares.h"
 #include "style/stress_parts.h"
 
 typedef struct stress_state {
@@ -35,6 +35,7 @@ static hs_status create(hs_compute *compute, const hs_args *args, hs_error *err)
     compute->may_need_energy = true;
     compute->n_atom_columns = 6;
     state->parts = hs_stress_parts_read(args, 1);
+    if (state->parts.has_pair) hs_pair_shares_want(compute->env->pair_shares, true);
     if (state->parts.has_fix) {
         HS_TRY(hs_virial_of_fixes_want(compute->env, err));
         state->is_virial_user = true;
@@ -47,6 +48,7 @@ static void destroy(hs_compute *compute)
 {
     stress_state *state = compute->state;
     HS_FREE(state->temperature_id);
+    if (state->parts.has_pair) hs_pair_shares_release(compute->env->pair_shares, true);
     if (state->is_virial_user) hs_virial_of_fixes_release(compute->env);
 }
 
@@ -56,23 +58,7 @@ static hs_status init(hs_compute *compute, hs_error *err)
     return find_temperature(compute, &temperature, err);
 }
 
-typedef struct virial_context {
-    const hs_pair_scan *scan;
-    hs_pair_view view;
-} virial_context;
-
 static const int axis_a[6] = {0, 1, 2, 0, 0, 1}, axis_b[6] = {0, 1, 2, 1, 2, 2};
-
-static void share(void *context, const hs_pair_batch *batch, double (*values)[HS_PAIR_BATCH])
-{
-    const virial_context *c = context;
-    for (int p = 0; p < batch->n; ++p) {
-        double force_over_r, energy;
-        hs_pair_scan_eval(c->scan, &c->view, batch->i[p], batch->j[p], batch->r2[p], &force_over_r, &energy);
-        for (int k = 0; k < 6; ++k)
-            values[k][p] = 0.5 * force_over_r * batch->dx[axis_a[k]][p] * batch->dx[axis_b[k]][p];
-    }
-}
 
 /** m v_a v_b of the thermal velocities. */
 static hs_status add_kinetic(hs_compute *compute, hs_error *err)
@@ -100,16 +86,9 @@ static hs_status per_atom(hs_compute *compute, hs_error *err)
     const stress_state *state = compute->state;
     hs_env *env = compute->env;
     const size_t n = (size_t)env->atoms->n_local;
-    hs_pair_scan scan = {0};
-    virial_context context = {.scan = &scan};
-    memset(compute->atoms, 0, 6 * n * sizeof *compute->atoms);
-    env->view_pairs(env, &context.view);
-    if (context.view.pair != NULL && state->parts.has_pair) {
-        hs_status status = hs_pair_scan_begin_at_forces(&scan, env, context.view.cutoff_max, err);
-        if (status == HS_OK) status = hs_pair_scan_share(&scan, env, 6, false, share, &context, compute->atoms, err);
-        hs_pair_scan_end(&scan);
-        HS_TRY(status);
-    }
+    const double *energy, *virial = NULL;
+    if (state->parts.has_pair) HS_TRY(hs_pair_shares_get(env, true, &energy, &virial, err));
+    for (size_t k = 0; k < 6 * n; ++k) compute->atoms[k] = virial != NULL ? virial[k] : 0.0;
     for (size_t k = 0; k < 6 && state->parts.has_fix; ++k)
         for (size_t i = 0; i < n; ++i) compute->atoms[k * n + i] += env->virial_of_fixes[k][i];
     if (state->parts.has_ke) HS_TRY(add_kinetic(compute, err));
@@ -136,7 +115,7 @@ const hs_compute_style hs_compute_style_stress_atom = {
              "atoms divided by the volume is the pressure tensor. The first word names a temperature compute, whose "
              "bias (as the motion of the center of mass in temp/com) is taken off the velocities; NULL takes them as "
              "they are. Without keywords every part counts; with keywords only the parts they name. The pairs are "
-             "found anew for each evaluation, which takes some timesteps' time.",
+             "found once for all computes stress/atom and pe/atom of a step, which takes some timesteps' time.",
          .reference =
              "A. P. Thompson, S. J. Plimpton, W. Mattson, J. Chem. Phys. 131, 154107 (2009), doi:10.1063/1.3245303",
          .example = "compute s all stress/atom NULL\ncompute p all reduce sum c_s[1] c_s[2] c_s[3]"},

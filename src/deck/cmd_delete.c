@@ -74,14 +74,8 @@ static void mark_pairs(void *context, int thread, const hs_pair_batch *batch)
     (void)thread;
     for (int p = 0; p < batch->n; ++p) {
         const int i = batch->i[p], j = batch->j[p];
-        if (goes(o, i, j)) {
-#pragma omp atomic
-            n[i] += 1.0;
-        }
-        if (goes(o, j, i)) {
-#pragma omp atomic
-            n[j] += 1.0;
-        }
+        n[i] += goes(o, i, j);
+        n[j] += goes(o, j, i);
     }
 }
 

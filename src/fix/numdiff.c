@@ -57,8 +57,9 @@ static hs_status find_forces(hs_fix *fix, hs_error *err)
     if (n > 0) memset(state->force, 0, n * sizeof *state->force);
     env->view_pairs(env, &context.view);
     if (context.view.pair == NULL) return HS_OK;
+    const hs_pair_sharing sharing = {.n = 3, .is_odd = true, .share = share, .context = &context};
     hs_status status = hs_pair_scan_begin_at_forces(&scan, env, context.view.cutoff_max + state->delta, err);
-    if (status == HS_OK) status = hs_pair_scan_share(&scan, env, 3, true, share, &context, state->force, err);
+    if (status == HS_OK) status = hs_pair_scan_share(&scan, env, &sharing, state->force, err);
     hs_pair_scan_end(&scan);
     return status;
 }

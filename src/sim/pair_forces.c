@@ -213,6 +213,7 @@ hs_status hs_sim_pair_forces(hs_sim *sim, bool with_energy, hs_error *err)
     hs_env *env = &sim->env;
     hs_force_result result = {0};
     sim->has_moved = false;
+    env->peak_force = env->peak_energy = 0.0;
     hs_shared_fields_clear(&sim->atoms, env->torque, 3); /* to which fixes add after the forces */
     if (!hs_pair_has_forces(sim->pair) || sim->pair->cutoff_max <= 0.0) {
         hs_sim_await_halo(sim);

@@ -117,6 +117,8 @@ hs_status hs_sim_fit_grid(hs_sim *sim, const hs_force_result *result, bool *fits
         hs_timer_add_comm(&sim->timer, HS_COMM_AGREE);
     }
     *fits = true;
+    sim->env.peak_force = peak[0];
+    sim->env.peak_energy = peak[1];
     if (!(peak[0] < too_large) || !(peak[1] < too_large)) return hs_sim_report_overlap(sim, err);
     const int needed = peak[0] > 0.0 ? hs_fixed_exponent(peak[0] * headroom, HS_FIXED_BITS) : sim->grid.force;
     if (peak[0] >= ldexp(1.0, sim->grid.force + HS_FIXED_BITS)) {

@@ -72,6 +72,18 @@ static hs_status keep_adapted(hs_pair *pair, hs_state *state, hs_error *err)
     return HS_OK;
 }
 
+/** Checkpoints from before there were these have none. */
+static hs_status keep_peaks(hs_env *env, hs_state *state, hs_error *err)
+{
+    static const char name[] = "largest pairs";
+    double peaks[2] = {env->peak_force, env->peak_energy};
+    if (state->is_reading && hs_state_find(state, name) == NULL) return HS_OK;
+    HS_TRY(hs_state_double(state, name, peaks, 2, err));
+    env->peak_force = peaks[0];
+    env->peak_energy = peaks[1];
+    return HS_OK;
+}
+
 hs_status hs_sim_keep_run(hs_sim *sim, hs_state *state, hs_error *err)
 {
     hs_env *env = &sim->env;
@@ -102,6 +114,7 @@ hs_status hs_sim_keep_run(hs_sim *sim, hs_state *state, hs_error *err)
         HS_TRY(hs_state_int64(state, integers[k].name, integers[k].value, 1, err));
     for (size_t k = 0; k < sizeof reals / sizeof reals[0]; ++k)
         HS_TRY(hs_state_double(state, reals[k].name, reals[k].value, reals[k].n, err));
+    HS_TRY(keep_peaks(env, state, err));
     HS_TRY(hs_state_int(state, "force exponent", &sim->force_exponent, err));
     HS_TRY(hs_state_bool(state, "is set up", &sim->is_initialized, err));
     HS_TRY(hs_state_bool(state, "output is due", &sim->is_output_due, err));

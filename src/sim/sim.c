@@ -56,6 +56,7 @@ static hs_status create(hs_sim *sim, const hs_options *options, hs_sink *out, hs
                         .atoms = &sim->atoms,
                         .groups = &sim->groups,
                         .lattice = &sim->lattice,
+                        .pair_shares = &sim->pair_shares,
                         .isa = sim->isa,
                         .dry_run = options->dry_run,
                         .dt = units->dt,

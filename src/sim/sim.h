@@ -17,6 +17,7 @@
 #include "style/env.h"
 #include "style/fix.h"
 #include "style/pair.h"
+#include "style/pair_shares.h"
 #include "style/places.h"
 #include "style/region.h"
 
@@ -45,6 +46,7 @@ typedef struct hs_force_places {
 
 typedef struct hs_sim {
     hs_env env; /**< what styles see; env.atoms etc. point to the members below */
+    hs_pair_shares pair_shares;
     hs_options options;
     hs_parallel parallel;
     hs_box box;

@@ -51,6 +51,8 @@ typedef struct hs_env {
     /** Of each local atom, [n_local], what fix_virial is the sum of, energy; NULL unless a compute wants it. See style/fix.h. */
     double *virial_of_fixes[6];
     int n_virial_users;
+    /** Borrowed from hs_sim; never NULL. See style/pair_shares.h. */
+    struct hs_pair_shares *pair_shares;
 
     hs_isa isa; /**< instruction set of kernels */
 
@@ -88,12 +90,15 @@ typedef struct hs_env {
     /* Results of the latest force evaluation, summed over threads and ranks */
     double pair_energy;    /**< energy of all pairs, valid when energy_step == step */
     double pair_virial[6]; /**< sum over pairs of r_a F_b: xx yy zz xy xz yz; energy */
-    int64_t energy_step;   /**< step for which energy and virial were last computed, -1 for never */
-    bool with_energy;      /**< energy and virial of the present step are wanted: fixes that have some add them up */
-    double fix_energy;     /**< of fixes with `fix_modify energy yes`; energy, valid like pair_energy */
-    double fix_virial[6];  /**< of fixes with `fix_modify virial yes` */
-    double tail_energy;    /**< long-range corrections of pair_modify tail: energy, to be divided by nothing */
-    double tail_pressure;  /**< and pressure (already in pressure units); both 0 without tail */
+    /** Of the latest forces, of all ranks: no pair's F/r was larger than peak_force over the largest cutoff, and, valid like
+     *  pair_energy, no pair's energy than peak_energy. 0: not known (runs that are not reproducible). */
+    double peak_force, peak_energy;
+    int64_t energy_step;  /**< step for which energy and virial were last computed, -1 for never */
+    bool with_energy;     /**< energy and virial of the present step are wanted: fixes that have some add them up */
+    double fix_energy;    /**< of fixes with `fix_modify energy yes`; energy, valid like pair_energy */
+    double fix_virial[6]; /**< of fixes with `fix_modify virial yes` */
+    double tail_energy;   /**< long-range corrections of pair_modify tail: energy, to be divided by nothing */
+    double tail_pressure; /**< and pressure (already in pressure units); both 0 without tail */
 
     /** Where atoms were when the latest forces were computed, if a fix has changed the box since; NULL: where they are. See
      *  style/places.h. */

@@ -18,13 +18,7 @@ static hs_status lay_out(hs_nearest *t, hs_error *err)
     return HS_ALLOC(t->item, (size_t)t->start[t->n + 1], err);
 }
 
-static inline hs_near *next_place(hs_nearest *t, int i)
-{
-    int64_t place;
-#pragma omp atomic capture
-    place = t->start[i + 1]++;
-    return &t->item[place];
-}
+static inline hs_near *next_place(hs_nearest *t, int i) { return &t->item[t->start[i + 1]++]; }
 
 typedef struct finding {
     const hs_pair_scan *scan;
@@ -36,9 +30,7 @@ static void count_pairs(void *context, int thread, const hs_pair_batch *batch)
     finding *f = context;
     (void)thread;
     for (int p = 0; p < batch->n; ++p) {
-#pragma omp atomic
         ++f->table.start[batch->i[p] + 2];
-#pragma omp atomic
         ++f->table.start[batch->j[p] + 2];
     }
 }

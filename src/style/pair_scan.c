@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "base/memory.h"
+#include "base/wide.h"
 #include "style/places.h"
 
 /** Copies of the local atoms, with the fields that scans need. */
@@ -96,11 +97,13 @@ static hs_status fill_halo(hs_pair_scan *scan, hs_error *err)
     return HS_OK;
 }
 
-/** Cells over all atoms, not smaller than the range, and not many more than atoms. */
+/** Cells over all atoms, not many more than atoms, and wider than the range by more than coordinates are rounded: pairs are in one
+ *  cell or in neighboring ones. The axis with the most cells comes first: see hs_pair_scan_visit. */
 static void set_cells(hs_pair_scan *scan)
 {
     const hs_atoms *atoms = &scan->atoms;
-    const double n_max = cbrt(4.0 * (double)scan->n_all) + 1.0;
+    const double n_max = cbrt(4.0 * (double)scan->n_all) + 1.0, edge = scan->range * (1.0 + 1e-9);
+    int longest = 0;
     for (int axis = 0; axis < 3; ++axis) {
         double lo = DBL_MAX, hi = -DBL_MAX;
         for (int i = 0; i < scan->n_all; ++i) {
@@ -109,9 +112,11 @@ static void set_cells(hs_pair_scan *scan)
         }
         scan->lo[axis] = lo;
         scan->n_cells[axis] = 1;
-        if (hi > lo) scan->n_cells[axis] = (int)fmax(1.0, fmin(floor((hi - lo) / scan->range), n_max));
+        if (hi > lo) scan->n_cells[axis] = (int)fmax(1.0, fmin(floor((hi - lo) / edge), n_max));
         scan->inv_edge[axis] = hi > lo ? scan->n_cells[axis] / (hi - lo) : 0.0;
+        if (scan->n_cells[axis] > scan->n_cells[longest]) longest = axis;
     }
+    for (int k = 0; k < 3; ++k) scan->axis[k] = (longest + k) % 3;
 }
 
 static inline int cell_along(const hs_pair_scan *scan, int axis, double x)
@@ -120,12 +125,17 @@ static inline int cell_along(const hs_pair_scan *scan, int axis, double x)
     return c < 0 ? 0 : c >= scan->n_cells[axis] ? scan->n_cells[axis] - 1 : c;
 }
 
+/** Number of the cell at places a, b, c along scan->axis. */
+static inline int64_t cell_number(const hs_pair_scan *scan, int a, int b, int c)
+{
+    return ((int64_t)a * scan->n_cells[scan->axis[1]] + b) * scan->n_cells[scan->axis[2]] + c;
+}
+
 static inline int64_t cell_of(const hs_pair_scan *scan, int i)
 {
-    const hs_atoms *atoms = &scan->atoms;
-    return ((int64_t)cell_along(scan, 0, atoms->x[0][i]) * scan->n_cells[1] + cell_along(scan, 1, atoms->x[1][i])) *
-               scan->n_cells[2] +
-           cell_along(scan, 2, atoms->x[2][i]);
+    int place[3];
+    for (int k = 0; k < 3; ++k) place[k] = cell_along(scan, scan->axis[k], scan->atoms.x[scan->axis[k]][i]);
+    return cell_number(scan, place[0], place[1], place[2]);
 }
 
 /** Counting sort of all atoms by cell. */
@@ -210,124 +220,214 @@ static inline bool is_excluded(const hs_pair_scan *scan, int i, int j)
            scan->excluded[(size_t)scan->atoms.type[i] * (size_t)scan->n_kernel_types + (size_t)scan->atoms.type[j]];
 }
 
-/** Atom i against a run of sorted atoms. Of two local atoms the one with the lower index meets the other. */
-static inline void meet_run(filling *f, int i, const double x[3], int begin, int end)
+/* So many sorted atoms are measured at once. */
+enum { RUN = 128 };
+
+/** Places begin to end - 1 (at most RUN) of the sorted atoms that are nearer to x than the range: how many. */
+HS_WIDE static int find_near(const hs_pair_scan *scan, const double at[3], int begin, int end, int32_t *near)
+{
+    const double *restrict x = scan->x[0] + begin, *restrict y = scan->x[1] + begin, *restrict z = scan->x[2] + begin;
+    const double range2 = scan->range * scan->range;
+    const int n = end - begin;
+    double r2[RUN];
+    int n_near = 0;
+    for (int k = 0; k < n; ++k) {
+        const double dx = x[k] - at[0], dy = y[k] - at[1], dz = z[k] - at[2];
+        r2[k] = dx * dx + dy * dy + dz * dz;
+    }
+    for (int k = 0; k < n; ++k) {
+        near[n_near] = begin + k;
+        n_near += r2[k] < range2;
+    }
+    return n_near;
+}
+
+/** Pair of the atoms at two places, the one with the lower index first, which is local if one is. */
+static inline void add_pair(filling *f, int place, int other)
 {
     const hs_pair_scan *scan = f->scan;
-    const double range2 = scan->range * scan->range;
+    const int one = scan->index[place], two = scan->index[other], i = one < two ? one : two, j = one < two ? two : one;
+    const double sign = one < two ? 1.0 : -1.0;
     hs_pair_batch *batch = &f->batch;
-    for (int k = begin; k < end; ++k) {
-        const double dx = scan->x[0][k] - x[0], dy = scan->x[1][k] - x[1], dz = scan->x[2][k] - x[2];
-        const double r2 = dx * dx + dy * dy + dz * dz;
-        if (!(r2 < range2)) continue;
-        const int j = scan->index[k];
-        if (j <= i || is_excluded(scan, i, j)) continue; /* halo atoms have the higher indices */
-        const int n = batch->n++;
-        batch->i[n] = i;
-        batch->j[n] = j;
-        batch->dx[0][n] = dx;
-        batch->dx[1][n] = dy;
-        batch->dx[2][n] = dz;
-        batch->r2[n] = r2;
-        if (batch->n == HS_PAIR_BATCH) flush(f);
+    if (i >= scan->atoms.n_local || is_excluded(scan, i, j)) return;
+    const int n = batch->n++;
+    batch->i[n] = i;
+    batch->j[n] = j;
+    for (int axis = 0; axis < 3; ++axis) batch->dx[axis][n] = sign * (scan->x[axis][other] - scan->x[axis][place]);
+    batch->r2[n] =
+        batch->dx[0][n] * batch->dx[0][n] + batch->dx[1][n] * batch->dx[1][n] + batch->dx[2][n] * batch->dx[2][n];
+    if (batch->n == HS_PAIR_BATCH) flush(f);
+}
+
+/** The atom at a place of the sorted atoms against those at places begin to end - 1. */
+static void meet_run(filling *f, int place, int begin, int end)
+{
+    const hs_pair_scan *scan = f->scan;
+    const double x[3] = {scan->x[0][place], scan->x[1][place], scan->x[2][place]};
+    int32_t near[RUN];
+    for (int first = begin; first < end; first += RUN) {
+        const int n = find_near(scan, x, first, first + RUN < end ? first + RUN : end, near);
+        for (int k = 0; k < n; ++k) add_pair(f, place, near[k]);
     }
 }
 
-static void visit_atom(filling *f, int i)
+/** The atoms of cell c of column (a, b) against those behind them in it, in the next one, and in the columns behind: each pair is met
+ *  once, from the atom whose place is lower. */
+static void visit_cell(filling *f, int a, int b, int c)
 {
     const hs_pair_scan *scan = f->scan;
-    const double x[3] = {scan->atoms.x[0][i], scan->atoms.x[1][i], scan->atoms.x[2][i]};
-    int lo[3], hi[3];
-    for (int axis = 0; axis < 3; ++axis) {
-        /* one cell each way, more where cells had to be smaller than the range because of rounding */
-        lo[axis] = cell_along(scan, axis, x[axis] - scan->range);
-        hi[axis] = cell_along(scan, axis, x[axis] + scan->range);
+    const int *n = scan->n_cells, *axis = scan->axis, next_b = b + 1 < n[axis[1]] ? b + 1 : b;
+    const int lo = c > 0 ? c - 1 : c, hi = c + 1 < n[axis[2]] ? c + 1 : c, before_b = b > 0 ? b - 1 : b;
+    const int32_t *start = scan->start;
+    const int end = start[cell_number(scan, a, b, hi) + 1];
+    for (int place = start[cell_number(scan, a, b, c)]; place < start[cell_number(scan, a, b, c) + 1]; ++place) {
+        meet_run(f, place, place + 1, end);
+        if (next_b > b)
+            meet_run(f, place, start[cell_number(scan, a, next_b, lo)], start[cell_number(scan, a, next_b, hi) + 1]);
+        for (int other = before_b; a + 1 < n[axis[0]] && other <= next_b; ++other)
+            meet_run(f, place, start[cell_number(scan, a + 1, other, lo)],
+                     start[cell_number(scan, a + 1, other, hi) + 1]);
     }
-    for (int a = lo[0]; a <= hi[0]; ++a)
-        for (int b = lo[1]; b <= hi[1]; ++b) {
-            const int32_t *column = scan->start + ((int64_t)a * scan->n_cells[1] + b) * scan->n_cells[2];
-            meet_run(f, i, x, column[lo[2]], column[hi[2] + 1]);
+}
+
+/** A thread's share: every second layer of cells, then those between, so that two layers that are visited at the same time have
+ *  one between them at which one of them ends. */
+static void visit_share(const hs_pair_scan *scan, hs_pair_visit visit, void *context)
+{
+    filling f = {.scan = scan, .visit = visit, .context = context, .thread = hs_thread_number()};
+    const int *n = scan->n_cells, *axis = scan->axis;
+    for (int first = 0; first < 2; ++first) {
+#pragma omp for schedule(static, 1)
+        for (int a = first; a < n[axis[0]]; a += 2) {
+            for (int b = 0; b < n[axis[1]]; ++b)
+                for (int c = 0; c < n[axis[2]]; ++c) visit_cell(&f, a, b, c);
+            flush(&f);
         }
+    }
 }
 
 void hs_pair_scan_visit(const hs_pair_scan *scan, hs_pair_visit visit, void *context)
 {
-#pragma omp parallel
-    {
-        filling f = {.scan = scan, .visit = visit, .context = context, .thread = hs_thread_number()};
-#pragma omp for schedule(static)
-        for (int i = 0; i < scan->atoms.n_local; ++i) visit_atom(&f, i);
-        flush(&f);
-    }
+    HS_ON_THREADS(visit_share(scan, visit, context));
 }
 
 void hs_pair_scan_reverse(hs_pair_scan *scan) { hs_halo_reverse(&scan->halo, &scan->atoms, false); }
 
-/** Numbers of pairs that the sums of one atom must hold without rounding. */
-static const double pairs_max = 4096.0;
+/* Values are added as whole numbers of less than so many bits, which leaves room for 2^12 pairs of an atom. */
+enum { VALUE_BITS = 51 };
 
-typedef struct sharing {
-    hs_pair_scan *scan;
-    hs_pair_share share;
-    void *context;
-    int n, first; /**< values of a pair; the first of the up to three that are summed now */
-    double sign;  /**< of those of atom j */
-    double scale; /**< values are rounded to multiples of 1 / scale, whose sums are exact in any order */
-    double largest[3];
-} sharing;
+/** Sums of shares on their way. */
+typedef struct sum_of_shares {
+    const hs_pair_sharing *of;
+    double scale;   /**< values are multiples of 1 / scale; 0: not known yet, the largest one is wanted */
+    double largest; /**< value of a pair */
+    int64_t *sum;   /**< owned [n_all][of->n] */
+} sum_of_shares;
 
-static void find_largest(void *context, int thread, const hs_pair_batch *batch)
+/** Largest size of n values of some pairs; infinite if one is not a number. */
+HS_WIDE static double largest_of(double (*values)[HS_PAIR_BATCH], int n, int n_pairs)
 {
-    sharing *s = context;
-    double values[HS_PAIR_VALUES_MAX][HS_PAIR_BATCH], largest = 0.0;
-    (void)thread;
-    s->share(s->context, batch, values);
-    for (int k = 0; k < s->n; ++k)
-        for (int p = 0; p < batch->n; ++p) largest = fmax(largest, fabs(values[k][p]));
-#pragma omp critical(hs_pair_scan_largest)
-    s->largest[0] = fmax(s->largest[0], largest);
+    double most[HS_PAIR_BATCH] = {0.0};
+    for (int k = 0; k < n; ++k)
+        for (int p = 0; p < n_pairs; ++p) {
+            const double value = values[k][p], size = value == value ? fabs(value) : INFINITY;
+            most[p] = size > most[p] ? size : most[p];
+        }
+    for (int half = HS_PAIR_BATCH / 2; half > 0; half /= 2)
+        for (int p = 0; p < half; ++p) most[p] = most[p] > most[p + half] ? most[p] : most[p + half];
+    return most[0];
 }
 
-static void add_values(void *context, int thread, const hs_pair_batch *batch)
+/** values * scale as whole numbers, rounded: adding the magic number leaves them in the low bits of the double's pattern. */
+HS_WIDE static void round_values(double (*values)[HS_PAIR_BATCH], int n, int n_pairs, double scale,
+                                 int64_t (*rounded)[HS_PAIR_BATCH])
 {
-    const sharing *s = context;
+    const double magic = 0x1.8p52;
+    for (int k = 0; k < n; ++k)
+        for (int p = 0; p < n_pairs; ++p) {
+            const double sum = values[k][p] * scale + magic;
+            int64_t pattern;
+            memcpy(&pattern, &sum, sizeof pattern);
+            rounded[k][p] = pattern - INT64_C(0x4338000000000000);
+        }
+}
+
+static void add_shares(void *context, int thread, const hs_pair_batch *batch)
+{
+    sum_of_shares *s = context;
+    const int n = s->of->n, sign = s->of->is_odd ? -1 : 1;
     double values[HS_PAIR_VALUES_MAX][HS_PAIR_BATCH];
+    int64_t rounded[HS_PAIR_VALUES_MAX][HS_PAIR_BATCH];
     (void)thread;
-    s->share(s->context, batch, values);
-    for (int k = 0; k < 3 && s->first + k < s->n; ++k) {
-        double *f = s->scan->atoms.f[k];
-        for (int p = 0; p < batch->n; ++p) {
-            const double rounded = rint(values[s->first + k][p] * s->scale);
-#pragma omp atomic
-            f[batch->i[p]] += rounded;
-#pragma omp atomic
-            f[batch->j[p]] += s->sign * rounded;
+    s->of->share(s->of->context, batch, values);
+    const double largest = largest_of(values, n, batch->n);
+#pragma omp critical(hs_pair_scan_largest)
+    s->largest = largest > s->largest ? largest : s->largest;
+    if (s->scale == 0.0 || !(largest * s->scale < 0x1p51)) return;
+    round_values(values, n, batch->n, s->scale, rounded);
+    for (int p = 0; p < batch->n; ++p) {
+        int64_t *one = s->sum + (size_t)batch->i[p] * (size_t)n, *two = s->sum + (size_t)batch->j[p] * (size_t)n;
+        for (int k = 0; k < n; ++k) {
+            one[k] += rounded[k][p];
+            two[k] += sign * rounded[k][p];
         }
     }
 }
 
-hs_status hs_pair_scan_share(hs_pair_scan *scan, const hs_env *env, int n, bool is_odd, hs_pair_share share,
-                             void *context, double *sums, hs_error *err)
+/** Values [first, first + 3) of all atoms, with what halo atoms bring home; f holds whole numbers meanwhile. */
+static void bring_home(hs_pair_scan *scan, const sum_of_shares *s, int first, double *sums)
 {
-    sharing s = {.scan = scan, .share = share, .context = context, .n = n, .sign = is_odd ? -1.0 : 1.0};
-    const int n_local = scan->atoms.n_local;
-    hs_pair_scan_visit(scan, find_largest, &s);
-    hs_parallel_max_double(env->parallel, s.largest, 1);
-    if (!isfinite(s.largest[0]))
-        return hs_fail(err, HS_ERROR_RUN,
-                       "two atoms are in the same place, or so near that their energy is not finite");
+    const size_t n_local = (size_t)scan->atoms.n_local, n = (size_t)s->of->n;
+    const int n_now = s->of->n - first < 3 ? s->of->n - first : 3;
+    for (int k = 0; k < 3; ++k)
+        for (int i = 0; i < scan->n_all; ++i) {
+            const int64_t sum = k < n_now ? s->sum[(size_t)i * n + (size_t)(first + k)] : 0;
+            memcpy(&scan->atoms.f[k][i], &sum, sizeof sum);
+        }
+    hs_halo_reverse(&scan->halo, &scan->atoms, true);
+    for (int k = 0; k < n_now; ++k)
+        for (size_t i = 0; i < n_local; ++i) {
+            int64_t sum;
+            memcpy(&sum, &scan->atoms.f[k][i], sizeof sum);
+            sums[(size_t)(first + k) * n_local + i] = (double)sum / s->scale;
+        }
+}
+
+/** Scale at which no value below `largest` has more than VALUE_BITS bits. */
+static double scale_for(double largest)
+{
     int exponent = 0;
-    frexp(s.largest[0] * pairs_max, &exponent);
-    s.scale = ldexp(1.0, 52 - exponent);
-    for (s.first = 0; s.first < n; s.first += 3) {
-        for (int k = 0; k < 3; ++k) memset(scan->atoms.f[k], 0, (size_t)scan->n_all * sizeof(double));
-        hs_pair_scan_visit(scan, add_values, &s);
-        hs_pair_scan_reverse(scan);
-        for (int k = 0; k < 3 && s.first + k < n; ++k)
-            for (int i = 0; i < n_local; ++i)
-                sums[(size_t)(s.first + k) * (size_t)n_local + (size_t)i] = scan->atoms.f[k][i] / s.scale;
+    frexp(largest, &exponent); /* smaller than 2^exponent */
+    return ldexp(1.0, VALUE_BITS - exponent);
+}
+
+/** Add all up at the scale; s->largest becomes that of all ranks (collective). */
+static void visit_shares(const hs_pair_scan *scan, const hs_env *env, sum_of_shares *s)
+{
+    s->largest = 0.0;
+    hs_pair_scan_visit(scan, add_shares, s);
+    hs_parallel_max_double(env->parallel, &s->largest, 1);
+}
+
+hs_status hs_pair_scan_share(hs_pair_scan *scan, const hs_env *env, const hs_pair_sharing *sharing, double *sums,
+                             hs_error *err)
+{
+    sum_of_shares s = {.of = sharing, .scale = sharing->expected > 0.0 ? scale_for(sharing->expected) : 0.0};
+    const size_t n_sums = (size_t)scan->n_all * (size_t)sharing->n;
+    HS_UNLESS_FAILED(err, HS_ALLOC(s.sum, n_sums, err));
+    hs_status status = hs_parallel_agree(env->parallel, err);
+    if (status == HS_OK) visit_shares(scan, env, &s);
+    if (status == HS_OK && !isfinite(s.largest))
+        status =
+            hs_fail(err, HS_ERROR_RUN, "two atoms are in the same place, or so near that their energy is not finite");
+    if (status == HS_OK && (s.scale == 0.0 || !(s.largest * s.scale < 0x1p51))) {
+        s.scale = scale_for(s.largest);
+        if (n_sums > 0) memset(s.sum, 0, n_sums * sizeof *s.sum);
+        visit_shares(scan, env, &s);
     }
-    return HS_OK;
+    for (int first = 0; first < sharing->n && status == HS_OK; first += 3) bring_home(scan, &s, first, sums);
+    HS_FREE(s.sum);
+    return status;
 }
 
 int hs_pair_scan_source(const hs_pair_scan *scan, int j)

@@ -10,7 +10,7 @@
 #include "comm/halo.h"
 #include "style/pair.h"
 
-enum { HS_PAIR_BATCH = 256, HS_PAIR_VALUES_MAX = 6 };
+enum { HS_PAIR_BATCH = 256, HS_PAIR_VALUES_MAX = 7 };
 
 /** The potential as it acts now, for computes that need more of it than its sums. Borrowed; valid until the next step. */
 typedef struct hs_pair_view {
@@ -52,6 +52,7 @@ typedef struct hs_pair_scan {
     int n_all;    /**< local and halo atoms */
     double lo[3], inv_edge[3];
     int n_cells[3];
+    int axis[3];          /**< x, y, z in the order in which cells follow one another, the last one fastest */
     int32_t *source_of;   /**< owned [n_halo]: local index of the original of a halo atom, -1: on another rank */
     int32_t *start;       /**< owned [cells + 1] */
     int32_t *index;       /**< owned [n_all]: atoms in the order of cells */
@@ -126,18 +127,27 @@ static inline int hs_pair_scan_type(const hs_pair_scan *scan, int i)
 {
     return scan->atoms.type[i] % (scan->atoms.n_types + 1);
 }
-/** Visit every pair once, in the same batches for any number of threads, though on different ones. Not collective. */
+/** Visit every pair once. Pairs that threads visit at the same time have no atom in common, so that a visitor may add to values of its
+ *  atoms; a thread meets the same pairs in the same order each time. Not collective. */
 void hs_pair_scan_visit(const hs_pair_scan *scan, hs_pair_visit visit, void *context);
 /** Values per atom, summed over pairs by the threads: scan->atoms.f of the local and halo atoms is three such values. Add
  *  those of halo atoms to their owners' (collective). */
 void hs_pair_scan_reverse(hs_pair_scan *scan);
 /** What each pair of a batch gives to each of its two atoms: values[k][p] of pair p. */
 typedef void (*hs_pair_share)(void *context, const hs_pair_batch *batch, double (*values)[HS_PAIR_BATCH]);
-/** Sums of n (at most HS_PAIR_VALUES_MAX) such values over the pairs of each local atom: sums[k * n_local + i], the same bits
- *  for any threads and ranks, to about 1e-12 of the largest value of a pair (collective). @p is_odd: atom j of a pair gets
- *  the value with the other sign. */
-HS_MUST_USE hs_status hs_pair_scan_share(hs_pair_scan *scan, const hs_env *env, int n, bool is_odd, hs_pair_share share,
-                                         void *context, double *sums, hs_error *err);
+typedef struct hs_pair_sharing {
+    int n;       /**< values of a pair, at most HS_PAIR_VALUES_MAX */
+    bool is_odd; /**< atom j of a pair gets the value with the other sign */
+    hs_pair_share share;
+    void *context;
+    /** No value should be larger; if one is, all is done once more. 0: not known, which takes a pass over the pairs to find. The same
+     *  on all ranks. */
+    double expected;
+} hs_pair_sharing;
+/** Sums of such values over the pairs of each local atom: sums[k * n_local + i], the same bits for any threads and ranks, to about
+ *  1e-14 of the largest value of a pair, or of the expected one (collective). */
+HS_MUST_USE hs_status hs_pair_scan_share(hs_pair_scan *scan, const hs_env *env, const hs_pair_sharing *sharing,
+                                         double *sums, hs_error *err);
 /** Local index of a halo atom whose original is on this rank; -1 when it is another's. */
 int hs_pair_scan_source(const hs_pair_scan *scan, int j);
 void hs_pair_scan_end(hs_pair_scan *scan);
