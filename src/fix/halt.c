@@ -106,8 +106,8 @@ const hs_fix_style hs_fix_style_halt = {
          .summary = "end a run when a condition holds",
          .details = "At steps that are multiples of N, the equal-style variable, or the seconds since the run began "
                     "(`tlimit`), is compared with the value; the operator is one of `<`, `>`, `<=`, `>=`, `==`, `!=`, "
-                    "`|^` (one of them is 0, the other is not). When that holds, the run ends after the step, and the "
-                    "deck goes on after the run.\n\n"
+                    "`|^` (one of them is 0, the other is not). When that holds, the run, or the minimisation, ends "
+                    "after the step, and the deck goes on after it.\n\n"
                     "With `error soft`, the default, further runs and minimisations of the deck are skipped, while all "
                     "other commands are carried out, such as write_data. With `error continue` they are not: `unfix` "
                     "the fix, or they may end at once, too. `error hard` ends all with an error. `message no` leaves "
@@ -120,6 +120,7 @@ const hs_fix_style hs_fix_style_halt = {
     .destroy = destroy,
     .init = init,
     .end_of_step = end_of_step,
+    .end_of_iteration = end_of_step,
     .needs_energy = needs_energy,
     .allows_dynamic_group = true,
     .keeps_plane = true,

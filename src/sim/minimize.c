@@ -19,6 +19,7 @@ static const char *const reasons[HS_N_MIN_REASONS] = {
     [HS_MIN_ENERGY] = "energy tolerance",
     [HS_MIN_FORCE] = "force tolerance",
     [HS_MIN_UPHILL] = "search direction is not downhill",
+    [HS_MIN_HALTED] = "walltime limit reached", /* LAMMPS's words for fix halt, too */
     [HS_MIN_ALPHA] = "linesearch alpha is zero",
     [HS_MIN_NO_FORCES] = "forces are zero",
     [HS_MIN_NEGATIVE_POWER] = "max iterations with v.f negative",
@@ -199,6 +200,18 @@ static hs_status save_if_due(hs_minimizer *min, hs_error *err)
     return begin(min, err);
 }
 
+/** Fixes may end the minimisation after this iteration: last_step is the present one then. */
+static hs_status end_iteration(const hs_minimizer *min, hs_min_reason *reason, hs_error *err)
+{
+    hs_sim *sim = min->sim;
+    for (int k = 0; k < sim->n_fixes; ++k)
+        if (sim->fix[k]->style->end_of_iteration != NULL)
+            HS_TRY(sim->fix[k]->style->end_of_iteration(sim->fix[k], err));
+    const bool is_halted = sim->env.last_step == sim->env.step && *min->plan->iterations_left > 0;
+    if (*reason == HS_MIN_GOES_ON && is_halted) *reason = HS_MIN_HALTED;
+    return HS_OK;
+}
+
 static hs_status iterate(hs_minimizer *min, hs_min_reason *reason, hs_error *err)
 {
     hs_sim *sim = min->sim;
@@ -215,6 +228,7 @@ static hs_status iterate(hs_minimizer *min, hs_min_reason *reason, hs_error *err
         HS_TRY(min->settings->style->iterate(min, reason, err));
         hs_env_changed(&sim->env);
         sim->env.energy_step = sim->env.step; /* the latest evaluation was of these places */
+        HS_TRY(end_iteration(min, reason, err));
         const bool is_last = *reason != HS_MIN_GOES_ON || *min->plan->iterations_left <= 0;
         if (is_last) sim->env.last_step = sim->env.step;
         HS_TRY(hs_sim_output_if_due(sim, is_last, err));

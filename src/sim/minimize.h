@@ -46,6 +46,7 @@ typedef enum {
     HS_MIN_ALPHA,
     HS_MIN_NO_FORCES,
     HS_MIN_NEGATIVE_POWER,
+    HS_MIN_HALTED, /**< by a fix */
     HS_N_MIN_REASONS
 } hs_min_reason;
 

@@ -50,6 +50,8 @@ typedef struct hs_fix_style {
     HS_MUST_USE hs_status (*measure_at_setup)(struct hs_fix *fix, hs_error *err);
     HS_MUST_USE hs_status (*final_integrate)(struct hs_fix *fix, hs_error *err); /**< half kick */
     HS_MUST_USE hs_status (*end_of_step)(struct hs_fix *fix, hs_error *err);
+    /** The same in a minimisation, whose forces are those of the iteration's last evaluation. */
+    HS_MUST_USE hs_status (*end_of_iteration)(struct hs_fix *fix, hs_error *err);
     HS_MUST_USE hs_status (*end_of_run)(struct hs_fix *fix, hs_error *err); /**< after the last step and its output */
     /** The timestep has changed within a run: compute anew what depends on env->dt. NULL: nothing is remembered of
      *  it. */
