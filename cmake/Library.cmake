@@ -12,12 +12,12 @@ else()
   list(APPEND core_sources src/parallel/mpi_none.c)
 endif()
 list(FILTER core_sources EXCLUDE REGEX
-     "(cluster_search|settle|refine|histogram_kernel|noise_fill|motion|peak).c$")   # compiled for each instruction set, below
+     "(cluster_search|near_places|settle|refine|histogram_kernel|noise_fill|motion|peak).c$")   # compiled for each instruction set, below
 get_property(style_sources GLOBAL PROPERTY HALFSHELL_STYLE_SOURCES)
 get_property(tables GLOBAL PROPERTY HALFSHELL_TABLES)
 
 # Kernels: every file with an evaluator is compiled once more for each instruction set and precision (kernel/evaluator.h).
-set(search_sources src/neighbor/cluster_search.c src/neighbor/settle.c src/kernel/refine.c src/kernel/histogram_kernel.c
+set(search_sources src/neighbor/cluster_search.c src/neighbor/near_places.c src/neighbor/settle.c src/kernel/refine.c src/kernel/histogram_kernel.c
     src/kernel/noise_fill.c src/kernel/motion.c src/kernel/peak.c)
 set(evaluator_sources "")
 foreach(source IN LISTS style_sources)

@@ -7,7 +7,7 @@
 #include "style/nearest.h"
 #include "style/pair_scan.h"
 
-enum { N_MAX = 200 }; /* neighbors that count: N^2/2 pairs of them are sorted for each atom */
+enum { N_MAX = 200 }; /* neighbors that count: N^2/2 pairs of them are compared for each atom */
 
 typedef struct centro_state {
     int n_nearest;
@@ -44,25 +44,24 @@ static hs_status init(hs_compute *compute, hs_error *err)
     return find_range(compute, &range, err);
 }
 
-static int compare(const void *a, const void *b)
+/** Sum of the n/2 least |d_i + d_j|^2 over all pairs of n neighbors, added in ascending order. */
+static double asymmetry(const hs_near *near, int n)
 {
-    const double x = *(const double *)a, y = *(const double *)b;
-    return x < y ? -1 : x > y;
-}
-
-/** Sum of the n/2 least |d_i + d_j|^2 over all pairs of n neighbors; @p sums is scratch. */
-static double asymmetry(const hs_near *near, int n, double *sums)
-{
-    int n_pairs = 0;
-    double sum = 0.0;
+    double least[N_MAX / 2], sum = 0.0; /* ascending */
+    int n_least = 0;
     for (int i = 0; i < n; ++i)
         for (int j = i + 1; j < n; ++j) {
             const double x = near[i].d[0] + near[j].d[0], y = near[i].d[1] + near[j].d[1],
-                         z = near[i].d[2] + near[j].d[2];
-            sums[n_pairs++] = x * x + y * y + z * z;
+                         z = near[i].d[2] + near[j].d[2], size = x * x + y * y + z * z;
+            int at = n_least;
+            if (n_least < n / 2)
+                ++n_least;
+            else if (!(size < least[--at]))
+                continue;
+            for (; at > 0 && size < least[at - 1]; --at) least[at] = least[at - 1];
+            least[at] = size;
         }
-    qsort(sums, (size_t)n_pairs, sizeof *sums, compare);
-    for (int k = 0; k < n / 2; ++k) sum += sums[k];
+    for (int k = 0; k < n_least; ++k) sum += least[k];
     return sum;
 }
 
@@ -75,15 +74,11 @@ static hs_status per_atom(hs_compute *compute, hs_error *err)
     HS_TRY(find_range(compute, &range, err));
     const hs_status status = hs_nearest_find(&nearest, compute->env, range, n_wanted, err);
     if (status == HS_OK) {
-#pragma omp parallel
-        {
-            double sums[N_MAX * (N_MAX - 1) / 2];
-#pragma omp for schedule(static)
-            for (int i = 0; i < atoms->n_local; ++i) {
-                int n;
-                const hs_near *near = hs_nearest_of(&nearest, i, n_wanted, &n);
-                compute->atoms[i] = atoms->mask[i] & compute->mask && n == n_wanted ? asymmetry(near, n, sums) : 0.0;
-            }
+#pragma omp parallel for schedule(static)
+        for (int i = 0; i < atoms->n_local; ++i) {
+            int n;
+            const hs_near *near = hs_nearest_of(&nearest, i, n_wanted, &n);
+            compute->atoms[i] = atoms->mask[i] & compute->mask && n == n_wanted ? asymmetry(near, n) : 0.0;
         }
     }
     hs_nearest_fini(&nearest);

@@ -114,6 +114,8 @@ hs_status hs_isa_get(const char *name, hs_isa *isa, hs_error *err)
 
 hs_cluster_find hs_isa_find(hs_isa isa) { return FOR_ISA(isa, hs_cluster_find_); }
 
+hs_near_find hs_isa_near(hs_isa isa) { return FOR_ISA(isa, hs_near_find_); }
+
 const hs_noise_set *hs_isa_noise(hs_isa isa) { return FOR_ISA(isa, &hs_noise_set_); }
 
 const hs_motion_set *hs_isa_motion(hs_isa isa) { return FOR_ISA(isa, &hs_motion_set_); }

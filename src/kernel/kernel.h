@@ -4,6 +4,7 @@
 
 #include "base/error.h"
 #include "neighbor/clusters.h"
+#include "neighbor/near_places.h"
 #include "neighbor/settle.h"
 
 /** Instruction sets kernels are compiled for, from plain to wide. */
@@ -29,6 +30,7 @@ HS_MUST_USE hs_status hs_isa_get(const char *name, hs_isa *isa, hs_error *err);
 
 /** The pass over positions compiled for it. */
 hs_settle hs_isa_settle(hs_isa isa);
+hs_near_find hs_isa_near(hs_isa isa);
 
 /** Parameters of all type pairs as kernels read them. Row (i, j), both from 0 (0 is unused by types from 1 on), starts
  *  at values[(i * n_types + j) * stride]: two squared distances (0: the pair does not interact), then the evaluator's. */

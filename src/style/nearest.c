@@ -58,18 +58,23 @@ static bool is_before(const hs_near *a, const hs_near *b)
     return a->d[2] < b->d[2];
 }
 
-/** Sort the neighbors of atom i; how many of them are wanted. */
+/** Bring the nearest n_wanted neighbors of atom i (0: all) to the front, in order; how many they are. */
 static int sort_one(const hs_nearest *t, int i, int n_wanted)
 {
     hs_near *item = t->item + t->start[i];
-    const int n = (int)(t->start[i + 1] - t->start[i]);
+    const int n = (int)(t->start[i + 1] - t->start[i]), n_sorted = n_wanted > 0 && n > n_wanted ? n_wanted : n;
     for (int k = 1; k < n; ++k) {
         const hs_near moved = item[k];
         int at = k;
+        if (k >= n_sorted) { /* the last of the nearest gives way, if this one is nearer */
+            at = n_sorted - 1;
+            if (!is_before(&moved, &item[at])) continue;
+            item[k] = item[at];
+        }
         for (; at > 0 && is_before(&moved, &item[at - 1]); --at) item[at] = item[at - 1];
         item[at] = moved;
     }
-    return n_wanted > 0 && n > n_wanted ? n_wanted : n;
+    return n_sorted;
 }
 
 /** Neighbors that this rank has found of atoms of others, and those that others have found of atoms of this rank. */

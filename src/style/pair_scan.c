@@ -160,6 +160,7 @@ static hs_status sort_atoms(hs_pair_scan *scan, hs_error *err)
 static hs_status begin(hs_pair_scan *scan, hs_env *env, hs_places places, double range, hs_error *err)
 {
     scan->range = range;
+    scan->isa = env->isa;
     hs_status status = copy_atoms(scan, env, &places, err);
     if (hs_parallel_agree(env->parallel, err) != HS_OK) return status != HS_OK ? status : err->status;
     const double drift = find_drift(env, &places);
@@ -205,6 +206,7 @@ typedef struct filling {
     hs_pair_visit visit;
     void *context;
     int thread;
+    hs_near_find find_near;
     hs_pair_batch batch;
 } filling;
 
@@ -218,28 +220,6 @@ static inline bool is_excluded(const hs_pair_scan *scan, int i, int j)
 {
     return scan->excluded != NULL &&
            scan->excluded[(size_t)scan->atoms.type[i] * (size_t)scan->n_kernel_types + (size_t)scan->atoms.type[j]];
-}
-
-/* So many sorted atoms are measured at once. */
-enum { RUN = 128 };
-
-/** Places begin to end - 1 (at most RUN) of the sorted atoms that are nearer to x than the range: how many. */
-HS_WIDE static int find_near(const hs_pair_scan *scan, const double at[3], int begin, int end, int32_t *near)
-{
-    const double *restrict x = scan->x[0] + begin, *restrict y = scan->x[1] + begin, *restrict z = scan->x[2] + begin;
-    const double range2 = scan->range * scan->range;
-    const int n = end - begin;
-    double r2[RUN];
-    int n_near = 0;
-    for (int k = 0; k < n; ++k) {
-        const double dx = x[k] - at[0], dy = y[k] - at[1], dz = z[k] - at[2];
-        r2[k] = dx * dx + dy * dy + dz * dz;
-    }
-    for (int k = 0; k < n; ++k) {
-        near[n_near] = begin + k;
-        n_near += r2[k] < range2;
-    }
-    return n_near;
 }
 
 /** Pair of the atoms at two places, the one with the lower index first, which is local if one is. */
@@ -262,11 +242,13 @@ static inline void add_pair(filling *f, int place, int other)
 /** The atom at a place of the sorted atoms against those at places begin to end - 1. */
 static void meet_run(filling *f, int place, int begin, int end)
 {
+    enum { RUN = 128 };
     const hs_pair_scan *scan = f->scan;
-    const double x[3] = {scan->x[0][place], scan->x[1][place], scan->x[2][place]};
-    int32_t near[RUN];
+    const double *const x[3] = {scan->x[0], scan->x[1], scan->x[2]}, at[3] = {x[0][place], x[1][place], x[2][place]};
+    int32_t near[RUN + HS_NEAR_PAD];
     for (int first = begin; first < end; first += RUN) {
-        const int n = find_near(scan, x, first, first + RUN < end ? first + RUN : end, near);
+        const int last = first + RUN < end ? first + RUN : end;
+        const int n = f->find_near(x, at, scan->range * scan->range, first, last, near);
         for (int k = 0; k < n; ++k) add_pair(f, place, near[k]);
     }
 }
@@ -294,7 +276,11 @@ static void visit_cell(filling *f, int a, int b, int c)
  *  one between them at which one of them ends. */
 static void visit_share(const hs_pair_scan *scan, hs_pair_visit visit, void *context)
 {
-    filling f = {.scan = scan, .visit = visit, .context = context, .thread = hs_thread_number()};
+    filling f = {.scan = scan,
+                 .visit = visit,
+                 .context = context,
+                 .thread = hs_thread_number(),
+                 .find_near = hs_isa_near(scan->isa)};
     const int *n = scan->n_cells, *axis = scan->axis;
     for (int first = 0; first < 2; ++first) {
 #pragma omp for schedule(static, 1)

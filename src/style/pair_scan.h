@@ -46,6 +46,7 @@ typedef void (*hs_pair_visit)(void *context, int thread, const hs_pair_batch *ba
 
 typedef struct hs_pair_scan {
     double range; /**< pairs closer than this */
+    hs_isa isa;   /**< instruction set of the search */
     /** Owned: copies of local atoms (same indices), and the scan's own halo: x, id, mask, and kernel types in type. */
     hs_atoms atoms;
     hs_halo halo; /**< owned */
