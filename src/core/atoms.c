@@ -160,17 +160,20 @@ static void gather(void *to, const void *from, const int32_t *order, int64_t beg
     }
 }
 
-/** Fields of 8 bytes an atom, three at a time, into the three force arrays, whose contents are not needed: the sorted
- *  arrays become the fields, and the old ones serve as the force arrays of the next three. Nothing is copied back and
+/** Force arrays that a permutation may overwrite; hs_atoms_sort_scratch has the third. */
+enum { N_SPARE = 2 };
+
+/** Fields of 8 bytes an atom, two at a time, into force arrays, whose contents are not needed: the sorted
+ *  arrays become the fields, and the old ones serve as the force arrays of the next two. Nothing is copied back and
  *  no memory is needed. All threads of a region call this together. */
 static void permute_by_rotation(hs_atoms *atoms, const int32_t *order, int64_t begin, int64_t end)
 {
-    void **batch[3];
+    void **batch[N_SPARE];
     int n_batch = 0;
     for (int k = 0; k <= atoms->n_fields; ++k) {
         hs_atom_field *field = k < atoms->n_fields ? &atoms->field[k] : NULL;
         if (field != NULL && field->size == 8 && !field->is_force) batch[n_batch++] = field->array;
-        if (n_batch < 3 && field != NULL) continue;
+        if (n_batch < N_SPARE && field != NULL) continue;
         for (int b = 0; b < n_batch; ++b) gather(atoms->f[b], *batch[b], order, begin, end, 8);
 #pragma omp barrier
 #pragma omp single
@@ -183,15 +186,15 @@ static void permute_by_rotation(hs_atoms *atoms, const int32_t *order, int64_t b
     }
 }
 
-/** Fields of 4 bytes an atom, six at a time, through the memory of the force arrays and back. */
+/** Fields of 4 bytes an atom, four at a time, through the memory of the force arrays and back. */
 static void permute_by_copy(hs_atoms *atoms, const int32_t *order, int64_t begin, int64_t end)
 {
     int first = 0;
     while (first < atoms->n_fields) {
-        uint32_t *scratch[6];
-        void *array[6];
+        uint32_t *scratch[2 * N_SPARE];
+        void *array[2 * N_SPARE];
         int n = 0;
-        for (; first < atoms->n_fields && n < 6; ++first) {
+        for (; first < atoms->n_fields && n < 2 * N_SPARE; ++first) {
             if (atoms->field[first].size != 4) continue;
             scratch[n] = (uint32_t *)(void *)atoms->f[n / 2] + (n % 2 ? atoms->n_local : 0);
             array[n++] = *atoms->field[first].array;
@@ -221,6 +224,12 @@ static void permute_share(hs_atoms *atoms, const int32_t *order)
     hs_thread_range(atoms->n_local, 16, hs_thread_number(), hs_thread_count(), &begin, &end);
     permute_by_rotation(atoms, order, begin, end);
     permute_by_copy(atoms, order, begin, end);
+}
+
+hs_sort_scratch hs_atoms_sort_scratch(const hs_atoms *atoms, int n)
+{
+    int32_t *memory = (int32_t *)(void *)atoms->f[2];
+    return (hs_sort_scratch){.order = memory, .key = memory + n};
 }
 
 hs_status hs_atoms_permute(hs_atoms *atoms, const int32_t *order, hs_error *err)

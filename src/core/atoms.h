@@ -89,6 +89,14 @@ void hs_atoms_pack(const hs_atoms *atoms, int i, char *record);
 void hs_atoms_unpack(hs_atoms *atoms, const char *record);
 /** Take out the local atoms leavers[n] (ascending): the last ones move into their places. Halo atoms are forgotten. */
 void hs_atoms_take_out(hs_atoms *atoms, const int32_t *leavers, int n);
+/** Two arrays of numbers for who sorts atoms. */
+typedef struct hs_sort_scratch {
+    int32_t *order; /**< new place -> old index */
+    int32_t *key;   /**< what is sorted by */
+} hs_sort_scratch;
+/** Scratch for n of the atoms, local or halo, each array [n]: memory of a force array, which loses what it holds. Borrowed; good until
+ *  forces are written, arrays resized or this is called again. hs_atoms_permute leaves it alone. */
+hs_sort_scratch hs_atoms_sort_scratch(const hs_atoms *atoms, int n);
 /** Reorder the local atoms: new atom k is old atom order[k]. Threaded; halo atoms and forces are forgotten (they are
  *  computed anew; their memory is used for the sort). */
 HS_MUST_USE hs_status hs_atoms_permute(hs_atoms *atoms, const int32_t *order, hs_error *err);

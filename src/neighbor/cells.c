@@ -139,22 +139,6 @@ typedef struct sort_input {
     int32_t *start;
 } sort_input;
 
-static hs_status reserve_scratch(hs_cells *cells, int n, int64_t n_histogram, hs_error *err)
-{
-    if (n > cells->capacity_atoms) {
-        const int capacity = n + n / 8 + 64;
-        HS_TRY(HS_GROW(cells->order, 0, (size_t)capacity, err));
-        HS_TRY(HS_GROW(cells->key, 0, (size_t)capacity, err));
-        cells->capacity_atoms = capacity;
-    }
-    if (n_histogram > cells->capacity_histogram) {
-        const int64_t capacity = n_histogram + n_histogram / 8;
-        HS_TRY(HS_GROW(cells->histogram, 0, (size_t)capacity, err));
-        cells->capacity_histogram = capacity;
-    }
-    return HS_OK;
-}
-
 static void count_keys(const hs_cells *cells, const sort_input *in, int64_t begin, int64_t end, int32_t *histogram)
 {
     const int n1 = cells->n[1], n2 = cells->n[2];
@@ -162,7 +146,7 @@ static void count_keys(const hs_cells *cells, const sort_input *in, int64_t begi
         const int c0 = hs_cells_coordinate(cells, 0, in->x[0][i]), c1 = hs_cells_coordinate(cells, 1, in->x[1][i]),
                   c2 = hs_cells_coordinate(cells, 2, in->x[2][i]);
         const int32_t key = cells->column_rank[c0 * n1 + c1] * n2 + c2;
-        cells->key[i] = key;
+        cells->sort.key[i] = key;
         ++histogram[key];
     }
 }
@@ -219,17 +203,22 @@ static void sort_share(hs_cells *cells, const sort_input *in, int64_t n_cells, i
     count_keys(cells, in, begin, end, histogram);
 #pragma omp barrier
     hs_counting_sort_prefix(cells->histogram, in->start, n_cells, thread, n_threads, share_sum);
-    for (int64_t i = begin; i < end; ++i) cells->order[histogram[cells->key[i]]++] = (int32_t)i;
+    for (int64_t i = begin; i < end; ++i) cells->sort.order[histogram[cells->sort.key[i]]++] = (int32_t)i;
 #pragma omp barrier
     hs_thread_range(n_cells, 16, thread, n_threads, &begin, &end);
-    for (int64_t c = begin; c < end; ++c) order_cell(in, cells->order + in->start[c], in->start[c + 1] - in->start[c]);
+    for (int64_t c = begin; c < end; ++c) order_cell(in, cells->sort.order + in->start[c], in->start[c + 1] - in->start[c]);
 }
 
-static hs_status sort(hs_cells *cells, const sort_input *in, hs_error *err)
+static hs_status sort(hs_cells *cells, const hs_atoms *atoms, const sort_input *in, hs_error *err)
 {
     const int n_threads = hs_threads_get();
-    const int64_t n_cells = (int64_t)cells->n_columns * cells->n[2];
-    HS_TRY(reserve_scratch(cells, in->n, n_cells * n_threads, err));
+    const int64_t n_cells = (int64_t)cells->n_columns * cells->n[2], n_histogram = n_cells * n_threads;
+    if (n_histogram > cells->capacity_histogram) {
+        const int64_t capacity = n_histogram + n_histogram / 8;
+        HS_TRY(HS_GROW(cells->histogram, 0, (size_t)capacity, err));
+        cells->capacity_histogram = capacity;
+    }
+    cells->sort = hs_atoms_sort_scratch(atoms, in->n);
     int64_t share_sum[n_threads];
     HS_ON_THREADS(sort_share(cells, in, n_cells, share_sum));
     return HS_OK;
@@ -241,7 +230,7 @@ hs_status hs_cells_sort_local(hs_cells *cells, const hs_atoms *atoms, hs_error *
                            .id = atoms->id,
                            .n = atoms->n_local,
                            .start = cells->start_local};
-    return sort(cells, &in, err);
+    return sort(cells, atoms, &in, err);
 }
 
 /** How deep atoms of a thread's share are below the upper faces. */
@@ -278,7 +267,7 @@ hs_status hs_cells_sort_halo(hs_cells *cells, const hs_atoms *atoms, hs_error *e
         .n = atoms->n_halo,
         .start = cells->start_halo};
     lower_faces(cells, &in);
-    return sort(cells, &in, err);
+    return sort(cells, atoms, &in, err);
 }
 
 void hs_cells_fini(hs_cells *cells)
@@ -286,8 +275,6 @@ void hs_cells_fini(hs_cells *cells)
     HS_FREE(cells->column_rank);
     HS_FREE(cells->start_local);
     HS_FREE(cells->start_halo);
-    HS_FREE(cells->order);
-    HS_FREE(cells->key);
     HS_FREE(cells->histogram);
     memset(cells, 0, sizeof *cells);
 }

@@ -24,10 +24,9 @@ typedef struct hs_cells {
     int32_t *start_local;       /**< owned [n_columns * n[2] + 1]: first local atom of each cell */
     int32_t *start_halo;        /**< the same for halo atoms, counted from 0 at the first halo atom */
     int64_t capacity_cells, capacity_columns;
-    int32_t *order;     /**< owned scratch [capacity_atoms]: new place -> old index */
-    int32_t *key;       /**< owned scratch [capacity_atoms]: cell of each atom */
-    int32_t *histogram; /**< owned scratch [threads][cells] */
-    int64_t capacity_atoms, capacity_histogram;
+    hs_sort_scratch sort; /**< borrowed from the sorted atoms: their order, and the cell of each */
+    int32_t *histogram;   /**< owned scratch [threads][cells] */
+    int64_t capacity_histogram;
 } hs_cells;
 
 /** Lay a grid over this rank's brick of the box, from lo to hi, and its margin, with columns `width` wide and cells about a
@@ -37,7 +36,8 @@ HS_MUST_USE hs_status hs_cells_set_grid(hs_cells *cells, const double brick_lo[3
 /** Halo atoms do not keep beyond the upper faces of what the grid was laid over. */
 void hs_cells_expect_halo_anywhere(hs_cells *cells);
 /** Counting sort of the local atoms by cell; within a cell by place along the run axis, then by id. Computes
- *  cells->order and start_local; the caller permutes the arrays. Threaded; independent of the number of threads. */
+ *  cells->sort.order, in the atoms' own scratch (forces are lost), and start_local; the caller permutes the arrays. Threaded;
+ *  independent of the number of threads. */
 HS_MUST_USE hs_status hs_cells_sort_local(hs_cells *cells, const hs_atoms *atoms, hs_error *err);
 /** The same for the halo atoms (order counted from the first halo atom). */
 HS_MUST_USE hs_status hs_cells_sort_halo(hs_cells *cells, const hs_atoms *atoms, hs_error *err);

@@ -223,7 +223,7 @@ static hs_status sort_local(hs_sim *sim, double reach, hs_error *err)
     /* what encloses a tilted brick has halo atoms in it: they may be anywhere */
     if (sim->box.is_tilted) hs_cells_expect_halo_anywhere(&neighbor->cells);
     HS_TRY(hs_cells_sort_local(&neighbor->cells, atoms, err));
-    return hs_atoms_permute(atoms, neighbor->cells.order, err);
+    return hs_atoms_permute(atoms, neighbor->cells.sort.order, err);
 }
 
 /** Sort the halo, fill its fields, and cut all atoms into clusters. */
@@ -232,7 +232,7 @@ static hs_status cluster(hs_sim *sim, hs_error *err)
     hs_neighbor *neighbor = &sim->neighbor;
     hs_atoms *atoms = &sim->atoms;
     HS_TRY(hs_cells_sort_halo(&neighbor->cells, atoms, err));
-    hs_halo_reorder(&sim->halo, atoms, neighbor->cells.order);
+    hs_halo_reorder(&sim->halo, atoms, neighbor->cells.sort.order);
     hs_halo_forward_fields(&sim->halo, atoms);
     HS_TRY(hs_clusters_build(&neighbor->clusters, &neighbor->cells, atoms, err));
     renew_kernel_types(sim);
@@ -254,8 +254,8 @@ hs_status hs_sim_sort_and_cluster(hs_sim *sim, double reach, hs_error *err)
 static const int32_t *places(hs_cells *cells, int n)
 {
 #pragma omp parallel for schedule(static)
-    for (int k = 0; k < n; ++k) cells->key[cells->order[k]] = k;
-    return cells->key;
+    for (int k = 0; k < n; ++k) cells->sort.key[cells->sort.order[k]] = k;
+    return cells->sort.key;
 }
 
 hs_status hs_sim_sort_again(hs_sim *sim, hs_error *err)
@@ -263,7 +263,7 @@ hs_status hs_sim_sort_again(hs_sim *sim, hs_error *err)
     hs_cells *cells = &sim->neighbor.cells;
     hs_atoms *atoms = &sim->atoms;
     HS_UNLESS_FAILED(err, hs_cells_sort_local(cells, atoms, err));
-    HS_UNLESS_FAILED(err, hs_atoms_permute(atoms, cells->order, err));
+    HS_UNLESS_FAILED(err, hs_atoms_permute(atoms, cells->sort.order, err));
     HS_TRY(hs_parallel_agree(&sim->parallel, err));
     hs_timer_add(&sim->timer, HS_PHASE_NEIGH);
     hs_halo_follow(&sim->halo, atoms, places(cells, atoms->n_local));

@@ -117,13 +117,10 @@ static hs_status sort_atoms(hs_sim *sim, hs_error *err)
     HS_TRY(set_chain_grid(sim, err));
     if (neighbor->settings.order == HS_CELL_ORDER_NONE) return HS_OK;
     if (neighbor->last_sort_step >= 0 && sim->env.step < neighbor->last_sort_step + SORT_EVERY) return HS_OK;
-    int32_t *order = NULL;
-    HS_TRY(HS_ALLOC(order, (size_t)sim->atoms.n_local, err));
-    hs_status status = hs_chains_sort(&neighbor->chains, &sim->atoms, order, err);
-    if (status == HS_OK) status = hs_atoms_permute(&sim->atoms, order, err);
-    HS_FREE(order);
+    int32_t *order = hs_atoms_sort_scratch(&sim->atoms, sim->atoms.n_local).order;
+    HS_TRY(hs_chains_sort(&neighbor->chains, &sim->atoms, order, err));
     neighbor->last_sort_step = sim->env.step;
-    return status;
+    return hs_atoms_permute(&sim->atoms, order, err);
 }
 
 static hs_status renew_atoms_of_chains(hs_sim *sim, hs_error *err)

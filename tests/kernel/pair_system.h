@@ -216,14 +216,14 @@ static forces_t evaluate_counting(system_t *s, method_t method, hs_isa isa, hs_p
                                           hs_clusters_width(s->box.dimension, density, reach), atoms->n_local, &err),
                         err);
         ck_assert_hs_ok(hs_cells_sort_local(&cells, atoms, &err), err);
-        ck_assert_hs_ok(hs_atoms_permute(atoms, cells.order, &err), err);
+        ck_assert_hs_ok(hs_atoms_permute(atoms, cells.sort.order, &err), err);
     }
     hs_domain_init(&domain, &one_rank);
     ck_assert_hs_ok(hs_domain_divide(&domain, &s->box, &err), err);
     ck_assert_hs_ok(hs_halo_build(&halo, &domain, &one_rank, &s->box, atoms, reach, &err), err);
     if (!is_nsq) {
         ck_assert_hs_ok(hs_cells_sort_halo(&cells, atoms, &err), err);
-        hs_halo_reorder(&halo, atoms, cells.order);
+        hs_halo_reorder(&halo, atoms, cells.sort.order);
     }
     hs_halo_forward_fields(&halo, atoms);
     if (!is_nsq) {
