@@ -64,18 +64,19 @@ static double value_of(const hs_pair_row *row, hs_pair_quantity quantity)
 
 hs_status hs_pair_columns_local(hs_compute *compute, hs_error *err)
 {
-    const hs_pair_columns *columns = compute->state;
+    hs_pair_columns *columns = compute->state;
     hs_local_rows *local = &compute->local;
     bool with_forces = false;
     for (int c = 0; c < columns->n; ++c)
         with_forces |= columns->column[c] >= HS_PAIR_ENG && columns->column[c] <= HS_PAIR_FZ;
     hs_pair_rows rows = {0};
-    hs_status status = hs_pair_rows_find(&rows, compute, columns->choice, with_forces, err);
+    hs_status status = hs_pair_rows_find(&rows, compute, columns->choice, with_forces, columns->n_rows, err);
+    columns->n_rows = rows.n;
     if (status == HS_OK) status = hs_local_rows_reserve(local, rows.n, columns->n, err);
     for (int c = 0; c < columns->n && status == HS_OK; ++c)
 #pragma omp parallel for schedule(static)
         for (int64_t k = 0; k < rows.n; ++k)
-            local->values[c * rows.n + k] = value_of(rows.order[k], columns->column[c]);
+            local->values[c * rows.n + k] = value_of(rows.order[k].row, columns->column[c]);
     hs_pair_rows_fini(&rows);
     return status;
 }

@@ -26,6 +26,7 @@ typedef struct hs_pair_columns {
     hs_pair_quantity *column; /**< owned [n] */
     int n;
     hs_pair_choice choice;
+    int64_t n_rows; /**< of the evaluation before: as many are expected */
 } hs_pair_columns;
 
 /** The keyword `cutoff`. */

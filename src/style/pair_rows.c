@@ -2,6 +2,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "base/memory.h"
 #include "comm/deliver.h"
@@ -10,8 +11,9 @@
 void hs_pair_rows_fini(hs_pair_rows *rows)
 {
     HS_FREE(rows->order);
-    HS_FREE(rows->row);
-    rows->n = 0;
+    for (int k = 0; k < rows->n_pieces; ++k) HS_FREE(rows->piece[k].row);
+    HS_FREE(rows->piece);
+    rows->n = rows->n_pieces = 0;
 }
 
 /* Finding */
@@ -23,8 +25,7 @@ typedef struct search {
     uint32_t mask;
     hs_pair_choice choice;
     bool with_forces;
-    hs_pair_row *row;
-    int64_t *next; /**< owned [threads]: pairs that a thread has counted; then, where its next row goes */
+    hs_pair_piece *piece; /**< [threads]: the rows of each */
 } search;
 
 /** Whether atoms so far apart are put into the lists: LAMMPS lists pairs up to and at the limit. */
@@ -70,30 +71,24 @@ static void fill_row(const search *s, const hs_pair_batch *batch, int p, hs_pair
         hs_pair_scan_eval(scan, &s->view, i, j, batch->r2[p], &row->force_over_r, &row->energy);
 }
 
-static void count_batch(void *context, int thread, const hs_pair_batch *batch)
+/** Room for as many more rows; false: there is none. */
+static bool has_room(hs_pair_piece *piece, size_t n)
 {
-    const search *s = context;
-    int64_t n = 0;
-    for (int p = 0; p < batch->n; ++p) n += is_chosen(s, batch->i[p], batch->j[p], batch->r2[p]);
-    s->next[thread] += n;
+    if (piece->err.status != HS_OK) return false;
+    if (piece->n + n <= piece->capacity) return true;
+    const size_t capacity = 2 * piece->capacity + n;
+    if (HS_GROW(piece->row, piece->n, capacity, &piece->err) != HS_OK) return false;
+    piece->capacity = capacity;
+    return true;
 }
 
 static void take_batch(void *context, int thread, const hs_pair_batch *batch)
 {
     const search *s = context;
+    hs_pair_piece *piece = &s->piece[thread];
+    if (!has_room(piece, (size_t)batch->n)) return;
     for (int p = 0; p < batch->n; ++p)
-        if (is_chosen(s, batch->i[p], batch->j[p], batch->r2[p])) fill_row(s, batch, p, &s->row[s->next[thread]++]);
-}
-
-/** Where each thread's rows begin, from how many it has. *n: of all. */
-static void place_threads(search *s, int64_t *n)
-{
-    *n = 0;
-    for (int t = 0; t < hs_threads_get(); ++t) {
-        const int64_t n_of_thread = s->next[t];
-        s->next[t] = *n;
-        *n += n_of_thread;
-    }
+        if (is_chosen(s, batch->i[p], batch->j[p], batch->r2[p])) fill_row(s, batch, p, &piece->row[piece->n++]);
 }
 
 /** The scan that the choice asks for. */
@@ -105,22 +100,25 @@ static hs_status begin_scan(search *s, hs_env *env, hs_error *err)
     return hs_pair_scan_begin_at_forces(&s->scan, env, s->choice == HS_PAIRS_IN_CONTACT ? reach : cutoff, err);
 }
 
-/** The pairs of this rank's scan, in any order: counted, then taken, for threads meet the same ones both times. */
-static hs_status search_pairs(search *s, hs_env *env, hs_pair_rows *rows, hs_error *err)
+/** The pairs of this rank's scan, in any order. */
+static hs_status search_pairs(search *s, hs_env *env, int64_t n_expected, hs_pair_rows *rows, hs_error *err)
 {
-    HS_UNLESS_FAILED(err, HS_ALLOC(s->next, (size_t)hs_threads_get(), err));
+    HS_UNLESS_FAILED(err, HS_ALLOC(rows->piece, (size_t)hs_threads_get(), err));
     hs_status status = hs_parallel_agree(env->parallel, err);
     if (status == HS_OK) status = begin_scan(s, env, err);
     if (status == HS_OK) {
-        hs_pair_scan_visit(&s->scan, count_batch, s);
-        place_threads(s, &rows->n);
-        status = HS_ALLOC(rows->row, (size_t)rows->n, err);
-        s->row = rows->row;
+        rows->n_pieces = hs_threads_get();
+        s->piece = rows->piece;
+        const size_t expected = (size_t)(n_expected / rows->n_pieces);
+        for (int k = 0; k < rows->n_pieces; ++k) (void)has_room(&rows->piece[k], expected + expected / 16);
+        hs_pair_scan_visit(&s->scan, take_batch, s);
+        for (int k = 0; k < rows->n_pieces; ++k) {
+            rows->n += (int64_t)rows->piece[k].n;
+            if (rows->piece[k].err.status != HS_OK && err->status == HS_OK) *err = rows->piece[k].err;
+        }
     }
-    if (status == HS_OK) hs_pair_scan_visit(&s->scan, take_batch, s);
     hs_pair_scan_end(&s->scan);
-    HS_FREE(s->next);
-    return status;
+    return err->status;
 }
 
 /* Order */
@@ -143,28 +141,45 @@ static inline int64_t part_of(const id_parts *parts, int64_t id)
     return part < parts->n ? part : parts->n - 1;
 }
 
-/** rows->order with the rows of each part of the ids behind those of the part before: from (*begin)[p] to (*begin)[p + 1] - 1 they are
- *  of part p. *begin is the caller's, also after an error. */
+/** Bring places into the order of the parts of their lower (which = 0) or higher ids; those of one part keep theirs. From next[p] to
+ *  next[p + 1] - 1 they are of part p, when it is done. next[parts->n + 2] is 0 before. */
+static void group_places(const hs_pair_place *from, int64_t n, const id_parts *parts, int which, int64_t *next,
+                         hs_pair_place *to)
+{
+    ++next; /* shifted by one: next[p] ends where part p + 1 begins */
+    for (int64_t k = 0; k < n; ++k) ++next[part_of(parts, from[k].id[which]) + 1];
+    for (int64_t p = 0; p < parts->n; ++p) next[p + 1] += next[p];
+    for (int64_t k = 0; k < n; ++k) to[next[part_of(parts, from[k].id[which])]++] = from[k];
+}
+
+/** rows->order with the rows of each part of the lower ids behind those of the part before, and in each those of higher ids rather
+ *  behind: from (*begin)[p] to (*begin)[p + 1] - 1 they are of part p. *begin is the caller's, also after an error. */
 static hs_status group_rows(hs_pair_rows *rows, const id_parts *parts, int64_t **begin, hs_error *err)
 {
-    HS_TRY(HS_ALLOC(*begin, (size_t)parts->n + 2, err));
+    hs_pair_place *grouped = NULL;
+    const size_t n_begin = (size_t)parts->n + 2;
+    HS_TRY(HS_ALLOC(*begin, n_begin, err));
     HS_TRY(HS_ALLOC(rows->order, (size_t)rows->n, err));
-    int64_t *next = *begin + 1; /* shifted by one: next[p] ends as begin[p + 1] */
-    for (int64_t k = 0; k < rows->n; ++k) ++next[part_of(parts, rows->row[k].id[0]) + 1];
-    for (int64_t p = 0; p < parts->n; ++p) next[p + 1] += next[p];
-    for (int64_t k = 0; k < rows->n; ++k) rows->order[next[part_of(parts, rows->row[k].id[0])]++] = &rows->row[k];
+    HS_TRY(HS_ALLOC(grouped, (size_t)rows->n, err));
+    hs_pair_place *place = rows->order;
+    for (int piece = 0; piece < rows->n_pieces; ++piece)
+        for (size_t k = 0; k < rows->piece[piece].n; ++k) {
+            const hs_pair_row *row = &rows->piece[piece].row[k];
+            *place++ = (hs_pair_place){.id = {row->id[0], row->id[1]}, .row = row};
+        }
+    group_places(rows->order, rows->n, parts, 1, *begin, grouped);
+    memset(*begin, 0, n_begin * sizeof **begin);
+    group_places(grouped, rows->n, parts, 0, *begin, rows->order);
+    HS_FREE(grouped);
     return HS_OK;
 }
 
-/** The rows themselves in the order of rows->order, which is given back. */
-static hs_status move_rows(hs_pair_rows *rows, hs_error *err)
+/** The rows of all pieces in one array, in the order of rows->order, which is given back with them. The array is the caller's. */
+static hs_status take_rows(hs_pair_rows *rows, hs_pair_row **taken, hs_error *err)
 {
-    hs_pair_row *moved;
-    HS_TRY(HS_ALLOC(moved, (size_t)rows->n, err));
-    for (int64_t k = 0; k < rows->n; ++k) moved[k] = *rows->order[k];
-    HS_FREE(rows->order);
-    HS_FREE(rows->row);
-    rows->row = moved;
+    HS_TRY(HS_ALLOC(*taken, (size_t)rows->n, err));
+    for (int64_t k = 0; k < rows->n; ++k) (*taken)[k] = *rows->order[k].row;
+    hs_pair_rows_fini(rows);
     return HS_OK;
 }
 
@@ -176,49 +191,72 @@ static hs_status share_rows(hs_pair_rows *rows, const hs_env *env, hs_error *err
     if (parallel->n_ranks == 1) return err->status;
     hs_parallel_max_int64(parallel, &max_id, 1);
     const id_parts parts = cut_ids(1, max_id, parallel->n_ranks);
+    hs_pair_row *leaving = NULL;
+    void *received = NULL;
+    int64_t n_received = 0;
     HS_UNLESS_FAILED(err, group_rows(rows, &parts, &begin, err));
-    HS_UNLESS_FAILED(err, move_rows(rows, err));
+    HS_UNLESS_FAILED(err, take_rows(rows, &leaving, err));
+    HS_UNLESS_FAILED(err, HS_ALLOC(rows->piece, 1, err));
     for (int rank = 0; rank < parallel->n_ranks && err->status == HS_OK; ++rank)
         begin[rank] = begin[rank + 1] - begin[rank];
-    void *received;
-    const hs_status status = hs_deliver(parallel, rows->row, sizeof *rows->row, begin, &received, &rows->n, err);
+    const hs_status status = hs_deliver(parallel, leaving, sizeof *leaving, begin, &received, &n_received, err);
     HS_FREE(begin);
-    HS_FREE(rows->row);
-    rows->row = received;
-    return status;
+    HS_FREE(leaving);
+    if (status != HS_OK) return status;
+    rows->n_pieces = 1;
+    rows->piece[0] = (hs_pair_piece){.row = received, .n = (size_t)n_received};
+    rows->n = n_received;
+    return HS_OK;
 }
 
-static int compare_rows(const void *a, const void *b)
+static int compare_places(const void *a, const void *b)
 {
-    const hs_pair_row *x = *(hs_pair_row *const *)a, *y = *(hs_pair_row *const *)b;
+    const hs_pair_place *x = a, *y = b;
     for (int k = 0; k < 2; ++k)
         if (x->id[k] != y->id[k]) return x->id[k] < y->id[k] ? -1 : 1;
     for (int axis = 0; axis < 3; ++axis)
-        if (x->d[axis] != y->d[axis]) return x->d[axis] < y->d[axis] ? -1 : 1;
+        if (x->row->d[axis] != y->row->d[axis]) return x->row->d[axis] < y->row->d[axis] ? -1 : 1;
     return 0;
+}
+
+/** Most parts are the rows of one atom, which are in order already unless it meets an image of itself or two of another. */
+static void sort_part(hs_pair_place *order, int64_t n)
+{
+    enum { FEW = 64 };
+    if (n > FEW) {
+        qsort(order, (size_t)n, sizeof *order, compare_places);
+        return;
+    }
+    for (int64_t k = 1; k < n; ++k) {
+        const hs_pair_place place = order[k];
+        int64_t at = k;
+        for (; at > 0 && compare_places(&place, &order[at - 1]) < 0; --at) order[at] = order[at - 1];
+        order[at] = place;
+    }
 }
 
 /** Sort this rank's rows: into parts of few rows, and within them. */
 static hs_status sort_rows(hs_pair_rows *rows, hs_error *err)
 {
     int64_t lo = INT64_MAX, hi = 1, *begin = NULL;
-    for (int64_t k = 0; k < rows->n; ++k) {
-        const int64_t id = rows->row[k].id[0];
-        lo = id < lo ? id : lo;
-        hi = id > hi ? id : hi;
-    }
-    const id_parts parts = cut_ids(lo < hi ? lo : hi, hi, rows->n / 8 + 1);
+    for (int piece = 0; piece < rows->n_pieces; ++piece)
+        for (size_t k = 0; k < rows->piece[piece].n; ++k) {
+            const int64_t *id = rows->piece[piece].row[k].id;
+            lo = id[0] < lo ? id[0] : lo;
+            hi = id[1] > hi ? id[1] : hi;
+        }
+    const int64_t span = lo < hi ? hi - lo + 1 : 1;
+    const id_parts parts = cut_ids(lo < hi ? lo : hi, hi, span < rows->n ? span : rows->n + 1);
     const hs_status status = group_rows(rows, &parts, &begin, err);
     const int64_t n_parts = status == HS_OK ? parts.n : 0;
 #pragma omp parallel for schedule(dynamic, 1024)
-    for (int64_t p = 0; p < n_parts; ++p)
-        qsort(rows->order + begin[p], (size_t)(begin[p + 1] - begin[p]), sizeof *rows->order, compare_rows);
+    for (int64_t p = 0; p < n_parts; ++p) sort_part(rows->order + begin[p], begin[p + 1] - begin[p]);
     HS_FREE(begin);
     return status;
 }
 
 hs_status hs_pair_rows_find(hs_pair_rows *rows, const hs_compute *compute, hs_pair_choice choice, bool with_forces,
-                            hs_error *err)
+                            int64_t n_expected, hs_error *err)
 {
     hs_env *env = compute->env;
     search s = {.pair = env->pair(env), .mask = compute->mask, .choice = choice, .with_forces = with_forces};
@@ -230,7 +268,7 @@ hs_status hs_pair_rows_find(hs_pair_rows *rows, const hs_compute *compute, hs_pa
             "%s: there are no pairs before the first run, nor without a pair style that has cutoffs: 'run 0' "
             "makes lists of them, and 'pair_style zero' has cutoffs without forces",
             hs_compute_who(compute).text);
-    HS_UNLESS_FAILED(err, search_pairs(&s, env, rows, err));
+    HS_UNLESS_FAILED(err, search_pairs(&s, env, n_expected, rows, err));
     HS_TRY(share_rows(rows, env, err));
     HS_UNLESS_FAILED(err, sort_rows(rows, err));
     return hs_parallel_agree(env->parallel, err);

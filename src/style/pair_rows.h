@@ -25,17 +25,31 @@ typedef struct hs_pair_row {
     double energy;
 } hs_pair_row;
 
+/** A row's place in the order: its ids once more, so that sorting leaves the rows alone. */
+typedef struct hs_pair_place {
+    int64_t id[2];
+    const hs_pair_row *row;
+} hs_pair_place;
+
+/** Rows in the order in which they were found. */
+typedef struct hs_pair_piece {
+    hs_pair_row *row; /**< owned [capacity] */
+    size_t n, capacity;
+    hs_error err; /**< of its making */
+} hs_pair_piece;
+
 typedef struct hs_pair_rows {
-    hs_pair_row **order; /**< owned [n]: the rows in their order */
-    hs_pair_row *row;    /**< owned [n] */
-    int64_t n;           /**< of this rank */
+    hs_pair_place *order; /**< owned [n]: the rows in their order */
+    int64_t n;            /**< of this rank */
+    hs_pair_piece *piece; /**< owned [n_pieces]: the rows */
+    int n_pieces;
 } hs_pair_rows;
 
 /** Find the pairs both of whose atoms are in the compute's group (collective, errors agreed). @p with_forces: forces and energies
- *  are wanted, which of pairs in lists are 0. *rows is the caller's: hs_pair_rows_fini, also after an error. An error before the first
+ *  are wanted, which of pairs in lists are 0. @p n_expected: for how many there is room from the start. *rows is the caller's: hs_pair_rows_fini, also after an error. An error before the first
  *  run, and without a pair style that has cutoffs. */
 HS_MUST_USE hs_status hs_pair_rows_find(hs_pair_rows *rows, const hs_compute *compute, hs_pair_choice choice,
-                                        bool with_forces, hs_error *err);
+                                        bool with_forces, int64_t n_expected, hs_error *err);
 void hs_pair_rows_fini(hs_pair_rows *rows);
 
 #endif
