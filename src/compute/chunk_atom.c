@@ -141,7 +141,6 @@ static hs_status create(hs_compute *compute, const hs_args *args, hs_error *err)
     if (state->is_kept)
         HS_TRY(hs_atoms_add_field(compute->env->atoms, state->field, (void **)&state->kept, sizeof *state->kept, false,
                                   err));
-    state->chunks.is_stale = true;
     return count_raw(compute, err);
 }
 
@@ -251,7 +250,8 @@ static hs_status per_atom(hs_compute *compute, hs_error *err)
 {
     chunk_state *state = compute->state;
     const size_t n = (size_t)compute->env->atoms->n_local;
-    if (state->is_kept && !state->chunks.is_stale && state->is_set_up) {
+    const bool may_change = state->chunks.is_by_window && state->chunks.n_locks == 0;
+    if (state->is_kept && state->is_set_up && !may_change) {
         if (n > 0) memcpy(compute->atoms, state->kept, n * sizeof *compute->atoms);
         return HS_OK;
     }
@@ -266,7 +266,6 @@ static hs_status per_atom(hs_compute *compute, hs_error *err)
         if (*id > (double)state->chunks.n) *id = 0.0;
     }
     if (state->is_kept && n > 0) memcpy(state->kept, compute->atoms, n * sizeof *compute->atoms);
-    state->chunks.is_stale = false;
     return HS_OK;
 }
 
@@ -284,7 +283,6 @@ static hs_status keep_state(hs_compute *compute, hs_state *kept, hs_error *err)
     int64_t n_original = chunks->original != NULL ? chunks->n : 0,
             n_number = state->number != NULL ? state->n_raw + 1 : 0;
     HS_TRY(hs_state_bool(kept, "is_set_up", &state->is_set_up, err));
-    HS_TRY(hs_state_bool(kept, "is_stale", &chunks->is_stale, err));
     HS_TRY(hs_state_int64(kept, "n", &chunks->n, 1, err));
     HS_TRY(hs_state_int64(kept, "n_raw", &state->n_raw, 1, err));
     HS_TRY(hs_state_int64(kept, "n_locks", &chunks->n_locks, 1, err));
@@ -335,7 +333,7 @@ const hs_compute_style hs_compute_style_chunk_atom = {
                   "`mixed` puts them into the nearest bin or shell, except beyond a bound given as a number. In "
                   "lattice units the bound of x (with bins along two axes of x and y, along three of all) is scaled, "
                   "others are not, as in LAMMPS. `ids once` keeps the first numbers, `ids nfreq` those of the first "
-                  "sample of each window of fix ave/chunk.",
+                  "sample of each window of fix ave/chunk, and of fix ave/time in mode vector.",
               .example =
                   "compute layers all chunk/atom bin/1d z lower 0.05 units reduced\n"
                   "compute grid flow chunk/atom bin/2d x lower 1.0 y lower 1.0\ncompute kinds all chunk/atom type\n"

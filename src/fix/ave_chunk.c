@@ -228,10 +228,6 @@ static hs_status end_of_step(hs_fix *fix, hs_error *err)
     const int width = state->columns.n + 1;
     const double repeat = (double)state->schedule.repeat;
     const bool is_first = state->schedule.n_taken == 0;
-    if (is_first && chunks->is_by_window && chunks->n_locks == 0) {
-        chunks->is_stale = true;
-        hs_compute_invalidate(compute);
-    }
     HS_TRY(hs_compute_eval_atoms(compute, err));
     if (is_first) {
         HS_TRY(reserve(fix, compute, err));

@@ -109,7 +109,8 @@ const hs_fix_style hs_fix_style_group_dynamic = {
          .summary = "choose the members of a group anew every few steps",
          .details =
              "`group ID dynamic parent ...` makes the fix `GROUP_ID parent group/dynamic ID ...`: at the start of a "
-             "run and after the atoms have moved, those atoms of the parent group become members that are where, "
+             "run or minimisation and after the atoms have moved, those atoms of the parent group become members that "
+             "are where, "
              "and for which, the keywords say; the others leave the group.",
          .example = "region hot block INF INF INF INF 0 2\ngroup heated dynamic all region hot every 10\n"
                     "fix bath heated langevin 1.5 1.5 0.5 4711"},
@@ -120,4 +121,5 @@ const hs_fix_style hs_fix_style_group_dynamic = {
     .setup = choose,
     .post_integrate = post_integrate,
     .keeps_plane = true,
+    .acts_in_minimize = true,
 };

@@ -91,6 +91,7 @@ static hs_status end_of_step(hs_fix *fix, hs_error *err)
         hs_say(env->out, "Fix halt condition for fix-id %s met on step %lld with value %.15g\n", fix->id,
                (long long)env->step, value);
     }
+    env->is_cut_short = env->step < env->last_step;
     env->last_step = env->step;
     env->is_halted = state->then == SOFT;
     return HS_OK;

@@ -261,6 +261,7 @@ static hs_status begin_run(hs_sim *sim, const hs_run_plan *plan, hs_error *err)
     sim->n_minimized = 0;
     sim->env.first_step = sim->env.step;
     sim->env.last_step = sim->env.step + plan->n_steps;
+    sim->env.is_cut_short = false;
     sim->env.ramp_start = plan->start;
     sim->env.ramp_stop = plan->stop;
     if (plan->pre || !sim->is_initialized) {

@@ -129,7 +129,7 @@ bool hs_thermo_is_due(const hs_thermo *thermo, int64_t step)
     if (step == env->first_step) return true;
     /* A variable decides about the last step too: see find_next_due. */
     if (thermo->every_variable != NULL) return step == thermo->next_due;
-    if (step == env->last_step) return true;
+    if (step == env->last_step && !env->is_cut_short) return true;
     return thermo->every > 0 && step % thermo->every == 0;
 }
 

@@ -16,8 +16,7 @@ typedef struct hs_chunks {
     int64_t n_locks;    /**< while there are some (hs_chunks_hold), chunks stay as many, and where, they are */
     bool is_compressed; /**< only chunks with atoms have numbers */
     bool is_once;       /**< counted or numbered once: at the start of the first run */
-    bool is_by_window;  /**< ids nfreq: who averages asks for new numbers at the start of a window */
-    bool is_stale;      /**< numbers that are kept are to be made anew at the next evaluation */
+    bool is_by_window;  /**< ids nfreq: numbers, too, stay while there are locks, and only then */
 } hs_chunks;
 
 /** The compute chunk/atom of that ID; an error naming @p command otherwise. */
