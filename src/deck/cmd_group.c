@@ -369,7 +369,7 @@ const hs_command hs_commands_group[] = {
                     "| `empty` | none |\n"
                     "| `dynamic <group-ID> [region <ID>] [var <name>] [every <N>]` | those of that group that are in "
                     "the region, and for which the atom-style variable is not 0, chosen anew during runs at steps that "
-                    "are multiples of N |\n"
+                    "are multiples of N; after `read_restart` they stay |\n"
                     "| `static` | those that a dynamic group has now: they stay |\n\n"
                     "`clear` takes all atoms out of the group; `delete` removes it, unless a fix, compute, dump or "
                     "exclusion uses it.\n"

@@ -113,7 +113,10 @@ static hs_status repeat(hs_checkpoint *checkpoint, hs_deck *deck, char *text, bo
     const hs_command *command = hs_command_find(name);
     hs_status status = HS_OK;
     if (makes_box(name)) {
-        if (!deck->sim->box.exists) status = hs_saved_get_atoms(checkpoint, deck->sim, false, err);
+        const bool is_first = !deck->sim->box.exists;
+        if (is_first) status = hs_saved_get_atoms(checkpoint, deck->sim, false, err);
+        /* what follows it needs the box also when this deck's own checkpoints are read */
+        if (status == HS_OK && is_first && is_restart) status = hs_deck_remember(deck, &args, err);
     } else if (is_restart ? is_of_restart(name) : !is_done_once(name)) {
         if (command == NULL) status = hs_fail(err, HS_ERROR_INPUT, "there is no command '%s' in this version", name);
         if (status == HS_OK) status = command->run(deck, &args, err);
@@ -121,6 +124,20 @@ static hs_status repeat(hs_checkpoint *checkpoint, hs_deck *deck, char *text, bo
     }
     hs_memory_free((void *)(uintptr_t)words.word);
     return status;
+}
+
+/** As in LAMMPS, groups that changed keep the members that they had: in this deck nothing chooses others. */
+static hs_status end_dynamic_groups(hs_deck *deck, hs_error *err)
+{
+    const hs_groups *groups = &deck->sim->groups;
+    for (int group = 0; group < HS_GROUPS_MAX; ++group) {
+        if (!(groups->dynamic & hs_group_mask(group))) continue;
+        const char *const words[] = {groups->name[group], "static"};
+        const hs_args args = {.command = "group", .n = 2, .word = words};
+        HS_TRY(hs_command_find(args.command)->run(deck, &args, err));
+        HS_TRY(hs_deck_remember(deck, &args, err));
+    }
+    return HS_OK;
 }
 
 hs_status hs_saved_repeat(hs_checkpoint *checkpoint, hs_deck *deck, char *commands, bool is_restart, hs_error *err)
@@ -136,6 +153,7 @@ hs_status hs_saved_repeat(hs_checkpoint *checkpoint, hs_deck *deck, char *comman
         status = repeat(checkpoint, deck, at, is_restart, err);
         at = end;
     }
+    if (status == HS_OK && is_restart) status = end_dynamic_groups(deck, err);
     deck->sim->env.is_resuming = false;
     *out = before;
     return status;

@@ -80,3 +80,14 @@ printf 'read_restart middle.h5\nprint "$(count(ball)) $(count(fast))" file read.
 "$HALFSHELL" groups_read.in -log none >out 2>err || fail "$(cat err)"
 cmp written.txt read.txt >&2 || fail "groups: $(cat written.txt read.txt)"
 grep -Eq '^[1-9][0-9]* [1-9]' read.txt || fail "empty groups: $(cat read.txt)"
+
+# Dynamic groups come as static ones, as in LAMMPS, and stay such in a run that goes on from a checkpoint.
+sed '/^run 60/d; /^velocity/a region half block 0 2 INF INF INF INF\ngroup moving dynamic all region half' first.in >moving.in
+printf 'print "$(count(moving))" file written.txt\n' >>moving.in
+printf 'read_restart middle.h5\nfix 1 all nve\ncheckpoint every 100 steps file after.*.h5\nrun 200\nprint "$(count(moving))" file read.txt\n' >moving_read.in
+"$HALFSHELL" moving.in -log none >out 2>err || fail "$(cat err)"
+"$HALFSHELL" moving_read.in -log none >out 2>err || fail "$(cat err)"
+cmp written.txt read.txt >&2 || fail "dynamic group: $(cat written.txt read.txt)"
+rm read.txt
+"$HALFSHELL" resume after.200.h5 -log none >out 2>err || fail "$(cat err)"
+cmp written.txt read.txt >&2 || fail "dynamic group of a run that goes on: $(cat written.txt read.txt)"
