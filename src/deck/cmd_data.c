@@ -93,9 +93,33 @@ static hs_status read_options(hs_deck *deck, const hs_args *args, hs_data_option
     return HS_OK;
 }
 
+/** A command read_data that is carried out. */
+typedef struct reading {
+    hs_deck *deck;
+    const hs_args *args;
+    bool is_remembered; /**< as one that checkpoints hold: what it sets follows, as commands of their own */
+} reading;
+
+/** Remember a command that has the effect of a part of the file, which will not be there when a run is resumed. */
+static hs_status remember_part(reading *r, const hs_args *command, hs_error *err)
+{
+    if (!r->is_remembered) HS_TRY(hs_deck_remember(r->deck, r->args, err));
+    r->is_remembered = true;
+    return hs_deck_remember(r->deck, command, err);
+}
+
 static hs_status set_coefficients(void *context, const hs_args *args, hs_error *err)
 {
-    return hs_sim_pair_coeff(context, args, err);
+    reading *r = context;
+    HS_TRY(hs_sim_pair_coeff(r->deck->sim, args, err));
+    return remember_part(r, &(hs_args){.command = "pair_coeff", .n = args->n, .word = args->word}, err);
+}
+
+/** A group of the atoms that were read: when it is made again they bring their memberships. */
+static hs_status remember_group(reading *r, const char *name, hs_error *err)
+{
+    const char *const words[] = {name, "empty"};
+    return remember_part(r, &(hs_args){.command = "group", .n = 2, .word = words}, err);
 }
 
 static hs_status read_data(hs_deck *deck, const hs_args *args, hs_data_options *options, hs_error *err)
@@ -121,11 +145,14 @@ static hs_status read_data(hs_deck *deck, const hs_args *args, hs_data_options *
 static hs_status run_read_data(hs_deck *deck, const hs_args *args, hs_error *err)
 {
     hs_sim *sim = deck->sim;
+    reading context = {.deck = deck, .args = args};
     hs_data_options options = {.pair_style = sim->pair != NULL ? sim->pair->style->about.name : NULL,
                                .pair_coeff = set_coefficients,
                                .may_be_skewed = sim->may_be_skewed,
-                               .context = sim};
-    const hs_status status = read_data(deck, args, &options, err);
+                               .context = &context};
+    hs_status status = read_data(deck, args, &options, err);
+    for (int group = 1; group < HS_GROUPS_MAX && status == HS_OK; ++group)
+        if (options.mask & hs_group_mask(group)) status = remember_group(&context, sim->groups.name[group], err);
     HS_FREE(options.section);
     return status;
 }

@@ -63,26 +63,18 @@ hs_status hs_saved_get_run(hs_checkpoint *checkpoint, hs_sim *sim, bool is_resum
     return status;
 }
 
-/** Commands whose effects come from the checkpoint's values: they are not repeated. */
+/** Commands whose effects come from the checkpoint's values, and `clear`, which makes an empty simulation as there is one: they are not
+ *  repeated. */
 static bool is_done_once(const char *name)
 {
-    static const char *const names[] = {"balance",       "create_atoms",
-                                        "delete_atoms",  "displace_atoms",
-                                        "echo",          "if",
-                                        "include",       "info",
-                                        "jump",          "label",
-                                        "log",           "minimize",
-                                        "next",          "print",
-                                        "quit",          "read_dump",
-                                        "rerun",         "reset_atom_ids",
-                                        "replicate",     "reset_timestep",
-                                        "run",           "set",
-                                        "shell",         "variable",
-                                        "velocity",      "write_coeff",
-                                        "write_data",    "write_dump",
-                                        "write_restart", "change_box",
-                                        "timestep",      "plot",
-                                        "report",        NULL};
+    static const char *const names[] = {
+        "balance",        "clear",       "create_atoms", "delete_atoms",   "displace_atoms",
+        "echo",           "if",          "include",      "info",           "jump",
+        "label",          "log",         "minimize",     "next",           "print",
+        "quit",           "read_dump",   "rerun",        "reset_atom_ids", "replicate",
+        "reset_timestep", "run",         "set",          "shell",          "variable",
+        "velocity",       "write_coeff", "write_data",   "write_dump",     "write_restart",
+        "change_box",     "timestep",    "plot",         "report",         NULL};
     for (int k = 0; names[k] != NULL; ++k)
         if (strcmp(names[k], name) == 0) return true;
     return false;

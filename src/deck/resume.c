@@ -90,7 +90,7 @@ static hs_status get_simulation(hs_checkpoint *checkpoint, hs_deck *deck, char *
 {
     HS_TRY(hs_text_append(&deck->done, commands, strlen(commands), err));
     HS_TRY(hs_saved_repeat(checkpoint, deck, commands, false, err));
-    hs_sim *sim = deck->sim; /* a `clear` among the commands has made it anew */
+    hs_sim *sim = deck->sim;
     HS_TRY(hs_variables_join_atoms(deck->variables, &sim->atoms, err));
     HS_TRY(hs_saved_get_atoms(checkpoint, sim, true, err));
     HS_TRY(hs_saved_get_run(checkpoint, sim, true, err));
