@@ -266,7 +266,8 @@ hs_status hs_saved_keep_dump(hs_dump *dump, hs_state *state, hs_error *err)
     if (!state->is_reading && dump->style->position != NULL) dump->resume_at = dump->style->position(dump);
     HS_TRY(hs_state_int64(state, "last written", &dump->last_written, 1, err));
     if (dump->every_variable != NULL) HS_TRY(hs_state_int64(state, "next snapshot", &dump->next_due, 1, err));
-    return hs_state_int64(state, "file size", &dump->resume_at, 1, err);
+    HS_TRY(hs_state_int64(state, "file size", &dump->resume_at, 1, err));
+    return dump->style->keep_state != NULL ? dump->style->keep_state(dump, state, err) : HS_OK;
 }
 
 /** IDs of fixes or computes, and what fields they have of the atoms: for read_restart, which knows none of them yet. */

@@ -43,5 +43,6 @@ const hs_dump_style hs_dump_style_atom = {
     .destroy = hs_dump_table_destroy,
     .init = init,
     .position = hs_dump_table_position,
+    .keep_state = hs_dump_table_keep,
     .write = hs_dump_table_write,
 };

@@ -101,5 +101,6 @@ const hs_dump_style hs_dump_style_cfg = {
     .destroy = hs_dump_table_destroy,
     .init = init,
     .position = hs_dump_table_position,
+    .keep_state = hs_dump_table_keep,
     .write = hs_dump_table_write,
 };

@@ -262,6 +262,21 @@ static hs_status write(hs_dump *dump, hs_error *err)
     return status;
 }
 
+/** With `center s` later pictures have the view of the first, whatever becomes of the box. */
+static hs_status keep_state(hs_dump *dump, hs_state *state, hs_error *err)
+{
+    static const char has_view[] = "has view";
+    hs_dump_image *self = dump->state;
+    hs_image_view *view = &self->view;
+    HS_TRY(hs_dump_table_keep(dump, state, err));
+    if (state->is_reading && hs_state_find(state, has_view) == NULL) return HS_OK;
+    HS_TRY(hs_state_bool(state, has_view, &self->has_view, err));
+    HS_TRY(hs_state_double(state, "view center", view->center, 3, err));
+    HS_TRY(hs_state_double(state, "view axes", view->axis[0], 9, err));
+    HS_TRY(hs_state_double(state, "view scale", &view->scale, 1, err));
+    return hs_state_double(state, "view middle", view->middle, 2, err);
+}
+
 const hs_dump_style hs_dump_style_image = {
     .about =
         {.name = "image",
@@ -292,6 +307,7 @@ const hs_dump_style hs_dump_style_image = {
     .create = create,
     .modify = modify,
     .destroy = destroy,
+    .keep_state = keep_state,
     .init = init,
     .write = write,
 };

@@ -26,5 +26,6 @@ const hs_dump_style hs_dump_style_xyz = {
     .destroy = hs_dump_table_destroy,
     .init = hs_dump_table_init,
     .position = hs_dump_table_position,
+    .keep_state = hs_dump_table_keep,
     .write = hs_dump_table_write,
 };

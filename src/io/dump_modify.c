@@ -216,7 +216,6 @@ static hs_status modify_number(hs_dump *dump, const hs_args *args, bool *is_mine
     if (strchr(dump->file, '*') == NULL)
         return hs_fail(err, HS_ERROR_INPUT, "%s: maxfiles needs a file name with *, one file a snapshot",
                        args->command);
-    for (int64_t k = 0; table->recent != NULL && k < table->max_files; ++k) HS_FREE(table->recent[k]);
     HS_FREE(table->recent);
     table->n_recent = 0;
     table->max_files = value;

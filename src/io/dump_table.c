@@ -80,7 +80,6 @@ void hs_dump_table_destroy(hs_dump *dump)
     hs_where_fini(&table->where);
     hs_dump_clear_conditions(dump);
     HS_FREE(table->condition);
-    for (int64_t k = 0; table->recent != NULL && k < table->max_files; ++k) HS_FREE(table->recent[k]);
     HS_FREE(table->recent);
     HS_FREE(table->order);
 }
@@ -277,16 +276,32 @@ static hs_status write_snapshot(hs_dump *dump, hs_writer *writer, hs_error *err)
 }
 
 /** dump_modify maxfiles: remember the new file and delete the one written max_files snapshots ago. */
-static hs_status keep_recent(hs_dump_table *table, char **name, hs_error *err)
+static hs_status keep_recent(hs_dump *dump, hs_error *err)
 {
+    hs_dump_table *table = dump->state;
     if (table->max_files < 0) return HS_OK;
     if (table->recent == NULL) HS_TRY(HS_ALLOC(table->recent, (size_t)table->max_files, err));
-    char **slot = &table->recent[table->n_recent++ % table->max_files];
-    if (*slot != NULL && strcmp(*slot, *name) != 0) unlink(*slot);
-    HS_FREE(*slot);
-    *slot = *name;
-    *name = NULL;
+    int64_t *slot = &table->recent[table->n_recent % table->max_files];
+    if (table->n_recent++ >= table->max_files && *slot != dump->env->step && dump->env->parallel->rank == 0) {
+        char *name = NULL;
+        HS_TRY(hs_writer_step_name(&name, dump->file, *slot, table->pad, err));
+        unlink(name);
+        HS_FREE(name);
+    }
+    *slot = dump->env->step;
     return HS_OK;
+}
+
+hs_status hs_dump_table_keep(hs_dump *dump, hs_state *state, hs_error *err)
+{
+    static const char count[] = "files written";
+    hs_dump_table *table = dump->state;
+    if (table->max_files < 0 || (state->is_reading && hs_state_find(state, count) == NULL)) return HS_OK;
+    HS_TRY(hs_state_int64(state, count, &table->n_recent, 1, err));
+    if (table->n_recent <= 0) return HS_OK;
+    if (table->recent == NULL) HS_TRY(HS_ALLOC(table->recent, (size_t)table->max_files, err));
+    const int64_t n_kept = table->n_recent < table->max_files ? table->n_recent : table->max_files;
+    return hs_state_int64(state, "steps of files", table->recent, n_kept, err);
 }
 
 hs_status hs_dump_write_step_file(hs_dump *dump, hs_status (*write)(hs_dump *dump, hs_writer *writer, hs_error *err),
@@ -303,8 +318,8 @@ hs_status hs_dump_write_step_file(hs_dump *dump, hs_status (*write)(hs_dump *dum
     if (status == HS_OK) status = write(dump, writer, err);
     if (status != HS_OK) hs_writer_abandon(&writer);
     if (is_mine) HS_UNLESS_FAILED(err, hs_writer_close(&writer, err));
-    if (is_mine) HS_UNLESS_FAILED(err, keep_recent(table, &name, err));
     HS_FREE(name);
+    HS_UNLESS_FAILED(err, keep_recent(dump, err));
     return hs_parallel_agree(parallel, err);
 }
 

@@ -68,7 +68,7 @@ typedef struct hs_dump_table {
     int64_t delay; /**< nothing before this step; -1: no delay */
     int pad;
     int64_t max_files; /**< -1: no limit */
-    char **recent;     /**< owned [max_files] names of the files kept, a ring */
+    int64_t *recent;   /**< owned [max_files] steps of the files kept, a ring; NULL before the first */
     int64_t n_recent;
     bool is_unsorted, is_descending, has_time, has_units, units_written, no_header;
     int sort_column;           /**< 1 .. n_columns; 0: by id */
@@ -99,6 +99,8 @@ void hs_dump_clear_conditions(hs_dump *dump);
 /** Before a run: find the region, make the formats, open a growing file. */
 HS_MUST_USE hs_status hs_dump_table_init(hs_dump *dump, hs_error *err);
 int64_t hs_dump_table_position(const hs_dump *dump);
+/** keep_state: which files dump_modify maxfiles will remove. */
+HS_MUST_USE hs_status hs_dump_table_keep(hs_dump *dump, hs_state *state, hs_error *err);
 /** Write a snapshot of the present step (collective). */
 HS_MUST_USE hs_status hs_dump_table_write(hs_dump *dump, hs_error *err);
 

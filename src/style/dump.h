@@ -4,6 +4,7 @@
 
 #include "style/args.h"
 #include "style/env.h"
+#include "style/state.h"
 
 struct hs_dump;
 
@@ -18,6 +19,8 @@ typedef struct hs_dump_style {
     void (*destroy)(struct hs_dump *dump);
     /** Bytes of a growing file that hold whole snapshots, -1 when there is none; NULL: the file tells itself. */
     int64_t (*position)(const struct hs_dump *dump);
+    /** What checkpoints hold of it beside its place in the file, as that of fixes. */
+    HS_MUST_USE hs_status (*keep_state)(struct hs_dump *dump, hs_state *state, hs_error *err);
     HS_MUST_USE hs_status (*init)(struct hs_dump *dump, hs_error *err); /**< before each run */
     HS_MUST_USE hs_status (*write)(struct hs_dump *dump,
                                    hs_error *err); /**< one snapshot of the present step (collective) */
