@@ -102,12 +102,19 @@ static void accelerate(hs_minimizer *min, double push, double mixing, const doub
     if (mixing > 0.0) set_velocities(min, 1.0 - mixing, 0.0, mixing * ratio);
 }
 
-/** The timestep, or a shorter one with which no atom moves farther than dmax along an axis. */
-static double safe_step(const hs_minimizer *min)
+/** The timestep, or a shorter one with which no atom moves farther than dmax along an axis, at the speed that it has; where all are at
+ *  rest, at the one that the forces give them in a timestep. */
+static double safe_step(hs_minimizer *min, bool is_at_rest)
 {
+    const double push = min->dt * min->sim->env.units->ftm2v;
+    if (is_at_rest) set_velocities(min, 0.0, push, 0.0);
     const double fastest = hs_min_largest(min, min->sim->atoms.v);
+    if (is_at_rest) set_velocities(min, 0.0, 0.0, 0.0);
     return min->dt * fastest > min->settings->dmax ? min->settings->dmax / fastest : min->dt;
 }
+
+/** FIRE as first published, begin_old: it finds the length of its steps after velocities were turned, and does nothing uphill but stop. */
+static bool is_first_form(const hs_minimizer *min) { return min->settings == &min->first_settings; }
 
 static hs_status iterate(hs_minimizer *min, hs_min_reason *reason, hs_error *err)
 {
@@ -118,28 +125,27 @@ static hs_status iterate(hs_minimizer *min, hs_min_reason *reason, hs_error *err
     ++min->n_since_begin;
     *reason = HS_MIN_NEGATIVE_POWER;
     if (!adapt(min, is_downhill)) return HS_OK;
+    if (!is_downhill && !is_first_form(min))
+        HS_TRY(hs_min_evaluate(min, err)); /* as in LAMMPS, even if nothing has moved */
     const double ftm2v = min->sim->env.units->ftm2v;
+    double dt = safe_step(min, !is_downhill);
     switch (min->settings->integrator) {
-    case HS_FIRE_VERLET: {
-        accelerate(min, 0.5 * min->dt, mixing, sums);
-        const double dt = safe_step(min);
+    case HS_FIRE_VERLET:
+        accelerate(min, 0.5 * dt, mixing, sums);
         move(min, dt);
         HS_TRY(hs_min_evaluate(min, err));
         set_velocities(min, 1.0, 0.5 * dt * ftm2v, 0.0);
         break;
-    }
     case HS_FIRE_EULER_EXPLICIT:
         accelerate(min, 0.0, mixing, sums);
-        {
-            const double dt = safe_step(min);
-            move(min, dt);
-            set_velocities(min, 1.0, dt * ftm2v, 0.0);
-        }
+        if (is_first_form(min)) dt = safe_step(min, false);
+        move(min, dt);
+        set_velocities(min, 1.0, dt * ftm2v, 0.0);
         HS_TRY(hs_min_evaluate(min, err));
         break;
     default: /* implicit Euler; leapfrog is the same, begun half a step earlier */
-        accelerate(min, min->dt, mixing, sums);
-        move(min, safe_step(min));
+        accelerate(min, dt, mixing, sums);
+        move(min, dt);
         HS_TRY(hs_min_evaluate(min, err));
     }
     /* the energy may stand still where it has just turned uphill */
@@ -153,7 +159,7 @@ const hs_min_style hs_min_style_fire = {.name = "fire",
                                         .begin = begin,
                                         .iterate = iterate};
 
-/** The first form of FIRE: explicit Euler steps of any shortness, and nothing done uphill but to stop. */
+/** The first form of FIRE: explicit Euler steps of any shortness. */
 static void begin_old(hs_minimizer *min)
 {
     hs_min_settings *settings = &min->first_settings;
@@ -189,7 +195,7 @@ static hs_status iterate_quickmin(hs_minimizer *min, hs_min_reason *reason, hs_e
     if (!is_downhill) min->last_uphill = min->n_iterations;
     set_velocities(min, 0.0, 0.0,
                    is_downhill && sums[FORCE_FORCE] > 0.0 ? sums[FORCE_VELOCITY] / sums[FORCE_FORCE] : 0.0);
-    const double dt = safe_step(min);
+    const double dt = safe_step(min, false);
     move(min, dt);
     set_velocities(min, 1.0, dt * min->sim->env.units->ftm2v, 0.0);
     HS_TRY(hs_min_evaluate(min, err));

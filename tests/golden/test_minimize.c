@@ -59,7 +59,7 @@ static void run_case(const char *start, const char *name, char *text)
 
 START_TEST(test_against_lammps)
 {
-    ck_assert_int_eq(hs_test_each_case(TEST_SOURCE_DIR "/golden/minimize.txt", run_case), 16);
+    ck_assert_int_eq(hs_test_each_case(TEST_SOURCE_DIR "/golden/minimize.txt", run_case), 21);
 }
 END_TEST
 
