@@ -107,6 +107,7 @@ def add_dump(deck):
     elements = "element " + " ".join(["Ar", "Kr", "Xe"][:deck.n_types])
     more = ["", "first yes", "pbc yes", "every 4", "delay 8", "append yes", "flush no", "pad 5", "units yes", "time yes", "buffer no", "buffer yes"]
     more += [elements] if is_custom or is_xyz or is_cfg else []
+    more += 3 * ["maxfiles 2", "maxfiles 1"] if ".*." in style else []
     if is_custom:
         more += 2 * ["format float %.9g", "format 2 %12.6g" if columns[0] not in ("id", "type", "element", "ix", "iy", "iz") else "format int %6d", "format int %5d"]
         more += ["sort -1", "sort 2" if columns[0] in ("x", "y", "vx", "vy", "xs", "ysu", "yu", "xu") else "sort 1", "format float %20.12e", "format none"]

@@ -74,12 +74,12 @@ static hs_status get_styles(hs_checkpoint *checkpoint, hs_sim *sim, hs_error *er
     for (int k = 0; k < sim->n_fixes + sim->n_computes; ++k) {
         hs_fix *fix = k < sim->n_fixes ? sim->fix[k] : NULL;
         hs_compute *compute = fix == NULL ? sim->compute[k - sim->n_fixes] : NULL;
-        if (fix != NULL ? fix->style->keep_state == NULL : compute->style->keep_state == NULL) continue;
+        if (fix == NULL && compute->style->keep_state == NULL) continue;
         hs_state state;
         HS_TRY(hs_saved_get(checkpoint, fix != NULL ? "fix" : "compute", fix != NULL ? fix->id : compute->id, &state,
                             err));
         const hs_status status =
-            fix != NULL ? fix->style->keep_state(fix, &state, err) : compute->style->keep_state(compute, &state, err);
+            fix != NULL ? hs_saved_keep_fix(fix, &state, err) : compute->style->keep_state(compute, &state, err);
         hs_state_fini(&state);
         HS_TRY(status);
     }

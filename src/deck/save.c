@@ -221,12 +221,22 @@ static hs_status put_places(hs_checkpoint *checkpoint, hs_deck *deck, int *n, hs
 
 /* ---- Styles and settings ---- */
 
+hs_status hs_saved_keep_fix(hs_fix *fix, hs_state *state, hs_error *err)
+{
+    static const char name[] = "virial of the fix";
+    const hs_fix_style *style = fix->style;
+    if (style->keep_state != NULL) HS_TRY(style->keep_state(fix, state, err));
+    /* where it acts every few steps only, the virial stays in between, as in LAMMPS */
+    if (!style->has_virial || (state->is_reading && hs_state_find(state, name) == NULL)) return HS_OK;
+    return hs_state_double(state, name, fix->virial, 6, err);
+}
+
 static hs_status put_fix(hs_checkpoint *checkpoint, hs_fix *fix, hs_error *err)
 {
     hs_state state = {0};
     char *name = (char *)(uintptr_t)fix->style->about.name;
     hs_status status = hs_state_text(&state, "style", &name, err);
-    if (status == HS_OK && fix->style->keep_state != NULL) status = fix->style->keep_state(fix, &state, err);
+    if (status == HS_OK) status = hs_saved_keep_fix(fix, &state, err);
     if (status == HS_OK) status = put_section(checkpoint, "fix", fix->id, &state, err);
     hs_state_fini(&state);
     return status;

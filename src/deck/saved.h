@@ -14,6 +14,7 @@ enum { HS_SAVED_FILE = 0 };
 HS_MUST_USE hs_status hs_saved_keep_generators(hs_variables *variables, hs_state *state, hs_error *err);
 HS_MUST_USE hs_status hs_saved_keep_variable(hs_variable *variable, hs_state *state, hs_error *err);
 HS_MUST_USE hs_status hs_saved_keep_frame(hs_frame *frame, hs_state *state, hs_error *err);
+HS_MUST_USE hs_status hs_saved_keep_fix(hs_fix *fix, hs_state *state, hs_error *err);
 HS_MUST_USE hs_status hs_saved_keep_dump(hs_dump *dump, hs_state *state, hs_error *err);
 
 /** The state that is the section KIND/ID ("fix", "compute", "dump", "variables"): deck/save.c. */

@@ -232,6 +232,7 @@ static hs_status iterate(hs_minimizer *min, hs_min_reason *reason, hs_error *err
         const bool is_last = *reason != HS_MIN_GOES_ON || *min->plan->iterations_left <= 0;
         if (is_last) sim->env.last_step = sim->env.step;
         sim->env.is_cut_short = false; /* the last iteration always has a row */
+        if (*reason != HS_MIN_GOES_ON) hs_thermo_want_row(sim->thermo);
         HS_TRY(hs_sim_output_if_due(sim, is_last, err));
         if (*reason != HS_MIN_GOES_ON) HS_TRY(hs_sim_write_all_dumps(sim, err)); /* the minimum, whatever its step */
         hs_report_progress(sim);

@@ -123,6 +123,8 @@ hs_status hs_thermo_keep(hs_thermo *thermo, hs_state *state, hs_error *err)
     return hs_state_int64(state, name, &thermo->next_due, 1, err);
 }
 
+void hs_thermo_want_row(hs_thermo *thermo) { thermo->next_due = thermo->sim->env.step; }
+
 bool hs_thermo_is_due(const hs_thermo *thermo, int64_t step)
 {
     const hs_env *env = &thermo->sim->env;

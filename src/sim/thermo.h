@@ -23,7 +23,10 @@ HS_MUST_USE hs_status hs_thermo_modify(hs_thermo *thermo, const hs_args *args, h
 HS_MUST_USE hs_status hs_thermo_init(hs_thermo *thermo, hs_error *err);
 /** For a run that is resumed: means so far, and the step of the next row where a variable gives it. */
 HS_MUST_USE hs_status hs_thermo_keep(hs_thermo *thermo, hs_state *state, hs_error *err);
-/** Whether the table has a row at this step: the first and last one of a run always, but for the last where a variable decides. */
+/** The present step has a row even if a variable chooses the steps. */
+void hs_thermo_want_row(hs_thermo *thermo);
+/** Whether the table has a row at this step: the first and last one of a run always, but for the last where a variable decides or a fix
+ *  has ended the run. */
 bool hs_thermo_is_due(const hs_thermo *thermo, int64_t step);
 void hs_thermo_header(hs_thermo *thermo);
 /** Write the row of the present step (collective); also the check for lost atoms (thermo_modify lost). */

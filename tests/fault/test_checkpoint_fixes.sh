@@ -106,6 +106,13 @@ dump 2 all custom 7 changed.dump id
 dump_modify 2 thresh v_fast != LAST thresh x > 1
 D
 
+check virials <<'D'
+fix 1 all nve
+fix 2 all addforce 0.3 0.1 0 every 35
+fix_modify 2 virial yes
+fix 3 all print 5 "$(press:%.17g)" file pressures.txt
+D
+
 check drying <<'D'
 region r block 1.1 3.1 INF INF INF INF
 fix 1 all nve
