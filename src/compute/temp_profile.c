@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "base/memory.h"
+#include "base/text.h"
 #include "core/atom_style.h"
 #include "style/chunks.h"
 #include "style/temperature.h"
@@ -16,11 +17,13 @@ typedef struct profile_state {
     bool is_taken_off[3]; /**< which components of the mean velocity */
     int64_t n[3];         /**< bins along each axis */
     int64_t n_bins;
-    double *mean[3];     /**< owned [n_bins]: the bins' mean velocities, distance/time */
-    double *sum;         /**< owned [n_bins] */
-    uint64_t mean_at;    /**< revision they are of; 0: none */
-    double *bin, *value; /**< owned [capacity]: of each local atom while sums are made */
-    size_t capacity_bin, capacity_value;
+    double *mean[3];  /**< owned [n_bins]: the bins' mean velocities, distance/time */
+    double *sum;      /**< owned [n_bins] */
+    uint64_t mean_at; /**< revision they are of; 0: none */
+    double *bin;      /**< atom field: bin of each local atom, from 1, that the means were made with; 0: none yet */
+    char *field;      /**< owned; name of that field */
+    double *value;    /**< owned [capacity_value]: of each local atom while sums are made */
+    size_t capacity_value;
 } profile_state;
 
 static const hs_keyword keywords[] = {
@@ -58,6 +61,17 @@ static void count_taken_off(hs_compute *compute)
     state->temperature.n_bias = (double)compute->env->box->dimension * (double)state->n_bins;
 }
 
+static hs_status add_field(hs_compute *compute, hs_error *err)
+{
+    profile_state *state = compute->state;
+    hs_text name = {0};
+    hs_status status = hs_text_printf(&name, err, "compute %s bin", compute->id);
+    if (status == HS_OK) status = hs_memory_strdup(&state->field, hs_text_get(&name), err);
+    hs_text_fini(&name);
+    HS_TRY(status);
+    return hs_atoms_add_field(compute->env->atoms, state->field, (void **)&state->bin, sizeof *state->bin, false, err);
+}
+
 static hs_status create(hs_compute *compute, const hs_args *args, hs_error *err)
 {
     profile_state *state = compute->state;
@@ -78,6 +92,7 @@ static hs_status create(hs_compute *compute, const hs_args *args, hs_error *err)
         return hs_arg_refuse(args, next, "expected: there are more numbers than axes", NULL, err);
     HS_TRY(hs_temperature_create(compute, HS_ALL_AXES, err));
     count_taken_off(compute);
+    HS_TRY(add_field(compute, err));
     for (int axis = 0; axis < 3; ++axis) HS_TRY(HS_ALLOC(state->mean[axis], (size_t)state->n_bins, err));
     HS_TRY(HS_ALLOC(state->sum, (size_t)state->n_bins, err));
     if (!compute->has_array) return HS_OK;
@@ -91,7 +106,8 @@ static void destroy(hs_compute *compute)
     profile_state *state = compute->state;
     for (int axis = 0; axis < 3; ++axis) HS_FREE(state->mean[axis]);
     HS_FREE(state->sum);
-    HS_FREE(state->bin);
+    if (state->bin != NULL) hs_atoms_remove_field(compute->env->atoms, (void **)&state->bin);
+    HS_FREE(state->field);
     HS_FREE(state->value);
     HS_FREE(compute->array);
     hs_temperature_destroy(compute);
@@ -121,10 +137,11 @@ static size_t bin_of(const hs_compute *compute, int i)
     return (size_t)bin;
 }
 
+/** An atom belongs to the bin that it was in when the means were made, even if it, or the box, has moved since. */
 static void bias(const hs_compute *compute, int i, double v[3])
 {
     const profile_state *state = compute->state;
-    const size_t bin = bin_of(compute, i);
+    const size_t bin = state->bin[i] > 0.0 ? (size_t)state->bin[i] - 1 : bin_of(compute, i);
     for (int axis = 0; axis < 3; ++axis) v[axis] = state->is_taken_off[axis] ? state->mean[axis][bin] : 0.0;
 }
 
@@ -133,8 +150,7 @@ static hs_status sort_into_bins(hs_compute *compute, hs_error *err)
 {
     profile_state *state = compute->state;
     const size_t n = (size_t)compute->env->atoms->n_local;
-    hs_status status = HS_RESERVE(state->bin, state->capacity_bin, n, err);
-    if (status == HS_OK) status = HS_RESERVE(state->value, state->capacity_value, n, err);
+    hs_status status = HS_RESERVE(state->value, state->capacity_value, n, err);
     if (hs_parallel_agree(compute->env->parallel, err) != HS_OK) return status != HS_OK ? status : err->status;
 #pragma omp parallel for schedule(static)
     for (size_t i = 0; i < n; ++i) state->bin[i] = (double)(bin_of(compute, (int)i) + 1);
