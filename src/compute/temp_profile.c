@@ -141,7 +141,9 @@ static size_t bin_of(const hs_compute *compute, int i)
 static void bias(const hs_compute *compute, int i, double v[3])
 {
     const profile_state *state = compute->state;
-    const size_t bin = state->bin[i] > 0.0 ? (size_t)state->bin[i] - 1 : bin_of(compute, i);
+    const double made_with = state->bin[i]; /* perhaps read from the file of another deck, with other bins */
+    const bool is_known = made_with >= 1.0 && made_with <= (double)state->n_bins;
+    const size_t bin = is_known ? (size_t)made_with - 1 : bin_of(compute, i);
     for (int axis = 0; axis < 3; ++axis) v[axis] = state->is_taken_off[axis] ? state->mean[axis][bin] : 0.0;
 }
 

@@ -298,7 +298,8 @@ hs_status hs_dump_table_keep(hs_dump *dump, hs_state *state, hs_error *err)
     hs_dump_table *table = dump->state;
     if (table->max_files < 0 || (state->is_reading && hs_state_find(state, count) == NULL)) return HS_OK;
     HS_TRY(hs_state_int64(state, count, &table->n_recent, 1, err));
-    if (table->n_recent <= 0) return HS_OK;
+    if (table->n_recent < 0) table->n_recent = 0; /* no program has written this */
+    if (table->n_recent == 0) return HS_OK;
     if (table->recent == NULL) HS_TRY(HS_ALLOC(table->recent, (size_t)table->max_files, err));
     const int64_t n_kept = table->n_recent < table->max_files ? table->n_recent : table->max_files;
     return hs_state_int64(state, "steps of files", table->recent, n_kept, err);

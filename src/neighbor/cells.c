@@ -206,7 +206,8 @@ static void sort_share(hs_cells *cells, const sort_input *in, int64_t n_cells, i
     for (int64_t i = begin; i < end; ++i) cells->sort.order[histogram[cells->sort.key[i]]++] = (int32_t)i;
 #pragma omp barrier
     hs_thread_range(n_cells, 16, thread, n_threads, &begin, &end);
-    for (int64_t c = begin; c < end; ++c) order_cell(in, cells->sort.order + in->start[c], in->start[c + 1] - in->start[c]);
+    for (int64_t c = begin; c < end; ++c)
+        order_cell(in, cells->sort.order + in->start[c], in->start[c + 1] - in->start[c]);
 }
 
 static hs_status sort(hs_cells *cells, const hs_atoms *atoms, const sort_input *in, hs_error *err)

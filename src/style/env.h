@@ -77,8 +77,8 @@ typedef struct hs_env {
     /** Two dimensions, and for the rest of the run all z, v_z and f_z are +0, on all ranks: who would only carry the zeros on leaves them
      *  alone, for reading and writing them takes as long as x and y do. Set by hs_sim. */
     bool is_planar;
-    bool
-        is_cut_short; /**< a fix has ended the run before its last step, which has no row of thermo output then unless one is due */
+    /** A fix has ended the run before its last step, which has no row of thermo output then unless one is due. */
+    bool is_cut_short;
     bool is_halted; /**< fix halt: there shall be no more runs and minimisations */
     /** Raised whenever positions, velocities, forces or the order of atoms change: results of computes are remembered
      *  for one revision. Who changes atoms outside of the hooks before end_of_step raises it (hs_env_changed). */
