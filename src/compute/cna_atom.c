@@ -5,6 +5,7 @@
  * Sources: D. Faken, H. Jonsson, Comput. Mater. Sci. 2, 279 (1994), doi:10.1016/0927-0256(94)90109-0; H. Tsuzuki, P. S. Branicio,
  * J. P. Rino, Comput. Phys. Commun. 177, 518 (2007), doi:10.1016/j.cpc.2007.05.018. */
 #include "style/nearest.h"
+#include "style/pair_scan.h"
 
 /** Results, as numbers. */
 typedef enum { UNKNOWN, FCC, HCP, BCC, ICOSAHEDRON, OTHER } crystal;
@@ -17,15 +18,26 @@ static hs_status create(hs_compute *compute, const hs_args *args, hs_error *err)
     return hs_arg_positive(args, 0, compute->state, err);
 }
 
+/** What makes a bond: atoms nearer than the cutoff, but for types whose pairs are excluded. */
+typedef struct bonding {
+    double cutoff;
+    hs_pair_view pairs;
+} bonding;
+
+static bool is_bond(const bonding *b, const hs_near *one, const hs_near *two)
+{
+    const double x = one->d[0] - two->d[0], y = one->d[1] - two->d[1], z = one->d[2] - two->d[2];
+    if (!(x * x + y * y + z * z < b->cutoff * b->cutoff)) return false;
+    return b->pairs.excluded == NULL || !b->pairs.excluded[one->type * b->pairs.n_kernel_types + two->type];
+}
+
 /** Which of the neighbors are bonded to which: bit k of bonds[i]. */
-static void find_bonds(const hs_near *near, int n, double cutoff, uint32_t bonds[N_BCC])
+static void find_bonds(const bonding *b, const hs_near *near, int n, uint32_t bonds[N_BCC])
 {
     for (int i = 0; i < n; ++i) bonds[i] = 0;
     for (int i = 0; i < n; ++i)
         for (int k = i + 1; k < n; ++k) {
-            const double x = near[i].d[0] - near[k].d[0], y = near[i].d[1] - near[k].d[1],
-                         z = near[i].d[2] - near[k].d[2];
-            if (!(x * x + y * y + z * z < cutoff * cutoff)) continue;
+            if (!is_bond(b, &near[i], &near[k])) continue;
             bonds[i] |= 1u << k;
             bonds[k] |= 1u << i;
         }
@@ -46,12 +58,12 @@ static int signature(const uint32_t bonds[N_BCC], int n, int i)
     return common == 0 ? 0 : 1000 * __builtin_popcount(common) + 100 * (n_ends / 2) + 10 * most + least;
 }
 
-static crystal crystal_of(const hs_near *near, int n, double cutoff)
+static crystal crystal_of(const bonding *b, const hs_near *near, int n)
 {
     uint32_t bonds[N_BCC];
     int n_4211 = 0, n_4220 = 0, n_5522 = 0, n_4422 = 0, n_6622 = 0;
     if (n != N_CLOSE && n != N_BCC) return OTHER;
-    find_bonds(near, n, cutoff, bonds);
+    find_bonds(b, near, n, bonds);
     for (int i = 0; i < n; ++i) {
         const int of_bond = signature(bonds, n, i);
         n_4211 += of_bond == 4211;
@@ -66,16 +78,17 @@ static crystal crystal_of(const hs_near *near, int n, double cutoff)
 
 static hs_status per_atom(hs_compute *compute, hs_error *err)
 {
-    const double cutoff = *(const double *)compute->state;
     const hs_atoms *atoms = compute->env->atoms;
     hs_nearest nearest = {0};
-    const hs_status status = hs_nearest_find(&nearest, compute->env, cutoff, 0, err);
+    bonding b = {.cutoff = *(const double *)compute->state};
+    compute->env->view_pairs(compute->env, &b.pairs);
+    const hs_status status = hs_nearest_find(&nearest, compute->env, b.cutoff, 0, err);
     if (status == HS_OK) {
 #pragma omp parallel for schedule(static)
         for (int i = 0; i < atoms->n_local; ++i) {
             int n;
             const hs_near *near = hs_nearest_of(&nearest, i, 0, &n);
-            compute->atoms[i] = atoms->mask[i] & compute->mask ? crystal_of(near, n, cutoff) : UNKNOWN;
+            compute->atoms[i] = atoms->mask[i] & compute->mask ? crystal_of(&b, near, n) : UNKNOWN;
         }
     }
     hs_nearest_fini(&nearest);
@@ -89,7 +102,8 @@ const hs_compute_style hs_compute_style_cna_atom = {
               .details = "The value per atom is 1 in fcc, 2 in hcp, 3 in bcc, 4 in an icosahedron, 5 elsewhere, and 0 "
                          "outside of the group. Atoms closer than the cutoff (distance) are neighbors, of whatever "
                          "group; an atom has a crystal when it has 12 (bcc: 14) neighbors, and the neighbors that it "
-                         "has in common with each are bonded as in that crystal. So the cutoff must lie between the "
+                         "has in common with each are bonded as in that crystal; pairs that `neigh_modify exclude` "
+                         "leaves out are no bonds. So the cutoff must lie between the "
                          "first and the second shell of neighbors, for bcc between the second and the third: with the "
                          "lattice constant a that is 0.854 a in fcc, 1.207 a in bcc, and (with the ideal axis ratio) "
                          "1.207 a in hcp. Thermal motion makes atoms unknown; minimise, or average places, before.",

@@ -5,6 +5,7 @@
 #include "base/timer.h"
 #include "comm/balance.h"
 #include "deck/command.h"
+#include "deck/place_atoms.h"
 #include "style/balance_weight.h"
 
 /** One balance command. */
@@ -159,6 +160,7 @@ static hs_status run_balance(hs_deck *deck, const hs_args *args, hs_error *err)
     hs_status status = read_request(args, sim->box.dimension, &r, err);
     if (status == HS_OK && sim->atoms.n_all == 0)
         status = hs_fail(err, HS_ERROR_INPUT, "balance: there are no atoms yet");
+    if (status == HS_OK) status = hs_atoms_bring_back(sim, "balance", err);
     if (status == HS_OK)
         status =
             hs_balance_weight_eval(&r.weight, &sim->env, sim->timer.phase_s[HS_PHASE_PAIR], "balance", &costs, err);

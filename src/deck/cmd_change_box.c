@@ -237,10 +237,7 @@ static hs_status change_run(hs_deck *deck, const hs_args *args, hs_error *err)
     HS_TRY(hs_groups_get(&sim->groups, args->word[0], &bit, err));
     c.mask = hs_group_mask(bit);
     HS_TRY(read_units(&c, args, err));
-    /* atoms that have left the box since the last lists come back first: those that do not follow stay where they are */
-    const hs_box_flow *flow = sim->env.box_flow;
-    if (flow != NULL && flow->moves_velocities != 0) hs_box_wrap_flowing(&sim->env, flow->edge, flow->moves_velocities);
-    HS_TRY(hs_atoms_wrap_all(sim, args->command, err));
+    HS_TRY(hs_atoms_bring_back(sim, args->command, err)); /* first: those that do not follow stay where they are */
     hs_sim_shrink_box(sim); /* to the atoms as they are now, from which new margins and lengths follow, as in LAMMPS */
     c.set = *box;
     sim->env.position_magic = 0.0; /* between runs positions are on no grid */

@@ -6,6 +6,7 @@
 #include "deck/by_id.h"
 #include "deck/command.h"
 #include "deck/marsaglia.h"
+#include "deck/place_atoms.h"
 #include "style/pair_scan.h"
 
 typedef enum { DELETE_GROUP, DELETE_REGION, DELETE_OVERLAP, DELETE_POROSITY } delete_style;
@@ -90,6 +91,7 @@ static hs_status mark_overlap(hs_sim *sim, const hs_args *args, unsigned char *d
         HS_TRY(hs_groups_get(&sim->groups, args->word[2 + k], &bit, err));
         o.mask[k] = hs_group_mask(bit);
     }
+    HS_TRY(hs_atoms_bring_back(sim, args->command, err));
     const hs_status status = hs_pair_scan_begin(&scan, &sim->env, cutoff, err);
     if (status == HS_OK) {
         for (int k = 0; k < 3; ++k) memset(scan.atoms.f[k], 0, (size_t)scan.n_all * sizeof(double));
@@ -296,6 +298,7 @@ static hs_status reset_ids_run(hs_deck *deck, const hs_args *args, hs_error *err
     hs_sim *sim = deck->sim;
     unsigned char *none = NULL;
     HS_TRY(hs_sim_need_box(sim, args->command, err));
+    HS_TRY(hs_atoms_bring_back(sim, args->command, err));
     HS_UNLESS_FAILED(err, HS_ALLOC(none, (size_t)sim->atoms.n_local, err));
     hs_status status = hs_parallel_agree(&sim->parallel, err);
     if (status == HS_OK) {
@@ -319,9 +322,10 @@ const hs_command hs_commands_delete[] = {
                 .name = "reset_atom_ids",
                 .syntax = {"[sort no]", 0, 0, reset_ids_keywords},
                 .summary = "Number the atoms from 1 on without gaps",
-                .details =
-                    "Ids become 1 to N, in the order in which they are. Where there are no gaps nothing changes. "
-                    "`delete_atoms` does so by itself; atoms that fixes remove leave gaps.\n",
+                .details = "Ids become 1 to N, in the order in which they are. Where there are no gaps no id changes. "
+                           "Atoms that have left the "
+                           "box since the last lists are brought back, also by `balance` and `delete_atoms overlap`. "
+                           "`delete_atoms` does so by itself; atoms that fixes remove leave gaps.\n",
                 .example = "fix 1 all evaporate 100 10 top 4711\nrun 10000\nunfix 1\nreset_atom_ids",
             },
         .run = reset_ids_run,

@@ -3,6 +3,9 @@
 #include <math.h>
 #include <string.h>
 
+#include "style/box_change.h"
+#include "style/box_flow.h"
+
 /** A periodic axis along which x is farther from the box than images can count; -1: none. */
 static int too_far_along(const hs_box *box, const double x[3])
 {
@@ -32,6 +35,13 @@ hs_status hs_atoms_wrap_all(hs_sim *sim, const char *command, hs_error *err)
         }
     }
     return hs_parallel_agree(&sim->parallel, err);
+}
+
+hs_status hs_atoms_bring_back(hs_sim *sim, const char *command, hs_error *err)
+{
+    const hs_box_flow *flow = sim->env.box_flow;
+    if (flow != NULL && flow->moves_velocities != 0) hs_box_wrap_flowing(&sim->env, flow->edge, flow->moves_velocities);
+    return hs_atoms_wrap_all(sim, command, err);
 }
 
 hs_status hs_boundary_read(const hs_args *args, int i, int axis, hs_boundary faces[2], hs_error *err)

@@ -39,12 +39,13 @@ static void keep_pairs(void *context, int thread, const hs_pair_batch *batch)
 {
     finding *f = context;
     const int64_t *id = f->scan->id;
+    const int32_t *type = f->scan->atoms.type;
     (void)thread;
     for (int p = 0; p < batch->n; ++p) {
         const int i = batch->i[p], j = batch->j[p];
         const double dx = batch->dx[0][p], dy = batch->dx[1][p], dz = batch->dx[2][p];
-        *next_place(&f->table, i) = (hs_near){.r2 = batch->r2[p], .d = {dx, dy, dz}, .id = id[j]};
-        *next_place(&f->table, j) = (hs_near){.r2 = batch->r2[p], .d = {-dx, -dy, -dz}, .id = id[i]};
+        *next_place(&f->table, i) = (hs_near){.r2 = batch->r2[p], .d = {dx, dy, dz}, .id = id[j], .type = type[j]};
+        *next_place(&f->table, j) = (hs_near){.r2 = batch->r2[p], .d = {-dx, -dy, -dz}, .id = id[i], .type = type[i]};
     }
 }
 

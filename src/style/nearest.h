@@ -9,6 +9,7 @@ typedef struct hs_near {
     double r2;   /**< distance^2 */
     double d[3]; /**< to it, distance */
     int64_t id;
+    int32_t type; /**< as hs_pair_view.excluded tells types apart */
 } hs_near;
 
 /** Neighbors of the local atoms, one atom after the other. Zero it before; free with hs_nearest_fini. */
