@@ -58,6 +58,7 @@ hs_status hs_saved_get_run(hs_checkpoint *checkpoint, hs_sim *sim, bool is_resum
     hs_state state;
     HS_TRY(hs_checkpoint_get(checkpoint, "run", &state, err));
     hs_status status = hs_sim_keep_run(sim, &state, err);
+    if (!is_resumed) sim->env.is_halted = false; /* that was another deck's run */
     if (status == HS_OK && is_resumed) status = hs_sim_keep_under_way(sim, &state, err);
     hs_state_fini(&state);
     return status;

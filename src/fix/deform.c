@@ -175,6 +175,14 @@ static int64_t excess(const hs_box *box, int tilt, double value)
     return box->periodic[axis] && fabs(edges) > 0.5 ? -(int64_t)round(edges) : 0;
 }
 
+/** Whether a tilt follows a path: as in LAMMPS a box whose lengths alone change keeps the tilts that it has. */
+static bool changes_tilts(const hs_deformation *plan)
+{
+    for (int tilt = 0; tilt < 3; ++tilt)
+        if (plan->path[3 + tilt].style != HS_DEFORM_NOT) return true;
+    return false;
+}
+
 /** Whether the box has become too skewed: then the next step begins in an equivalent one. As in LAMMPS yz comes first,
  *  for it changes xz. */
 static void plan_flip(deform_state *state, const hs_env *env)
@@ -218,7 +226,7 @@ static hs_status end_of_step(hs_fix *fix, hs_error *err)
     add_flips(state, env->box, &to);
     hs_box_change(env, to.lo, to.hi, to.tilt, state->flow.moves_places);
     hs_deform_set_flow(&state->flow, &to);
-    if (env->box->is_tilted && state->has_flips) plan_flip(state, env);
+    if (env->box->is_tilted && state->has_flips && changes_tilts(&state->plan)) plan_flip(state, env);
     return HS_OK;
 }
 

@@ -91,3 +91,9 @@ cmp written.txt read.txt >&2 || fail "dynamic group: $(cat written.txt read.txt)
 rm read.txt
 "$HALFSHELL" resume after.200.h5 -log none >out 2>err || fail "$(cat err)"
 cmp written.txt read.txt >&2 || fail "dynamic group of a run that goes on: $(cat written.txt read.txt)"
+
+# A run that fix halt has ended ends no runs of the deck that reads its atoms.
+sed '/^run 60/d; /^velocity/a variable late equal step>30\nfix stop all halt 5 v_late == 1 error soft message no' first.in >halted.in
+printf 'write_restart halted.h5\nclear\nread_restart halted.h5\nfix move all nve\nrun 20\nprint "$(step)" file read.txt\n' >>halted.in
+"$HALFSHELL" halted.in -log none >out 2>err || fail "$(cat err)"
+[ "$(cat read.txt)" = 55 ] || fail "runs after fix halt: $(cat read.txt)"
