@@ -21,6 +21,7 @@ static const char *const reasons[HS_N_MIN_REASONS] = {
     [HS_MIN_UPHILL] = "search direction is not downhill",
     [HS_MIN_HALTED] = "walltime limit reached", /* LAMMPS's words for fix halt, too */
     [HS_MIN_ALPHA] = "linesearch alpha is zero",
+    [HS_MIN_FLAT] = "quadratic factors are zero",
     [HS_MIN_NO_FORCES] = "forces are zero",
     [HS_MIN_NEGATIVE_POWER] = "max iterations with v.f negative",
 };
@@ -149,7 +150,7 @@ hs_status hs_min_evaluate(hs_minimizer *min, hs_error *err)
 
 hs_min_reason hs_min_check(const hs_minimizer *min, bool with_energy)
 {
-    const double tiny = 1e-8; /* energies of about zero have no meaningful relative change */
+    const double tiny = 1e-8 / min->energy_scale; /* energies of about zero have no meaningful relative change */
     const double size = 0.5 * (fabs(min->energy) + fabs(min->energy_before) + tiny);
     if (*min->plan->evaluations_left <= 0) return HS_MIN_MAX_EVALUATIONS;
     if (with_energy && fabs(min->energy - min->energy_before) < min->plan->energy_tolerance * size)
@@ -248,8 +249,7 @@ typedef struct beginning {
 
 static void describe(const hs_minimizer *min, const beginning *start, hs_min_reason reason, char *text, size_t size)
 {
-    const hs_sim *sim = min->sim;
-    const double scale = sim->thermo->is_norm ? 1.0 / fmax((double)sim->atoms.n_all, 1.0) : 1.0;
+    const double scale = min->energy_scale;
     const bool has_direction = min->settings->style->has_direction;
     const double norm = force_norm(min, HS_NORM_TWO), largest = force_norm(min, HS_NORM_INF);
     snprintf(text, size,
@@ -296,6 +296,7 @@ static hs_status minimize(hs_sim *sim, hs_min_plan *plan, hs_error *err)
     HS_TRY(hs_min_measure_box(&min, err));
     const double start_s = hs_time_now_s(), start_cpu_s = hs_time_cpu_s();
     hs_min_reason reason;
+    min.energy_scale = sim->thermo->is_norm ? 1.0 / fmax((double)sim->atoms.n_all, 1.0) : 1.0;
     min.energy = min.energy_before = hs_min_energy(&min);
     const beginning start = {min.energy, force_norm(&min, HS_NORM_TWO), force_norm(&min, HS_NORM_INF)};
     hs_status status = begin(&min, err);

@@ -44,6 +44,7 @@ typedef enum {
     HS_MIN_FORCE,
     HS_MIN_UPHILL,
     HS_MIN_ALPHA,
+    HS_MIN_FLAT,
     HS_MIN_NO_FORCES,
     HS_MIN_NEGATIVE_POWER,
     HS_MIN_HALTED, /**< by a fix */

@@ -13,9 +13,9 @@
 static const double alpha_max = 1.0;
 static const double wanted_part = 0.4; /* of the decrease that the slope promises */
 static const double shrink = 0.5;
-static const double too_little = 1e-8; /* change of the energy that means nothing */
+static const double negligible = 1e-8; /* change of the energy that means nothing, by min->energy_scale */
 static const double parabola_error = 0.1;
-static const double flat = 1e-28; /* slopes that differ by less tell nothing */
+static const double flat = 1e-28; /* slopes that differ by less tell nothing, by min->energy_scale */
 
 /** A try: how far, its energy, and the force along the direction. */
 typedef struct place {
@@ -53,11 +53,18 @@ static hs_status go_to(hs_minimizer *min, double alpha, place *there, hs_error *
     return HS_OK;
 }
 
+/** Whether the slopes tell of no parabola: they do not differ, or there are no forces any more (spheres that have come apart). As in
+ *  LAMMPS the search then ends where it began. */
+static bool is_flat(const hs_minimizer *min, const place *last, const place *now)
+{
+    const double least = flat / min->energy_scale;
+    return fabs(now->slope) < least || fabs(last->slope - now->slope) < least;
+}
+
 /** Where the slope would vanish; 0 when the last two places are no part of a parabola that says so. */
 static double parabola_minimum(const place *last, const place *now, double limit)
 {
     const double change = last->slope - now->slope;
-    if (fabs(change) < flat) return 0.0;
     const double step = now->alpha - last->alpha;
     /* energy that the slopes would lead from the place before to this one */
     const double error = fabs(1.0 - (0.5 * step * (now->slope + last->slope) + now->energy) / last->energy);
@@ -84,14 +91,21 @@ hs_status hs_min_search_line(hs_minimizer *min, hs_min_reason *reason, hs_error 
     }
     const double limit =
         fmin(fmin(alpha_max, hs_min_limit_of_box(min)), largest > 0.0 ? min->settings->dmax / largest : alpha_max);
+    const bool is_quadratic = min->settings->line == HS_LINE_QUADRATIC;
+    const double too_little = negligible / min->energy_scale;
     place last = start, now, tried;
     for (double alpha = limit;; alpha *= shrink) {
         min->alpha_tried = alpha;
         HS_TRY(go_to(min, alpha, &now, err));
-        const double best = min->settings->line == HS_LINE_QUADRATIC ? parabola_minimum(&last, &now, limit) : 0.0;
+        if (is_quadratic && is_flat(min, &last, &now)) {
+            *reason = HS_MIN_FLAT;
+            return go_to(min, 0.0, &tried, err);
+        }
+        const double best = is_quadratic ? parabola_minimum(&last, &now, limit) : 0.0;
         if (best > 0.0 && best != alpha) {
             HS_TRY(go_to(min, best, &tried, err));
             if (tried.energy - start.energy < too_little) return HS_OK;
+            now.energy = tried.energy; /* the next parabola is judged by it, as in LAMMPS */
         } else if (now.energy <= start.energy - wanted_part * now.alpha * start.slope) {
             return HS_OK;
         }

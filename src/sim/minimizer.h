@@ -24,6 +24,8 @@ typedef struct hs_minimizer {
     int64_t n_iterations, n_evaluations;
     double energy, energy_before; /**< now, and at the end of the iteration before */
     double alpha;                 /**< of the line search: distance moved = alpha times direction */
+    double
+        energy_scale; /**< of energies as thresholds see them: 1/N under `thermo_modify norm yes`, as in LAMMPS, else 1 */
     double alpha_tried; /**< last distance of the line search that was not guessed from a parabola, for the log */
     /** Search direction and forces of the iteration before; fields of the atoms, only when the style wants them. */
     double *direction[3], *before[3];
@@ -74,7 +76,7 @@ void hs_min_go_with_box(hs_minimizer *min, double alpha);
 /** After a line: energy and forces where the fix takes another reference (collective). */
 HS_MUST_USE hs_status hs_min_renew_box(hs_minimizer *min, hs_error *err);
 
-/** Move along the direction to a lower energy (collective). *reason is HS_MIN_ALPHA when there was none to be found;
+/** Move along the direction to a lower energy (collective). *reason is HS_MIN_ALPHA or HS_MIN_FLAT when there was none to be found;
  *  atoms are where they were then. */
 HS_MUST_USE hs_status hs_min_search_line(hs_minimizer *min, hs_min_reason *reason, hs_error *err);
 
