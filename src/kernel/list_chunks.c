@@ -1,6 +1,7 @@
 #include "kernel/list_chunks.h"
 
 #include "base/memory.h"
+#include "parallel/cache.h"
 #include "parallel/parallel.h"
 
 enum {
@@ -90,13 +91,32 @@ hs_status hs_block_list_set(hs_block_list *list, const unsigned char *touched, i
     return HS_OK;
 }
 
+/** Make a block of the atoms' arrays ready; the positions there will be read by the first pairs that come to it, which the memory would
+ *  keep waiting where the arrays are larger than the caches. */
+static void touch_atoms(hs_force_buffer *buffer, const hs_force_job *job, int64_t block, int64_t n_room)
+{
+    const int64_t begin = block << HS_FORCE_BLOCK_BITS, left = n_room - begin;
+    const size_t n_bytes = (size_t)(left < HS_FORCE_BLOCK ? left : HS_FORCE_BLOCK) * sizeof(double);
+    if (buffer->touched[block]) return;
+    for (int axis = 0; axis < buffer->n_axes; ++axis) hs_cache_fetch(job->atoms->x[axis] + begin, n_bytes);
+    hs_force_touch(buffer, begin, n_room);
+}
+
+/** The same of a block of packed clusters. */
+static void touch_packed(hs_force_buffer *buffer, const hs_force_job *job, int64_t block)
+{
+    if (buffer->touched[block]) return;
+    hs_cache_fetch(job->input.site + (block << HS_PACKED_BLOCK_BITS), HS_PACKED_BLOCK * sizeof *job->input.site);
+    hs_force_touch_packed(buffer, block);
+}
+
 void hs_block_list_touch(const hs_block_list *list, hs_force_buffer *buffer, const hs_force_job *job)
 {
     const int64_t n_room = (int64_t)job->atoms->n_local + job->atoms->n_halo + HS_ATOMS_PAD;
     for (int64_t k = 0; k < list->n; ++k) {
         if (hs_force_is_packed(job))
-            hs_force_touch_packed(buffer, list->block[k]);
+            touch_packed(buffer, job, list->block[k]);
         else
-            hs_force_touch(buffer, (int64_t)list->block[k] << HS_FORCE_BLOCK_BITS, n_room);
+            touch_atoms(buffer, job, list->block[k], n_room);
     }
 }

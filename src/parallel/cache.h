@@ -1,4 +1,4 @@
-/** Lines of the cache that other cores hold copies of. */
+/** Lines of the cache: those to be read soon, and those that other cores hold copies of. */
 #ifndef HS_PARALLEL_CACHE_H
 #define HS_PARALLEL_CACHE_H
 
@@ -6,6 +6,12 @@
 #include <stdint.h>
 
 enum { HS_CACHE_LINE = 64 };
+
+/** Begin to bring these bytes, which will be read soon, near this core: into the cache that is large enough for many of them. */
+static inline void hs_cache_fetch(const void *memory, size_t n_bytes)
+{
+    for (size_t at = 0; at < n_bytes; at += HS_CACHE_LINE) __builtin_prefetch((const char *)memory + at, 0, 2);
+}
 
 /** Make this core the only one that holds these bytes, which are its own to write: one store for each line.
  *
