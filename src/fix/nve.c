@@ -31,19 +31,27 @@ typedef struct step_sizes {
     double dt, magic;
 } step_sizes;
 
-/** Atoms [0, n) along one axis: v += (dt/2) f/m, and with @p drift x += dt v. kick[]: dt/2/m, of all atoms in kick[0]
- *  when
- *  @p is_uniform; moves[]: whether the atom moves, NULL: all do. The bools are constants where it is called. */
+/** Parts of a step. */
+typedef enum half {
+    FIRST_HALF,
+    SECOND_HALF,
+    BOTH_HALVES /**< the second one of a step, and the first of the next: with the same forces */
+} half;
+
+/** Atoms [0, n) along one axis: v += (dt/2) f/m, once or for both halves, and but for the second half x += dt v. kick[]: dt/2/m, of all
+ *  atoms in kick[0] when @p is_uniform; moves[]: whether the atom moves, NULL: all do. The part and the bool are constants where it
+ *  is called. */
 static inline __attribute__((always_inline)) void move_axis(double *restrict x, double *restrict v,
                                                             const double *restrict f, const double *restrict kick,
                                                             const uint64_t *restrict moves, int n, step_sizes sizes,
-                                                            const bool drift, const bool is_uniform)
+                                                            const half part, const bool is_uniform)
 {
     const double dt = sizes.dt, magic = sizes.magic, only_kick = kick[0];
     for (int i = 0; i < n; ++i) {
-        const double v_old = v[i], v_new = v_old + (is_uniform ? only_kick : kick[i]) * f[i];
+        const double v_old = v[i], change = (is_uniform ? only_kick : kick[i]) * f[i];
+        const double v_new = part == BOTH_HALVES ? (v_old + change) + change : v_old + change;
         const bool is_moved = is_uniform || moves[i] != 0;
-        if (drift) { /* x is read before v is written: arrays may begin at the same place of a page */
+        if (part != SECOND_HALF) { /* x is read before v is written: arrays may begin at the same place of a page */
             const double x_old = x[i], x_new = hs_moved(x_old, dt * v_new, magic);
             v[i] = is_moved ? v_new : v_old;
             x[i] = is_moved ? x_new : x_old;
@@ -55,20 +63,22 @@ static inline __attribute__((always_inline)) void move_axis(double *restrict x, 
 
 #define MOVE(is_uniform)                                                                                               \
     do {                                                                                                               \
-        if (drift)                                                                                                     \
-            move_axis(x, v, f, kick, moves, n, sizes, true, is_uniform);                                               \
+        if (part == FIRST_HALF)                                                                                        \
+            move_axis(x, v, f, kick, moves, n, sizes, FIRST_HALF, is_uniform);                                         \
+        else if (part == SECOND_HALF)                                                                                  \
+            move_axis(x, v, f, kick, moves, n, sizes, SECOND_HALF, is_uniform);                                        \
         else                                                                                                           \
-            move_axis(x, v, f, kick, moves, n, sizes, false, is_uniform);                                              \
+            move_axis(x, v, f, kick, moves, n, sizes, BOTH_HALVES, is_uniform);                                        \
     } while (0)
 HS_WIDE static void move_all(double *x, double *v, const double *f, const double *kick, int n, step_sizes sizes,
-                             bool drift)
+                             half part)
 {
     const uint64_t *moves = NULL;
     MOVE(true);
 }
 
 HS_WIDE static void move_some(double *x, double *v, const double *f, const double *kick, const uint64_t *moves, int n,
-                              step_sizes sizes, bool drift)
+                              step_sizes sizes, half part)
 {
     MOVE(false);
 }
@@ -77,7 +87,7 @@ HS_WIDE static void move_some(double *x, double *v, const double *f, const doubl
 enum { BLOCK = 256 }; /* atoms whose masses are looked up at a time */
 
 /** The atoms of a thread. One type and group all is the usual case, without look-ups. */
-static void move(const hs_fix *fix, bool drift)
+static void move(const hs_fix *fix, half part)
 {
     const nve_state *nve = fix->state;
     const hs_atoms *atoms = fix->env->atoms;
@@ -91,7 +101,7 @@ static void move(const hs_fix *fix, bool drift)
     if (atoms->n_types == 1 && atoms->rmass == NULL && fix->group == 0) {
         for (int axis = 0; axis < n_axes; ++axis)
             move_all(x[axis] + begin, v[axis] + begin, f[axis] + begin, &nve->half_kick[1], (int)(end - begin), sizes,
-                     drift);
+                     part);
         return;
     }
     for (int64_t at = begin; at < end; at += BLOCK) {
@@ -101,21 +111,28 @@ static void move(const hs_fix *fix, bool drift)
             kick[k] = atoms->rmass != NULL ? nve->half_dt / atoms->rmass[at + k] : nve->half_kick[atoms->type[at + k]];
         }
         for (int axis = 0; axis < n_axes; ++axis)
-            move_some(x[axis] + at, v[axis] + at, f[axis] + at, kick, moves, n, sizes, drift);
+            move_some(x[axis] + at, v[axis] + at, f[axis] + at, kick, moves, n, sizes, part);
     }
 }
 
 static hs_status initial_integrate(hs_fix *fix, hs_error *err)
 {
     (void)err;
-    HS_ON_THREADS(move(fix, true));
+    HS_ON_THREADS(move(fix, FIRST_HALF));
     return HS_OK;
 }
 
 static hs_status final_integrate(hs_fix *fix, hs_error *err)
 {
     (void)err;
-    HS_ON_THREADS(move(fix, false));
+    HS_ON_THREADS(move(fix, SECOND_HALF));
+    return HS_OK;
+}
+
+static hs_status join_integrate(hs_fix *fix, hs_error *err)
+{
+    (void)err;
+    HS_ON_THREADS(move(fix, BOTH_HALVES));
     return HS_OK;
 }
 
@@ -133,6 +150,7 @@ const hs_fix_style hs_fix_style_nve = {
     .dt_changed = init,
     .initial_integrate = initial_integrate,
     .final_integrate = final_integrate,
+    .join_integrate = join_integrate,
     .is_integrator = true,
     .allows_dynamic_group = true,
     .keeps_plane = true,

@@ -131,6 +131,7 @@ static hs_status write_file(hs_sim *sim, const char *path, hs_error *err)
     if (saving->write == NULL)
         return hs_fail(err, HS_ERROR_RUN, "a checkpoint can only be written by a simulation that a deck drives");
     const double start_s = hs_time_now_s();
+    HS_TRY(hs_sim_finish_step(sim, err));
     HS_TRY(saving->write(sim->env.deck, path, err));
     saving->last_s = hs_time_now_s();
     saving->cost_s = saving->last_s - start_s;

@@ -107,6 +107,7 @@ typedef struct hs_sim {
     struct hs_saving *saving;              /**< owned; checkpoints and when they are due: sim/saving.h */
     struct hs_restored *restored;          /**< owned; states for fixes to come: sim/restored.h; NULL: none */
     bool is_stopping;                      /**< some rank was asked to stop; agreed once a step */
+    hs_fix *unfinished;                    /**< borrowed: its final_integrate waits; NULL: the step is whole */
     bool is_output_due;                    /**< the output of the present step failed: a resumed run begins with it */
     bool is_rerunning;                     /**< atoms come from a file: no fix needs to move them */
 } hs_sim;
@@ -267,8 +268,11 @@ HS_MUST_USE hs_status hs_sim_write_all_dumps(hs_sim *sim, hs_error *err);
 /** Whether the atoms will stay in the plane until commands change something: two dimensions, z, v_z and f_z of all atoms +0, and no fix
  *  that could make them anything else (collective).  sim/planar.c */
 bool hs_sim_is_planar(const hs_sim *sim);
-/** One timestep, without output (collective).  sim/step.c */
-HS_MUST_USE hs_status hs_sim_step(hs_sim *sim, bool with_energy, hs_error *err);
+/** One timestep, without output (collective). If it is not @p is_seen, final_integrate may wait for the next step, which does both
+ *  halves at once, or for hs_sim_finish_step: until then velocities are those of its middle.  sim/step.c */
+HS_MUST_USE hs_status hs_sim_step(hs_sim *sim, bool with_energy, bool is_seen, hs_error *err);
+/** Let the last step come to its end before somebody looks (collective).  sim/step.c */
+HS_MUST_USE hs_status hs_sim_finish_step(hs_sim *sim, hs_error *err);
 /** Cells, lists, forces, energy and virial of atoms that were placed anew, when all else is set up. */
 HS_MUST_USE hs_status hs_sim_setup_forces(hs_sim *sim, hs_error *err);
 /** Dumps, and the row of the table, that are due at the present step (collective). */

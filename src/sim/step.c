@@ -79,13 +79,51 @@ static hs_status end_step(hs_sim *sim, hs_error *err)
     return HS_OK;
 }
 
-hs_status hs_sim_step(hs_sim *sim, bool with_energy, hs_error *err)
+/** The fix whose two halves can be joined: the only one that integrates, where none acts between the halves. */
+static hs_fix *joining_fix(const hs_sim *sim)
+{
+    hs_fix *joining = NULL;
+    for (int k = 0; k < sim->n_fixes; ++k) {
+        const hs_fix_style *style = sim->fix[k]->style;
+        if (style->end_of_step != NULL) return NULL;
+        if (style->initial_integrate == NULL && style->final_integrate == NULL) continue;
+        if (style->join_integrate == NULL || joining != NULL) return NULL;
+        if (sim->fix[k]->mask & sim->groups.dynamic) return NULL; /* other members for the other half */
+        joining = sim->fix[k];
+    }
+    return joining;
+}
+
+/** The first half of a step, and with it what the step before has left. */
+static hs_status begin_motion(hs_sim *sim, hs_error *err)
+{
+    hs_fix *unfinished = sim->unfinished;
+    sim->unfinished = NULL;
+    if (unfinished == NULL)
+        CALL_FIXES(sim, initial_integrate, err);
+    else
+        HS_TRY(unfinished->style->join_integrate(unfinished, err));
+    hs_env_changed(&sim->env);
+    return HS_OK;
+}
+
+hs_status hs_sim_finish_step(hs_sim *sim, hs_error *err)
+{
+    hs_fix *unfinished = sim->unfinished;
+    sim->unfinished = NULL;
+    if (unfinished == NULL) return HS_OK;
+    HS_TRY(unfinished->style->final_integrate(unfinished, err));
+    hs_env_changed(&sim->env);
+    return HS_OK;
+}
+
+hs_status hs_sim_step(hs_sim *sim, bool with_energy, bool is_seen, hs_error *err)
 {
     ++sim->env.step;
     sim->env.with_energy = with_energy;
     hs_sim_forget_force_places(sim);
     hs_timer_mark(&sim->timer);
-    CALL_FIXES(sim, initial_integrate, err);
+    HS_TRY(begin_motion(sim, err));
     CALL_FIXES(sim, post_integrate, err);
     HS_TRY(hs_sim_pre_force(sim, false, err));
     hs_timer_add(&sim->timer, HS_PHASE_MODIFY);
@@ -96,7 +134,8 @@ hs_status hs_sim_step(hs_sim *sim, bool with_energy, hs_error *err)
 
     /* what a fix computes in one of these hooks is void in the next; a fix that changes atoms in end_of_step says so */
     HS_TRY(hs_sim_post_force(sim, err));
-    CALL_FIXES(sim, final_integrate, err);
+    sim->unfinished = is_seen ? NULL : joining_fix(sim);
+    if (sim->unfinished == NULL) CALL_FIXES(sim, final_integrate, err);
     /* positions are still those of the forces, until a fix says otherwise */
     if (sim->env.pair_counter != NULL) hs_pair_counter_hold(sim->env.pair_counter, sim->env.revision + 1);
     hs_sim_keep_force_places(sim);

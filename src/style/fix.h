@@ -49,6 +49,9 @@ typedef struct hs_fix_style {
      *  step, too. */
     HS_MUST_USE hs_status (*measure_at_setup)(struct hs_fix *fix, hs_error *err);
     HS_MUST_USE hs_status (*final_integrate)(struct hs_fix *fix, hs_error *err); /**< half kick */
+    /** final_integrate of one step and initial_integrate of the next, with the same bits, in one pass over the atoms; for steps
+     *  between which nobody looks. NULL: it takes two. */
+    HS_MUST_USE hs_status (*join_integrate)(struct hs_fix *fix, hs_error *err);
     HS_MUST_USE hs_status (*end_of_step)(struct hs_fix *fix, hs_error *err);
     /** The same in a minimisation, whose forces are those of the iteration's last evaluation. */
     HS_MUST_USE hs_status (*end_of_iteration)(struct hs_fix *fix, hs_error *err);
