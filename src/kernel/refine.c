@@ -89,12 +89,13 @@ static int order_by_rows(const hs_cluster_entry *entry, int n, hs_cluster_entry 
         for (int part = 0; part < N_PARTS; ++part) ++next[part][place_of(&entry[part * size + e])];
     for (int e = N_PARTS * size; e < n; ++e) ++next[N_PARTS - 1][place_of(&entry[e])];
     for (int set = 0; set < N_SETS; ++set) begin[set] = next[0][set] + next[1][set] + next[2][set] + next[3][set];
-    int n_kept = 0;
-    for (int set = 0, count; set < N_SETS; ++set, n_kept += count) {
-        count = begin[set];
-        begin[set] = n_kept;
+    int n_before = 0;
+    for (int set = 0; set < N_SETS; ++set) {
+        const int count = begin[set];
+        begin[set] = n_before;
+        n_before += count;
     }
-    n_kept = begin[N_SETS - 1];
+    const int n_kept = begin[N_SETS - 1]; /* those without rows are the last */
     for (int part = 0; part < N_PARTS; ++part) {
         for (int set = 0; set < N_SETS; ++set) {
             const int count = next[part][set];
