@@ -299,32 +299,16 @@ static hs_status stop_if_asked(hs_sim *sim, hs_error *err)
     return hs_sim_stop(sim, where, err);
 }
 
-/** Whether `run ... every` has commands for the end of a step. */
-static bool are_commands_due(const hs_sim *sim, const hs_run_plan *plan, int64_t step)
-{
-    return plan->every > 0 && plan->at_every != NULL && (step - sim->env.first_step) % plan->every == 0;
-}
-
-static hs_status run_commands(hs_sim *sim, const hs_run_plan *plan, hs_error *err)
-{
-    if (!are_commands_due(sim, plan, sim->env.step)) return HS_OK;
-    sim->env.is_planar = false;
-    HS_TRY(plan->at_every(plan->context, err));
-    sim->env.is_planar = hs_sim_is_planar(sim);
-    return HS_OK;
-}
-
-static hs_status run_steps(hs_sim *sim, const hs_run_plan *plan, hs_error *err)
+static hs_status run_steps(hs_sim *sim, hs_error *err)
 {
     sim->env.is_planar = hs_sim_is_planar(sim);
     while (sim->env.step < sim->env.last_step) {
         const int64_t next = sim->env.step + 1;
         const bool is_due = next == sim->env.last_step || is_output_due(sim, next);
         announce_samples(sim, next);
-        HS_TRY(hs_sim_step(sim, is_due || is_energy_due(sim, next), is_due || are_commands_due(sim, plan, next), err));
+        HS_TRY(hs_sim_step(sim, is_due || is_energy_due(sim, next), is_due, err));
         if (is_due) HS_TRY(write_output(sim, err));
         hs_report_progress(sim);
-        HS_TRY(run_commands(sim, plan, err));
         HS_TRY(hs_sim_save_if_due(sim, err));
         HS_TRY(stop_if_asked(sim, err));
     }
@@ -376,7 +360,7 @@ hs_status hs_sim_run(hs_sim *sim, const hs_run_plan *plan, hs_error *err)
     hs_status status = begin_run(sim, plan, err);
     if (status != HS_OK && !sim->saving->is_rescued) return status;
     const double start_s = hs_time_now_s(), start_cpu_s = hs_time_cpu_s();
-    if (status == HS_OK) status = run_steps(sim, plan, err);
+    if (status == HS_OK) status = run_steps(sim, err);
     const hs_status finished = hs_sim_finish_step(sim, err); /* however it has ended */
     status = status == HS_OK ? finished : status;
     sim->env.is_planar = false;

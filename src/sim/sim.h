@@ -180,9 +180,6 @@ typedef struct hs_run_plan {
     bool pre, post;      /**< full set-up before; timing table after */
     int64_t start, stop; /**< steps that ramps in fixes and thermo's time left refer to */
     bool is_resumed;     /**< go on within a run: env.first_step and last_step say where; needs hs_sim_setup_resumed */
-    int64_t every;       /**< > 0: call at_every after each so many steps */
-    hs_status (*at_every)(void *context, hs_error *err);
-    void *context;
 } hs_run_plan;
 
 /** Run the simulation (collective): set-up, steps, output, timing table.  sim/run.c. */

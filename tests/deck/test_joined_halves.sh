@@ -23,7 +23,10 @@ pair_style lj/cut 2.5
 pair_coeff * * 1.0 1.0
 neigh_modify every 1 delay 0 check yes
 thermo 100
-thermo_modify norm no
+thermo_style custom step ke
+thermo_modify norm no format float %.10g
+variable e equal ke
+variable k format e %.10g
 DECK
 echo 'write_dump all custom end.dump id x y z vx vy vz modify sort id format float %.17g' >end.in
 
@@ -42,7 +45,7 @@ for types in "" types.in; do
         state joined <<<"$fix
 run 100"
         state watched <<<"$fix
-fix look all print 1 'step'
+fix look all print 1 'ke \${k}'
 run 100"
         state rows <<<"$fix
 thermo 1
@@ -60,6 +63,8 @@ fix 2 all viscous 0.5
 fix look all print 1 'step'
 run 100"
         alike joined watched rows
+        diff <(sed -n 's/^ke //p' watched.out) <(awk '$1 ~ /^[0-9]+$/ && NF == 2 { print $2 }' rows.out) ||
+            fail "energies at the end of steps are not those of the rows"
         alike commands commands_watched
         [ "$(grep -c '^[0-9.]*$' commands.out)" -ge 33 ] || fail "no energies between the steps"
         cmp <(grep '^[0-9.]*$' commands.out) <(grep '^[0-9.]*$' commands_watched.out) || fail "energies between the steps differ"
